@@ -15,6 +15,9 @@ void hold_closed_streams() {
     }
 }
 
+// Before the constructors of the lists of the program, which ask for memory.
+[[gnu::constructor(101)]] void begin() { carom::say_when_memory_runs_out(); }
+
 }  // namespace
 
 int main(int argc, char** argv) {

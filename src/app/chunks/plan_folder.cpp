@@ -4,7 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "app/chunks/build_facts.h"
@@ -126,6 +128,7 @@ std::string shortened(std::vector<std::string> numbers) {
 PlanWriter::PlanWriter(fs::path folder) : folder_(std::move(folder)) {
     refuse_other_files(folder_);
     std::error_code error;
+    is_new_ = !fs::exists(folder_, error);
     for (const char* name :
          {"plan.json", "film.plan", "sweep.plan", "summary.json", "starts", "chunks"}) {
         fs::remove_all(folder_ / name, error);
@@ -134,6 +137,15 @@ PlanWriter::PlanWriter(fs::path folder) : folder_(std::move(folder)) {
                 fmt::format("cannot remove {}: {}", (folder_ / name).string(), error.message()),
                 error.value());
     }
+}
+
+// Folders that hold something else stay.
+PlanWriter::~PlanWriter() {
+    if (is_committed_) return;
+    std::error_code error;
+    for (const auto& [name, content] : files_.items()) fs::remove(folder_ / name, error);
+    fs::remove(folder_ / "starts", error);
+    if (is_new_) fs::remove(folder_, error);
 }
 
 void PlanWriter::write(const std::string& name, std::string_view bytes) {
@@ -153,6 +165,7 @@ void PlanWriter::commit(const PlanHeader& header, const std::vector<PlannedChunk
         contents["chunks"].push_back(to_json(chunk, header.kind));
     contents["fingerprint"] = fingerprint_of(contents);
     write_file(folder_ / "plan.json", text_of(contents, 2) + "\n");
+    is_committed_ = true;
 }
 
 PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
@@ -238,8 +251,12 @@ std::vector<int> PlanFolder::missing() const {
 }
 
 void PlanFolder::finish(const PlannedChunk& chunk, const Json& build, double seconds) const {
+    errno = 0;
     const auto content = fingerprint_of_file(output(chunk));
-    if (!content) throw TemporaryError(fmt::format("cannot read back {}", output(chunk).string()));
+    if (!content)
+        throw TemporaryError(fmt::format(
+            "cannot read back {}: {}", output(chunk).string(),
+            errno == 0 ? "it is no ordinary file" : std::generic_category().message(errno)));
     const Json json{{"chunk", chunk.number},
                     {"plan", fingerprint()},
                     {"fingerprint", *content},

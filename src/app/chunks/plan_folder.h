@@ -45,6 +45,9 @@ class PlanWriter {
     /// Creates the folder if it is missing, and removes the plan and the chunks that it holds.
     /// Throws UsageError where it holds something else, SystemError.
     explicit PlanWriter(std::filesystem::path folder);
+    ~PlanWriter();  ///< uncommitted: leaves no file
+    PlanWriter(const PlanWriter&) = delete;
+    PlanWriter& operator=(const PlanWriter&) = delete;
 
     /// Adds a file of the plan, by its name in the folder ("starts/0001.start").
     void write(const std::string& name, std::string_view bytes);
@@ -54,6 +57,8 @@ class PlanWriter {
   private:
     std::filesystem::path folder_;
     Json files_ = Json::object();  ///< fingerprints by name
+    bool is_new_ = false;          ///< the folder
+    bool is_committed_ = false;
 };
 
 /// A plan that was written.

@@ -93,6 +93,8 @@ void warn(const FigureSet& set, const SetReport& report) {
                         report.gone.size() == 1 ? "it is" : "they are"));
 }
 
+constexpr const char* finished = "figures that were finished stay, and are not made again";
+
 void make_all(const FiguresArguments& arguments) {
     refuse_standard_output(arguments);
     refuse_same_folders(arguments);
@@ -107,7 +109,11 @@ void make_all(const FiguresArguments& arguments) {
             if (!arguments.quiet) print_report(set, report);
         }
     } catch (const Interrupted&) {
-        throw Interrupted("figures that were finished stay, and are not made again");
+        throw Interrupted(finished);
+    } catch (const TemporaryError& error) {
+        throw TemporaryError(fmt::format("{}; {}", error.what(), finished));
+    } catch (const SystemError& error) {
+        throw SystemError(fmt::format("{}; {}", error.what(), finished));
     }
 }
 

@@ -270,8 +270,10 @@ int run_and_complain(int argc, const char* const* argv) {
 
 }  // namespace
 
+void say_when_memory_runs_out() { std::set_terminate(end_without_memory); }
+
 int run_command_line(int argc, const char* const* argv) {
-    std::set_terminate(end_without_memory);
+    say_when_memory_runs_out();
     try {
         return run_and_complain(argc, argv);
     } catch (const std::bad_alloc&) {

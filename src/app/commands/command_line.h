@@ -6,6 +6,10 @@
 
 namespace carom {
 
+/// From here on the program ends with a message, and exit code 1, where there is no memory and
+/// nothing that catches it.
+void say_when_memory_runs_out();
+
 /// Parses the arguments, does the work, reports; returns the exit code: 0 done, 1 the work failed,
 /// 2 wrong input, 130 interrupted.
 int run_command_line(int argc, const char* const* argv);

@@ -291,10 +291,10 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     StartWriter starts(plan, *format.film, options.quality, writer, progress);
     starts.write(chunks);
     writer.write(plan_file, shared_bytes(plan, options));
+    report.cut = starts.cut_words();  // draws, which may fail
     writer.commit({PlanKind::film, request, facts_of(plan, format)}, chunks);
     report.chunks = static_cast<int>(chunks.size());
     report.frames = plan.frames();
-    report.cut = starts.cut_words();
     report.passes = plan.passes;
     report.wall_seconds = watch.wall();
     return report;

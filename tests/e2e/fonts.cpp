@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,9 +23,9 @@ std::string small_still(const std::string& output) {
 
 // Where the opening number `number` of a font fails.
 Outcome with_failing_open(int number, const std::string& of, const TemporaryFolder& folder) {
-    return shell(fmt::format("ASAN_OPTIONS=verify_asan_link_order=0 FAIL_OPEN_OF={} "
-                             "FAIL_OPEN_NUMBER={} LD_PRELOAD='{}' {}",
-                             of, number, CAROM_FAILING_OPEN, small_still("failed.png")),
+    return shell(fmt::format("ASAN_OPTIONS=verify_asan_link_order=0 FAULT_CALL=open FAULT_OF={} "
+                             "FAULT_NUMBER={} FAULT_ERROR={} LD_PRELOAD='{}' {}",
+                             of, number, EMFILE, CAROM_FAILING_CALLS, small_still("failed.png")),
                  folder.path());
 }
 

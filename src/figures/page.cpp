@@ -198,8 +198,7 @@ class Filler {
             if (const auto words = scope->formulated.find(name); words != scope->formulated.end())
                 return escaped_with_formulas(words->second, kind_);
             if (const auto file = scope->files.find(name); file != scope->files.end())
-                return kind_ == PageKind::latex ? latex_name(file->second)
-                                                : address(file->second);
+                return kind_ == PageKind::latex ? latex_name(file->second) : address(file->second);
         }
         return std::nullopt;
     }

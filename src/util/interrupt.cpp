@@ -44,6 +44,7 @@ Interrupted::Interrupted()
 void note_output() { has_output.store(true); }
 
 void install_signal_handlers() {
+    has_output.store(false);
     struct sigaction action = {};
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);

@@ -18,7 +18,8 @@ class Interrupted : public std::runtime_error {
 void note_output();
 
 /// Sets the flag on SIGINT and SIGTERM, and on SIGHUP unless it is ignored; ignores SIGXFSZ and
-/// SIGPIPE, so that a full disk or a closed pipe is an error and no death.
+/// SIGPIPE, so that a full disk or a closed pipe is an error and no death. No output has its name
+/// yet.
 void install_signal_handlers();
 
 /// Throws Interrupted if the user has asked to stop. Cheap: one relaxed atomic load.

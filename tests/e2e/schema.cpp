@@ -55,8 +55,9 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"event_at_the_end", several_places},     // `at` against `until`
     {"events_in_two_frames", several_places},
     {"events_too_dense", several_places},
-    {"figure_compare_run", several_places},  // `set` of a run against the scene
-    {"figure_sweep_point", several_places},  // values of `vary` against the scene
+    {"figure_sweep_elsewhere", several_places},  // the folder of a name
+    {"figure_compare_run", several_places},      // `set` of a run against the scene
+    {"figure_sweep_point", several_places},      // values of `vary` against the scene
     {"figure_test_over", several_places},
     {"film_camera_ring", several_places},  // what is followed against the box
     {"film_field", several_places},        // a name against the gas

@@ -18,7 +18,7 @@ endif()
 if(carom_sanitizers)
     target_compile_options(carom_rules INTERFACE
         -fsanitize=${carom_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer
-        # False alarms of GCC 12: on variants, and on fences, which Boost has but carom does not use.
+        # False alarms of GCC 12 on variants; and its warning that the thread sanitizer does not know fences.
         "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-tsan>")
     target_link_options(carom_rules INTERFACE -fsanitize=${carom_sanitizers})
 endif()

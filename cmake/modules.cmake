@@ -6,7 +6,7 @@
 function(carom_module name)
     cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;SEPARATE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
-    list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+    list(FILTER sources EXCLUDE REGEX "/app/(main|allocation)\\.cpp$")  # of the program alone
     add_library(carom_${name} STATIC ${sources})
     add_library(carom::${name} ALIAS carom_${name})
     target_include_directories(carom_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)

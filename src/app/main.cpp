@@ -3,6 +3,7 @@
 
 #include "app/commands/command_line.h"
 #include "util/interrupt.h"
+#include "util/memory/memory_reserve.h"
 
 namespace {
 
@@ -16,7 +17,10 @@ void hold_closed_streams() {
 }
 
 // Before the constructors of the lists of the program, which ask for memory.
-[[gnu::constructor(101)]] void begin() { carom::say_when_memory_runs_out(); }
+[[gnu::constructor(101)]] void begin() {
+    carom::keep_memory_reserve();
+    carom::say_when_memory_runs_out();
+}
 
 }  // namespace
 

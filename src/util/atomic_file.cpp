@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "util/diagnostics.h"
+#include "util/memory/memory_reserve.h"
 
 namespace carom {
 namespace {
@@ -159,6 +160,7 @@ bool AtomicFile::appears() {
 void AtomicFile::commit() {
     settle();
     const fs::path folder = folder_of(target_);  // while no memory for it is still a failure
+    throw_if_memory_ran_out();
     if (!appears()) fail("write", path_);
     note_output();
     close(file_.descriptor);
@@ -213,6 +215,7 @@ void AtomicFolder::settle() {
 void AtomicFolder::commit() {
     settle();
     const fs::path folder = folder_of(path_);
+    throw_if_memory_ran_out();
     if (rename(folder_.name.c_str(), path_.c_str()) != 0) fail("write", path_);
     note_output();
     folder_.name.clear();

@@ -6,10 +6,12 @@
 #include <csignal>
 #include <string_view>
 
+#include "util/memory/memory_reserve.h"
+
 namespace carom {
 namespace {
 
-std::atomic<bool> interrupted{false}, has_output{false};
+std::atomic<bool> interrupted{false}, output_exists{false};
 std::atomic<int> ending_at_once{0}, to_clean_up{0};
 static_assert(std::atomic<bool>::is_always_lock_free &&
               std::atomic<int>::is_always_lock_free);  // hence safe in a signal handler
@@ -20,7 +22,7 @@ constexpr std::string_view nothing = "carom: interrupted; nothing was written\n"
 void on_signal(int) {
     interrupted.store(true);
     if (ending_at_once.load() == 0 || to_clean_up.load() > 0) return;
-    const std::string_view message = has_output.load() ? nothing_more : nothing;
+    const std::string_view message = output_exists.load() ? nothing_more : nothing;
     constexpr std::string_view on_terminal = "\r\033[K";  // in place of a line of progress
     if (isatty(STDERR_FILENO) != 0) [[maybe_unused]]
         const ssize_t cleared = write(STDERR_FILENO, on_terminal.data(), on_terminal.size());
@@ -39,12 +41,14 @@ void stop_at_hangup(const struct sigaction& action) {
 }  // namespace
 
 Interrupted::Interrupted()
-    : Interrupted(has_output.load() ? "nothing more was written" : "nothing was written") {}
+    : Interrupted(output_exists.load() ? "nothing more was written" : "nothing was written") {}
 
-void note_output() { has_output.store(true); }
+void note_output() { output_exists.store(true); }
+
+bool has_output() noexcept { return output_exists.load(); }
 
 void install_signal_handlers() {
-    has_output.store(false);
+    output_exists.store(false);
     struct sigaction action = {};
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);
@@ -57,6 +61,7 @@ void install_signal_handlers() {
 
 void throw_if_interrupted() {
     if (interrupted.load(std::memory_order_relaxed)) throw Interrupted();
+    throw_if_memory_ran_out();
 }
 
 // A signal that comes before the count is seen by the flag, one that comes after it by the handler.

@@ -17,12 +17,16 @@ class Interrupted : public std::runtime_error {
 /// To be called when an output has its name: what an interruption says from then on.
 void note_output();
 
+/// Whether note_output() has been called since install_signal_handlers().
+bool has_output() noexcept;
+
 /// Sets the flag on SIGINT and SIGTERM, and on SIGHUP unless it is ignored; ignores SIGXFSZ and
 /// SIGPIPE, so that a full disk or a closed pipe is an error and no death. No output has its name
 /// yet.
 void install_signal_handlers();
 
-/// Throws Interrupted if the user has asked to stop. Cheap: one relaxed atomic load.
+/// Throws Interrupted if the user has asked to stop, and std::bad_alloc if memory has run out
+/// (memory/memory_reserve.h). Cheap: two relaxed atomic loads.
 void throw_if_interrupted();
 
 /// While one exists, on any thread, a signal ends the program at once, with exit code 130 and one

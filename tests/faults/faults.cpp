@@ -92,7 +92,7 @@ bool is_of_resources(const Fault& fault) {
     return fault.call == "map" || fault.call == "memory" || fault.call == "thread";
 }
 
-// GLib has no other way where it lacks memory or a thread: then a folder of frames stays under its
+// GLib has no other way where it lacks a thread: then a folder of frames stays under its
 // temporary name, and a plan without plan.json, for the next run to remove.
 bool is_end_of_glib(const std::string& err) { return has(err, "the libraries that set text"); }
 
@@ -127,7 +127,7 @@ std::string problem_of_files(const Fault& fault, const std::string& err, const F
         if (name.ends_with(".chunk")) continue;  // not made until its list is there
         const bool is_named = has(err, fs::path(name).filename().string()) ||
                               has(err, "figures that were finished stay") ||
-                              (is_of_resources(fault) && name.starts_with("figures/"));
+                              (is_of_resources(fault) && has(err, "nothing more was written"));
         if (!is_named) return name + " is there, and the message does not name it";
     }
     return "";

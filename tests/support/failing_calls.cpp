@@ -233,10 +233,12 @@ void* calloc(size_t count, size_t size) {
 void* realloc(void* old, size_t size) {
     return fails(memory) ? nullptr : __libc_realloc(old, size);
 }
-void* aligned_alloc(size_t alignment, size_t size) {
+void* memalign(size_t alignment, size_t size) {
     return fails(memory) ? nullptr : __libc_memalign(alignment, size);
 }
-void* memalign(size_t alignment, size_t size) { return aligned_alloc(alignment, size); }
+void* aligned_alloc(size_t alignment, size_t size) {  // not by the program's own memalign
+    return fails(memory) ? nullptr : __libc_memalign(alignment, size);
+}
 int posix_memalign(void** made, size_t alignment, size_t size) {
     if (is_chosen(memory)) return fault.error;
     void* const found = __libc_memalign(alignment, size);

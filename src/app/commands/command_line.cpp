@@ -225,8 +225,11 @@ int complain(int code, const std::exception& error) {
 
 // Of storage that is there from the start: a message that is made now might not fit any more.
 int complain_of_memory() noexcept {
-    constexpr std::string_view message =
-        "carom: not enough memory; a smaller picture or fewer particles need less\n";
+    const std::string_view message =
+        has_output() ? "carom: not enough memory; nothing more was written; a smaller picture or "
+                       "fewer particles need less\n"
+                     : "carom: not enough memory; nothing was written; a smaller picture or fewer "
+                       "particles need less\n";
     std::fflush(stderr);
     [[maybe_unused]] const ssize_t written =
         write(STDERR_FILENO, message.data(), message.size());  // nothing is left to try

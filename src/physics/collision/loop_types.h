@@ -12,7 +12,7 @@
 #include "physics/collision/pair_collision.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
-#include "util/large_pages.h"
+#include "util/memory/large_pages.h"
 
 namespace carom {
 

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "physics/collision/pair_collision.h"
-#include "util/large_pages.h"
+#include "util/memory/large_pages.h"
 
 namespace carom {
 

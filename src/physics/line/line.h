@@ -14,7 +14,7 @@
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/particles.h"
 #include "physics/plane/falling_disk.h"
-#include "util/large_pages.h"
+#include "util/memory/large_pages.h"
 
 namespace carom {
 

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "physics/gas.h"
-#include "util/large_pages.h"
+#include "util/memory/large_pages.h"
 
 namespace carom {
 

@@ -10,7 +10,7 @@
 #include "physics/collision/loop_types.h"
 #include "physics/particles.h"
 #include "physics/plane/cell_grid.h"
-#include "util/large_pages.h"
+#include "util/memory/large_pages.h"
 
 namespace carom {
 

@@ -40,7 +40,8 @@ TEST_CASE("whenever memory runs out, carom says so and ends with exit code 1") {
     const std::string scene = (folder.path() / "missing.yaml").string();
     const std::array<const char*, 3> words{"carom", "check", scene.c_str()};
     const std::string message =
-        "carom: not enough memory; a smaller picture or fewer particles need less\n";
+        "carom: not enough memory; nothing was written; a smaller picture or fewer particles need "
+        "less\n";
     const std::filesystem::path errors = folder.path() / "errors";
     const auto with_memory_for = [&](long allocations) {
         const pid_t child = fork();

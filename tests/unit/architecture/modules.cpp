@@ -40,7 +40,7 @@ struct Parts {
 };
 
 const std::map<std::string, Parts> parts_of_module{
-    {"util", {{"pending", "util", "formula"}, {}}},
+    {"util", {{"memory", "pending", "util", "formula"}, {}}},
     {"draw", {{"fonts", "draw", "formula"}, {"formula/ink.h"}}},
     {"stats", {{"paths", "stats"}, {}}},
     {"physics",
@@ -148,9 +148,9 @@ bool is_own(const std::string& header) { return allowed_modules.contains(module(
 
 // Headers of C and POSIX, with their folders; all others with a slash or .h are third-party.
 bool is_system(const std::string& header) {
-    static const std::set<std::string> posix{"dirent.h",      "fcntl.h",    "sys/file.h",
-                                             "unistd.h",      "sys/stat.h", "sys/mman.h",
-                                             "sys/resource.h"};
+    static const std::set<std::string> posix{"dirent.h",       "fcntl.h",    "sys/file.h",
+                                             "unistd.h",       "sys/stat.h", "sys/mman.h",
+                                             "sys/resource.h", "dlfcn.h"};
     return posix.contains(header) || header.find_first_of("/.") == std::string::npos;
 }
 

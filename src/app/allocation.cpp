@@ -1,0 +1,100 @@
+// The program's malloc, which libraries call too: where the system grants no memory, it gives back
+// what the program keeps for that (util/memory/memory_reserve.h) and tries once more. A part of the
+// program, not of the library: other programs keep their own. Only with glibc, whose functions may
+// be replaced so (its manual, "Replacing malloc"), and without sanitizers, which replace them.
+#include <cstdlib>
+
+#if defined(__GLIBC__)
+
+#include <dlfcn.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+
+#include "util/memory/memory_reserve.h"
+
+extern "C" {
+void* __libc_malloc(std::size_t);  // NOLINT(bugprone-reserved-identifier)
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+}
+
+namespace {
+
+// The next function of a name: glibc's, or that of a library that was loaded before it.
+template <class Function>
+class Next {
+  public:
+    constexpr Next(const char* name, Function* of_glibc) : name_(name), of_glibc_(of_glibc) {}
+
+    Function* get() noexcept {
+        Function* found = found_.load(std::memory_order_acquire);
+        if (found != nullptr) return found;
+        static thread_local bool is_looking = false;
+        if (is_looking) return of_glibc_;  // dlsym itself allocates
+        is_looking = true;
+        found = reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name_));
+        is_looking = false;
+        if (found == nullptr) found = of_glibc_;
+        found_.store(found, std::memory_order_release);
+        return found;
+    }
+
+  private:
+    const char* name_;
+    Function* of_glibc_;
+    std::atomic<Function*> found_{nullptr};
+};
+
+constinit Next<void*(std::size_t)> next_malloc("malloc", __libc_malloc);
+constinit Next<void*(std::size_t, std::size_t)> next_calloc("calloc", __libc_calloc);
+constinit Next<void*(void*, std::size_t)> next_realloc("realloc", __libc_realloc);
+constinit Next<void*(std::size_t, std::size_t)> next_memalign("memalign", __libc_memalign);
+
+// `allocate`, again with the reserve where it fails.
+template <class Allocate>
+void* with_reserve(const Allocate& allocate) noexcept {
+    if (void* const made = allocate()) return made;
+    carom::note_failed_allocation();
+    void* const made = allocate();
+    if (made == nullptr) errno = ENOMEM;
+    return made;
+}
+
+}  // namespace
+
+extern "C" {
+
+void* malloc(std::size_t size) noexcept {
+    return with_reserve([=] { return next_malloc.get()(size); });
+}
+
+void* calloc(std::size_t count, std::size_t size) noexcept {
+    return with_reserve([=] { return next_calloc.get()(count, size); });
+}
+
+void* realloc(void* old, std::size_t size) noexcept {
+    if (old != nullptr && size == 0) return next_realloc.get()(old, size);  // frees: null is right
+    return with_reserve([=] { return next_realloc.get()(old, size); });
+}
+
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+    return with_reserve([=] { return next_memalign.get()(alignment, size); });
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+    return memalign(alignment, size);
+}
+
+int posix_memalign(void** made, std::size_t alignment, std::size_t size) noexcept {
+    const bool is_power = alignment != 0 && (alignment & (alignment - 1)) == 0;
+    if (!is_power || alignment % sizeof(void*) != 0) return EINVAL;
+    void* const found = memalign(alignment, size);
+    if (found == nullptr) return ENOMEM;
+    *made = found;
+    return 0;
+}
+}
+#endif

@@ -12,6 +12,7 @@
 #include "app/command.h"
 #include "app/commands/command_line.h"
 #include "support/files.h"
+#include "util/interrupt.h"
 
 namespace {
 
@@ -49,6 +50,7 @@ TEST_CASE("whenever memory runs out, carom says so and ends with exit code 1") {
             dup2(open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600),
                  STDERR_FILENO);
             dup2(open("/dev/null", O_WRONLY | O_CLOEXEC), STDOUT_FILENO);
+            install_signal_handlers();  // no output has its name yet
             granted = allocations;
             _exit(run_command_line(3, words.data()));
         }

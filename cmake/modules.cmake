@@ -1,12 +1,14 @@
-# carom_module(NAME [QUICK] USES targets... PRIVATE targets... SEPARATE files...): the static library of src/NAME.
+# carom_module(NAME [QUICK] USES targets... PRIVATE targets... SEPARATE files... PROGRAM files...): the static library of
+# src/NAME, without the files of PROGRAM.
 # USES is what its headers may show; PRIVATE stays inside its .cpp files.
 # QUICK: no inner loop of simulation or drawing is there, so that it is compiled with -O1, in two thirds of the time.
 # Without ccache the files of a folder are compiled as one (CAROM_UNITY), but for those that are SEPARATE: their unnamed
 # namespaces share names with others of the folder.
 function(carom_module name)
-    cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;SEPARATE" ${ARGN})
+    cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;SEPARATE;PROGRAM" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
-    list(FILTER sources EXCLUDE REGEX "/app/(main|allocation)\\.cpp$")  # of the program alone
+    list(TRANSFORM arg_PROGRAM PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
+    list(REMOVE_ITEM sources ${arg_PROGRAM})
     add_library(carom_${name} STATIC ${sources})
     add_library(carom::${name} ALIAS carom_${name})
     target_include_directories(carom_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)

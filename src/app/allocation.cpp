@@ -58,9 +58,7 @@ template <class Allocate>
 void* with_reserve(const Allocate& allocate) noexcept {
     if (void* const made = allocate()) return made;
     carom::note_failed_allocation();
-    void* const made = allocate();
-    if (made == nullptr) errno = ENOMEM;
-    return made;
+    return allocate();
 }
 
 }  // namespace

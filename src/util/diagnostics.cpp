@@ -1,6 +1,7 @@
 #include "util/diagnostics.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -84,6 +85,11 @@ void throw_system_error(const std::string& message, int error) {
                                  ENFILE, ENOMEM, ESTALE, EBUSY,  ETIMEDOUT};
     if (std::ranges::find(passing, error) != passing.end()) throw TemporaryError(message);
     throw SystemError(message);
+}
+
+void write_to_standard_error(std::initializer_list<std::string_view> parts) noexcept {
+    for (const std::string_view part : parts)
+        if (write(STDERR_FILENO, part.data(), part.size()) < 0) return;
 }
 
 }  // namespace carom

@@ -2,9 +2,11 @@
 // Owns the value types and their text form; knows nothing of YAML or of the command line.
 #pragma once
 
+#include <initializer_list>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace carom {
@@ -82,5 +84,9 @@ class TemporaryError : public SystemError {
 /// Throws `message` as a TemporaryError where the error number of the system `error` is one that
 /// passes, otherwise as a SystemError.
 [[noreturn]] void throw_system_error(const std::string& message, int error);
+
+/// Writes to standard error past its buffer, as far as that can be done. Allocates nothing; safe in
+/// a signal handler.
+void write_to_standard_error(std::initializer_list<std::string_view> parts) noexcept;
 
 }  // namespace carom

@@ -4,29 +4,24 @@
 
 #include <atomic>
 #include <csignal>
-#include <string_view>
 
+#include "util/diagnostics.h"
 #include "util/memory/memory_reserve.h"
 
 namespace carom {
 namespace {
 
-std::atomic<bool> interrupted{false}, output_exists{false};
+std::atomic<bool> interrupted{false}, has_output{false};
 std::atomic<int> ending_at_once{0}, to_clean_up{0};
 static_assert(std::atomic<bool>::is_always_lock_free &&
               std::atomic<int>::is_always_lock_free);  // hence safe in a signal handler
 
-constexpr std::string_view nothing = "carom: interrupted; nothing was written\n",
-                           nothing_more = "carom: interrupted; nothing more was written\n";
-
 void on_signal(int) {
     interrupted.store(true);
     if (ending_at_once.load() == 0 || to_clean_up.load() > 0) return;
-    const std::string_view message = output_exists.load() ? nothing_more : nothing;
-    constexpr std::string_view on_terminal = "\r\033[K";  // in place of a line of progress
-    if (isatty(STDERR_FILENO) != 0) [[maybe_unused]]
-        const ssize_t cleared = write(STDERR_FILENO, on_terminal.data(), on_terminal.size());
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+    const char* const on_terminal = "\r\033[K";  // in place of a line of progress
+    write_to_standard_error({isatty(STDERR_FILENO) != 0 ? on_terminal : "", "carom: interrupted; ",
+                             state_of_outputs(), "\n"});
     constexpr int code = 130;
     _exit(code);
 }
@@ -40,15 +35,16 @@ void stop_at_hangup(const struct sigaction& action) {
 
 }  // namespace
 
-Interrupted::Interrupted()
-    : Interrupted(output_exists.load() ? "nothing more was written" : "nothing was written") {}
+Interrupted::Interrupted() : Interrupted(state_of_outputs()) {}
 
-void note_output() { output_exists.store(true); }
+void note_output() { has_output.store(true); }
 
-bool has_output() noexcept { return output_exists.load(); }
+const char* state_of_outputs() noexcept {
+    return has_output.load() ? "nothing more was written" : "nothing was written";
+}
 
 void install_signal_handlers() {
-    output_exists.store(false);
+    has_output.store(false);
     struct sigaction action = {};
     action.sa_handler = on_signal;
     sigemptyset(&action.sa_mask);

@@ -17,8 +17,9 @@ class Interrupted : public std::runtime_error {
 /// To be called when an output has its name: what an interruption says from then on.
 void note_output();
 
-/// Whether note_output() has been called since install_signal_handlers().
-bool has_output() noexcept;
+/// "nothing was written", or "nothing more was written" after note_output(). Allocates nothing;
+/// safe in a signal handler.
+const char* state_of_outputs() noexcept;
 
 /// Sets the flag on SIGINT and SIGTERM, and on SIGHUP unless it is ignored; ignores SIGXFSZ and
 /// SIGPIPE, so that a full disk or a closed pipe is an error and no death. No output has its name

@@ -225,14 +225,9 @@ int complain(int code, const std::exception& error) {
 
 // Of storage that is there from the start: a message that is made now might not fit any more.
 int complain_of_memory() noexcept {
-    const std::string_view message =
-        has_output() ? "carom: not enough memory; nothing more was written; a smaller picture or "
-                       "fewer particles need less\n"
-                     : "carom: not enough memory; nothing was written; a smaller picture or fewer "
-                       "particles need less\n";
     std::fflush(stderr);
-    [[maybe_unused]] const ssize_t written =
-        write(STDERR_FILENO, message.data(), message.size());  // nothing is left to try
+    write_to_standard_error({"carom: not enough memory; ", state_of_outputs(),
+                             "; a smaller picture or fewer particles need less\n"});
     return 1;
 }
 

@@ -50,11 +50,9 @@ std::string file_of(FcPattern* pattern) {
 // GLib ends the program where it has no memory, or no thread, and leaves what was begun: unnamed
 // files go with it.
 [[noreturn]] void end_of_glib(const char* message) {
-    for (const std::string_view part :
-         {"carom: the libraries that set text cannot go on: ", message,
-          "\n       a higher limit of memory or of threads (ulimit -v, ulimit -u) mends it\n"}) {
-        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, part.data(), part.size());
-    }
+    write_to_standard_error(
+        {"carom: the libraries that set text cannot go on: ", message,
+         "\n       a higher limit of memory or of threads (ulimit -v, ulimit -u) mends it\n"});
     _exit(1);
 }
 

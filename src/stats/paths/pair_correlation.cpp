@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <ranges>
 
 #include "stats/paths/near_pairs.h"
 
@@ -192,26 +193,45 @@ void PairCorrelation::add_moment(const Sample& sample, const BoxSides& sides) {
     moment_expected_ = expected(sides);
     NearPairs(box_, sample.position, wanted_.to).for_each([&](Eigen::Index i, Eigen::Index j) {
         if (!is_wanted(i, j)) return;
-        Eigen::Array2d apart{0.0, 0.0};
-        for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
-            apart[axis] = sample.position(j, axis) - sample.position(i, axis);
-        add_at(box_.nearest(apart).matrix().norm(), 1.0, moment_);
+        add_at(distance(sample.position, i, j), 1.0, moment_);
     });
+}
+
+// Between their nearest images.
+double PairCorrelation::distance(const Eigen::ArrayXXd& positions, Eigen::Index i,
+                                 Eigen::Index j) const {
+    Eigen::Array2d apart{0.0, 0.0};
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
+        apart[axis] = positions(j, axis) - positions(i, axis);
+    return box_.nearest(apart).matrix().norm();
+}
+
+// How far from its end a path goes. Falling bends a piece of it away from the straight line
+// between its ends by
+// no more than g t^2 / 8.
+double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces) const {
+    Eigen::Array2d apart{0.0, 0.0};
+    double farthest = 0.0, bend = 0.0;
+    for (const PathPiece& piece : pieces | std::views::reverse) {
+        const double span = piece.span();
+        apart -= span * (piece.velocity + 0.5 * span * paths_.gravity());
+        farthest = std::max(farthest, apart.matrix().norm());
+        bend = std::max(bend, 0.125 * span * span * paths_.gravity().matrix().norm());
+    }
+    return farthest + bend;
 }
 
 // The paths of all pairs that may come near, found by where they are at the end.
 void PairCorrelation::add_flights(const Eigen::ArrayXXd& positions, Eigen::ArrayXd& time) {
-    double farthest = 0.0;
-    for (const std::vector<PathPiece>& pieces : pieces_) {
-        double way = 0.0;
-        for (const PathPiece& piece : pieces)
-            way += piece.span() * (piece.velocity.matrix().norm() +
-                                   piece.span() * paths_.gravity().matrix().norm());
-        farthest = std::max(farthest, way);
-    }
+    Eigen::ArrayXd reach(positions.rows());
+    for (Eigen::Index i = 0; i < reach.size(); ++i)
+        reach[i] = farthest_from_end(pieces_[static_cast<std::size_t>(i)]);
+    const double farthest = reach.size() > 0 ? reach.maxCoeff() : 0.0;
     NearPairs(box_, positions, wanted_.to + 2.0 * farthest)
         .for_each([&](Eigen::Index i, Eigen::Index j) {
-            if (is_wanted(i, j))
+            if (!is_wanted(i, j)) return;
+            const double near = wanted_.to + reach[i] + reach[j];
+            if (distance(positions, i, j) < near)
                 add_pair(pieces_[static_cast<std::size_t>(i)], pieces_[static_cast<std::size_t>(j)],
                          time);
         });

@@ -57,6 +57,8 @@ class PairCorrelation {
     bool is_wanted(Eigen::Index i, Eigen::Index j) const;
     void find_kinds();
     Eigen::ArrayXd expected(const BoxSides& sides);
+    double farthest_from_end(std::span<const PathPiece> pieces) const;
+    double distance(const Eigen::ArrayXXd& positions, Eigen::Index i, Eigen::Index j) const;
     void add_flights(const Eigen::ArrayXXd& positions, Eigen::ArrayXd& time);
     void add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
                   Eigen::ArrayXd& time);

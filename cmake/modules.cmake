@@ -1,11 +1,12 @@
-# carom_module(NAME [QUICK] USES targets... PRIVATE targets... SEPARATE files... PROGRAM files...): the static library of
+# carom_module(NAME [QUICK] USES targets... PRIVATE targets... PROGRAM files... UNITS "paths..."...): the static library of
 # src/NAME, without the files of PROGRAM.
 # USES is what its headers may show; PRIVATE stays inside its .cpp files.
 # QUICK: no inner loop of simulation or drawing is there, so that it is compiled with -O1, in two thirds of the time.
-# Without ccache the files of a folder are compiled as one (CAROM_UNITY), but for those that are SEPARATE: their unnamed
-# namespaces share names with others of the folder.
+# UNITS: without ccache (CAROM_UNITY) the files of several folders are compiled as one, in half of the time. Each of UNITS lists
+# folders of src/NAME (. is itself) and single files; a folder that is in none is a unit by itself. Names in the unnamed namespaces
+# of one unit must differ: where two files share a name that each of them is right to use, one is listed in another unit.
 function(carom_module name)
-    cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;SEPARATE;PROGRAM" ${ARGN})
+    cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;PROGRAM;UNITS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
     list(TRANSFORM arg_PROGRAM PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
     list(REMOVE_ITEM sources ${arg_PROGRAM})
@@ -19,12 +20,25 @@ function(carom_module name)
     endif()
     if(CAROM_UNITY)
         set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-        list(TRANSFORM arg_SEPARATE PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
-        list(REMOVE_ITEM sources ${arg_SEPARATE})
         foreach(source IN LISTS sources)
-            get_filename_component(folder ${source} DIRECTORY)
-            get_filename_component(folder ${folder} NAME)
-            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder})
+            cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/src/${name} OUTPUT_VARIABLE path)
+            cmake_path(GET path PARENT_PATH folder)
+            if(NOT folder)
+                set(folder .)
+            endif()
+            set(group ${folder})
+            foreach(wanted IN ITEMS ${folder} ${path})  # a file's own entry comes before its folder's
+                set(number 0)
+                foreach(unit IN LISTS arg_UNITS)
+                    math(EXPR number "${number} + 1")
+                    string(REPLACE " " ";" unit "${unit}")
+                    if(wanted IN_LIST unit)
+                        set(group unit_${number})
+                    endif()
+                endforeach()
+            endforeach()
+            string(REPLACE "/" "_" group ${group})
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
         endforeach()
     endif()
 endfunction()

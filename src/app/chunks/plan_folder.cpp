@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr const char* format_name = "carom-plan";
 constexpr int format_version = 1;
 constexpr std::int64_t most_json_bytes = 64 << 20;
-constexpr std::int64_t most_file_bytes = std::int64_t{64} << 30;
+constexpr std::int64_t most_bytes_of_file = std::int64_t{64} << 30;
 
 const char* name_of(PlanKind kind) { return kind == PlanKind::film ? "film" : "sweep"; }
 const char* unit_of(PlanKind kind) { return kind == PlanKind::film ? "frame" : "run"; }
@@ -211,7 +211,7 @@ const PlannedChunk& PlanFolder::chunk(int number) const {
 }
 
 std::string PlanFolder::read(const std::string& name) const {
-    std::string bytes = read_file(folder_ / name, most_file_bytes);
+    std::string bytes = read_file(folder_ / name, most_bytes_of_file);
     if (files().value(name, Json()) != carom::fingerprint(bytes))
         throw SystemError(fmt::format("cannot read {}: it was changed after it was written",
                                       (folder_ / name).string()));

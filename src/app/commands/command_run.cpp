@@ -130,7 +130,7 @@ void run_sweep(const RunArguments& arguments) {
     refuse_options_of_scene(arguments);
     const PlanFolder plan(arguments.scene);
     const PlannedSweep sweep(plan, "run");
-    if (!arguments.allow_mixed) plan.require_same_build(to_json(physics_facts()));
+    if (!arguments.allow_mixed) plan.require_same_build(carom::to_json(physics_facts()));
     std::vector<PlannedChunk> chunks = plan.chunks();
     if (arguments.chunk > 0) chunks = {plan.chunk(arguments.chunk)};
     for (const PlannedChunk& chunk : chunks) {

@@ -70,7 +70,7 @@ Json request_to_json(const SweepRequest& request, const Scene& scene) {
             {"seeds", {request.sweep.seeds.first, request.sweep.seeds.last}},
             {"axes", axes_to_json(request.sweep)},
             {"chunks", request.chunks ? Json(*request.chunks) : Json()},
-            {"build", to_json(physics_facts())}};
+            {"build", carom::to_json(physics_facts())}};
 }
 
 SweptScene swept_scene(const Json& request) {
@@ -195,7 +195,7 @@ void PlannedSweep::run_chunk(const PlannedChunk& chunk, int threads, Progress& p
     Archive archive;
     archive(plan, first, rows);
     write_file(folder_.output(chunk), archive.finished());
-    folder_.finish(chunk, to_json(physics_facts()), watch.wall());
+    folder_.finish(chunk, carom::to_json(physics_facts()), watch.wall());
     progress.finish();
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/film/film_request.h"
 #include "app/granted_cores.h"
+#include "app/resources.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -99,6 +100,14 @@ std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
              &allow_mixed}};
 }
 
+Option limits_option(SceneOptions& options) {
+    return {
+        "--limits",
+        "classroom: refuse scenes that take more than a few minutes, as for documents of others",
+        [&options](const std::string&) { options.is_classroom = true; },
+        {"classroom"}};
+}
+
 Option language_option(SceneOptions& options) {
     return shortcut(options, "--language LANGUAGE", "film.language",
                     "language of carom's own words: en, de, fr or es");
@@ -125,6 +134,12 @@ Overrides overrides_of(const SceneOptions& options) {
         overrides.push_back(set);
     }
     return overrides;
+}
+
+SceneResources resources_of(const SceneOptions& options) {
+    SceneResources resources = scene_resources();
+    resources.is_classroom = options.is_classroom;
+    return resources;
 }
 
 int threads_of(const SceneOptions& options) {

@@ -77,6 +77,7 @@ struct SceneOptions {
     int threads = 0;                ///< 0: as many as there are cores
     bool quiet = false;
     bool timings = false;
+    bool is_classroom = false;
 };
 
 /// An option that is a short way to write `--set key=value`.
@@ -95,6 +96,9 @@ std::vector<Option> work_options(SceneOptions& options);
 /// --chunk, --force and --allow-mixed: what is done of a plan.
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed);
 
+/// --limits.
+Option limits_option(SceneOptions& options);
+
 /// --language.
 Option language_option(SceneOptions& options);
 
@@ -103,6 +107,9 @@ std::vector<Option> picture_options(SceneOptions& options);
 
 /// All that lies over the scene. Throws UsageError when a --set is not KEY.PATH=VALUE.
 Overrides overrides_of(const SceneOptions& options);
+
+/// What scenes are loaded with. Throws as scene_resources().
+SceneResources resources_of(const SceneOptions& options);
 
 /// The number of threads to use, at least 1: as many as are granted (granted_cores.h) unless told.
 int threads_of(const SceneOptions& options);

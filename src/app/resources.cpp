@@ -22,6 +22,7 @@ SceneResources scene_resources() { return {templates_folder(), panel_kinds()}; }
 Scene scene_from(const SceneSource& source, const Overrides& more) {
     SceneResources resources = scene_resources();
     resources.files = source.files;
+    resources.is_classroom = source.is_held_to_classroom;
     Overrides overrides = source.overrides;
     overrides.insert(overrides.end(), more.begin(), more.end());
     return load_scene_text(source.text, source.path, resources, overrides);

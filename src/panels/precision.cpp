@@ -7,6 +7,7 @@
 #include "panels/panel.h"
 #include "physics/collision_error.h"
 #include "physics/surfaces/surface_error.h"
+#include "scene/feasibility/classroom.h"
 #include "scene/feasibility/feasibility.h"
 
 namespace carom {
@@ -29,6 +30,10 @@ void with_places_of_errors(const Scene& scene, const std::function<void()>& run)
         refuse(scene.precision_place, error.what(), error.hint());
     } catch (const PlacementError& error) {
         throw scene_error(scene, error);
+    } catch (const TooManyCollisions& error) {
+        const std::string hint = classroom_hint(scene);
+        refuse(error.particle() ? place_of_particle(scene, *error.particle()) : scene.ceiling_place,
+               error.what(), hint.empty() ? error.hint() : hint);
     } catch (const RunEventError& error) {
         refuse(scene.event_places.at(error.event()), error.what(), error.hint());
     } catch (const CollisionError& error) {

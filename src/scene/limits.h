@@ -76,4 +76,20 @@ inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
 
+// Of scenes in documents of others, on demand (classroom.h).
+inline constexpr Limit most_classroom_seconds{120, "seconds of a film, with --limits classroom"};
+inline constexpr Limit most_classroom_frames{7'200, "frames of a film, with --limits classroom"};
+inline constexpr Limit most_classroom_side{
+    3'840, "pixels on a side of a picture, with --limits classroom"};
+inline constexpr Limit most_classroom_particles{20'000,
+                                                "particles in all, with --limits classroom"};
+inline constexpr Limit most_classroom_samples{
+    200e6, "samples of a run times its particles, with --limits classroom"};
+inline constexpr Limit most_classroom_steps{
+    200e6, "time steps of a run times its particles, with --limits classroom"};
+inline constexpr Limit most_classroom_collisions{100e6,
+                                                 "collisions of a run, with --limits classroom"};
+inline constexpr Limit most_classroom_precise_collisions{
+    200'000, "collisions of a run of more bits than doubles have, with --limits classroom"};
+
 }  // namespace carom

@@ -7,6 +7,7 @@
 
 #include "physics/time_step.h"
 #include "scene/describe.h"
+#include "scene/feasibility/classroom.h"
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
 #include "scene/overrides.h"
@@ -210,6 +211,10 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
             figures_notation(resources.panels).read(*draft.figures_node, reading).value();
     errors.throw_if_any();
     if (draft.run.sample_every == 0.0) draft.run.sample_every = usual_sample_every(draft, has_film);
+    if (resources.is_classroom) {
+        hold_to_classroom(draft, tree.root, has_film || wanted == Wanted::film, errors);
+        errors.throw_if_any();
+    }
     if (draft.description.empty()) draft.description = describe(draft);
     return draft;
 }
@@ -358,6 +363,7 @@ void take_shared(Scene& other, const Film& film) {
 SceneSource source_of(const Tree& tree, const Source& source, const SceneResources& resources,
                       const Overrides& overrides) {
     SceneSource all{source.name, source.text, "", overrides, run_fingerprint(tree.root)};
+    all.is_held_to_classroom = resources.is_classroom;
     const Source* used = tree.template_file.source;
     if (used == nullptr) return all;
     all.template_text = used->text;

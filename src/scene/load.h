@@ -25,6 +25,7 @@ struct SceneResources {
     std::filesystem::path templates;  ///< the folder that holds films/
     PanelKinds panels;                ///< all kinds of panel (panels/registry.h)
     FileTexts files = {};             ///< read in place of what these paths lead to
+    bool is_classroom = false;        ///< whether scenes are held to its limits (classroom.h)
 };
 
 /// The path that stands for standard input.

@@ -342,7 +342,8 @@ struct SceneSource {
     std::string template_text;           ///< of its film, as read
     std::vector<std::string> overrides;  ///< what the command line laid over it, as KEY.PATH=VALUE
     std::string physics = {};            ///< run_fingerprint() of it, with these
-    FileTexts files = {};  ///< what it names beside itself, as read: templates, scenes
+    FileTexts files = {};               ///< what it names beside itself, as read: templates, scenes
+    bool is_held_to_classroom = false;  ///< whether its limits are those of classroom.h
 };
 
 /// Bytes of a scene's file and its template, which loading it again reads.

@@ -27,7 +27,7 @@ const std::filesystem::path& set_file() {
 }
 
 void check_set() {
-    const FigureSet set = load_set(set_file().string(), {});
+    const FigureSet set = load_set(set_file().string(), scene_resources(), {});
     for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
     refuse_same_names(set);
     const CheckedFile file{.path = "set.yaml", .is_set = true, .facts = facts_of(set)};

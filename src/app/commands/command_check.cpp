@@ -30,8 +30,8 @@ struct CheckArguments : SceneOptions {
 };
 
 // A scene that says nothing of a film, and of which none can be made, is good for its physics.
-std::pair<Scene, bool> loaded(const std::string& path, const Overrides& overrides) {
-    const SceneResources resources = scene_resources();
+std::pair<Scene, bool> loaded(const std::string& path, const SceneResources& resources,
+                              const Overrides& overrides) {
     try {
         return {load_scene(path, resources, overrides, Wanted::film), true};
     } catch (const SceneError& error) {
@@ -44,8 +44,9 @@ std::pair<Scene, bool> loaded(const std::string& path, const Overrides& override
 }
 
 // With all its scenes, figures and pages.
-Facts facts_of_set(const std::string& path, const Overrides& overrides) {
-    const FigureSet set = load_set(path, overrides);
+Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
+                   const Overrides& overrides) {
+    const FigureSet set = load_set(path, resources_of(arguments), overrides);
     for (const SetPart& part : set.parts) {
         refuse_long_words(part.scene);
         try_run(part.scene, true);
@@ -77,7 +78,7 @@ CheckedFilm checked_film(const CheckArguments& arguments, const std::string& pat
 
 Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
                      const Overrides& overrides) {
-    const auto [scene, has_film] = loaded(path, overrides);
+    const auto [scene, has_film] = loaded(path, resources_of(arguments), overrides);
     if (has_film) refuse_long_words(scene);
     require_letters(scene);
     try_run(scene, has_film);
@@ -90,7 +91,7 @@ CheckedFile checked(const CheckArguments& arguments, const std::string& path,
     CheckedFile found{.path = path == standard_input ? "<stdin>" : path,
                       .is_set = path != standard_input && is_figure_set(path)};
     try {
-        found.facts = found.is_set ? facts_of_set(path, overrides)
+        found.facts = found.is_set ? facts_of_set(arguments, path, overrides)
                                    : facts_of_scene(arguments, path, overrides);
     } catch (const SceneError& error) {
         found.errors = error.diagnostics();
@@ -165,6 +166,7 @@ Command check_command() {
                &its.measures},
               {"--format", "the cost of this format only", &its.format, film_formats()}},
              scene_options(its),
+             {limits_option(its)},
              picture_options(its),
              film_options(its, its.film),
              {threads_option(its)}}),

@@ -37,7 +37,8 @@ fs::path folder_of(const FiguresArguments& arguments, const std::string& name) {
 
 // What is said on the command line wins over the file.
 FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
-    FigureSet set = load_set(name, overrides_of(arguments), arguments.formats, arguments.pages);
+    FigureSet set = load_set(name, resources_of(arguments), overrides_of(arguments),
+                             arguments.formats, arguments.pages);
     set.folder = folder_of(arguments, name);
     return set;
 }
@@ -208,6 +209,7 @@ Command figure_command() {
                   formats_option(its),
                   {"--force", "draw it again, and replace files that carom did not write",
                    &its.options.force}},
+                 {limits_option(its)},
                  drawing_options(its)}),
             [arguments] {
                 arguments->scenes = {arguments->scene};

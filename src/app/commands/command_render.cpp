@@ -27,6 +27,7 @@
 #include "media/formats.h"
 #include "panels/registry.h"
 #include "runs/run.h"
+#include "scene/limits.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -108,7 +109,7 @@ std::vector<ListedScene> scenes_of(const SetFile& set) {
 // All scenes before any work: a mistake in the last one must not cost the hours of the first.
 std::vector<Scene> load_all(const RenderArguments& arguments,
                             const std::vector<ListedScene>& listed_scenes) {
-    const SceneResources resources = scene_resources();
+    const SceneResources resources = resources_of(arguments);
     Overrides overrides = overrides_of(arguments);
     bool is_first = true;
     return all_made(listed_scenes, [&](const ListedScene& one) {
@@ -135,6 +136,11 @@ void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& sce
     for (const Scene& scene : scenes)
         if (scene.film.transparent)
             throw UsageError("--join: scenes fade into their ground, and the ground is none");
+    double seconds = 0.0;
+    for (const Scene& scene : scenes) seconds += scene.film.seconds;
+    if (arguments.is_classroom && seconds > most_classroom_seconds.value)
+        throw UsageError(fmt::format("--join: the scenes together are a film of {:.6g} seconds; {}",
+                                     seconds, to_text(most_classroom_seconds)));
     if (format_of_film(film_path(arguments.destination, arguments.scenes.front())).previews > 0)
         throw UsageError(
             "--join: a GIF has its colours from one scene; write a .mp4, a .webm or a folder of "
@@ -258,10 +264,10 @@ void render_film(const RenderArguments& arguments, const std::string& name,
 
 // What a plan has fixed already, or would be the same for all its chunks.
 void refuse_film_options(const RenderArguments& arguments) {
-    const bool changes = !arguments.destination.output.empty() ||
-                         !arguments.destination.format.empty() || arguments.film.from ||
-                         arguments.film.to || arguments.film.text || arguments.join ||
-                         !arguments.max_size.empty() || !overrides_of(arguments).empty();
+    const bool changes =
+        !arguments.destination.output.empty() || !arguments.destination.format.empty() ||
+        arguments.film.from || arguments.film.to || arguments.film.text || arguments.join ||
+        !arguments.max_size.empty() || arguments.is_classroom || !overrides_of(arguments).empty();
     if (changes)
         throw UsageError(
             "the chunks of a plan are drawn as it says; give what changes the film to carom plan, "
@@ -371,6 +377,7 @@ Command render_command() {
                &its.join}},
              chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
+             {limits_option(its)},
              picture_options(its),
              film_options(its, its.film),
              {{"--max-size BYTES",

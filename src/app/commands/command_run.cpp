@@ -123,6 +123,8 @@ void refuse_options_of_scene(const RunArguments& arguments) {
     if (!overrides_of(arguments).empty())
         throw UsageError(
             fmt::format("{} is planned: give --seed and --set to carom plan", arguments.scene));
+    if (arguments.is_classroom)
+        throw UsageError(fmt::format("--limits is for one scene; {} is planned", arguments.scene));
 }
 
 // Those that are done already are left as they are.
@@ -154,8 +156,8 @@ void refuse_options_of_sweep(const RunArguments& arguments) {
 // The outputs before the work: it may not be allowed to write them.
 void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
-    const Scene scene =
-        load_scene(arguments.scene, scene_resources(), overrides_of(arguments), Wanted::physics);
+    const Scene scene = load_scene(arguments.scene, resources_of(arguments),
+                                   overrides_of(arguments), Wanted::physics);
     refuse_no_surfaces(arguments, scene);
     std::optional<Output> json, csv, surfaces;
     std::optional<SamplesCsv> table;
@@ -219,6 +221,7 @@ Command run_command() {
                &its.surfaces}},
              chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
+             {limits_option(its)},
              work_options(its)}),
         [arguments] {
             if (is_plan(arguments->scene)) return run_sweep(*arguments);

@@ -41,7 +41,8 @@ std::filesystem::path still_path(const StillArguments& arguments) {
 }
 
 void make_still(const StillArguments& arguments) {
-    const Scene scene = load_scene(arguments.scene, scene_resources(), overrides_of(arguments));
+    const Scene scene =
+        load_scene(arguments.scene, resources_of(arguments), overrides_of(arguments));
     require_letters(scene);
     require_means(1, 0);
     if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
@@ -86,6 +87,7 @@ Command still_command() {
                               &its.output},
                              {"--format", "png, svg or pdf", &its.format, still_formats()}},
                             scene_options(its),
+                            {limits_option(its)},
                             picture_options(its)}),
             [arguments] { make_still(*arguments); }, still_text()};
 }

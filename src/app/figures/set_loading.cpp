@@ -32,10 +32,11 @@ std::vector<std::string> figure_names(const Scene& scene) {
 }
 
 // Of a scene that no file lists, errors are those of the command line.
-SetPart part_of(const SetScene& listed_scene, const Overrides& overrides) {
+SetPart part_of(const SetScene& listed_scene, const SceneResources& resources,
+                const Overrides& overrides) {
     SetPart part;
     const std::filesystem::path& path = listed_scene.path;
-    part.scene = load_scene(path, scene_resources(), overrides);
+    part.scene = load_scene(path, resources, overrides);
     require_letters(part.scene);
     part.stem = scene_stem(path.string());
     part.title = listed_scene.title.value_or(part.scene.title);
@@ -55,11 +56,11 @@ SetPart part_of(const SetScene& listed_scene, const Overrides& overrides) {
     return part;
 }
 
-ComparedRun run_of(const SetRun& run, Overrides overrides) {
+ComparedRun run_of(const SetRun& run, const SceneResources& resources, Overrides overrides) {
     overrides.insert(overrides.end(), run.values.begin(), run.values.end());
     Scene scene;
     try {
-        scene = load_run(run.path, scene_resources(), overrides);
+        scene = load_run(run.path, resources, overrides);
     } catch (const SceneError& error) {
         if (run.values.empty()) throw;
         const Diagnostic& first = error.diagnostics().front();
@@ -72,9 +73,9 @@ ComparedRun run_of(const SetRun& run, Overrides overrides) {
 }
 
 SetPart part_of(const std::string& path, const SetFile& set, const SetComparison& comparison,
-                const Overrides& overrides) {
-    std::vector<ComparedRun> runs =
-        all_made(comparison.runs, [&](const SetRun& run) { return run_of(run, overrides); });
+                const SceneResources& resources, const Overrides& overrides) {
+    std::vector<ComparedRun> runs = all_made(
+        comparison.runs, [&](const SetRun& run) { return run_of(run, resources, overrides); });
     for (ComparedRun& run : runs) {  // its mistakes are mostly those of all: reported once
         Scene scene = *run.scene;
         scene.figures = {figure_of(comparison, scene, panel_kinds())};
@@ -102,7 +103,7 @@ SetPart part_of(const std::string& path, const SetFile& set, const SetComparison
 }
 
 std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
-                                  const Overrides& overrides) {
+                                  const SceneResources& resources, const Overrides& overrides) {
     struct Piece {
         const SetScene* scene;
         const SetComparison* comparison;
@@ -111,8 +112,8 @@ std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
     for (const SetScene& scene : set.scenes) pieces.push_back({&scene, nullptr});
     for (const SetComparison& one : set.comparisons) pieces.push_back({nullptr, &one});
     std::vector<SetPart> parts = all_made(pieces, [&](const Piece& piece) {
-        return piece.scene != nullptr ? part_of(*piece.scene, overrides)
-                                      : part_of(path, set, *piece.comparison, overrides);
+        return piece.scene != nullptr ? part_of(*piece.scene, resources, overrides)
+                                      : part_of(path, set, *piece.comparison, resources, overrides);
     });
     const auto first = std::ranges::find(parts, true, &SetPart::compares);
     if (first != parts.end()) first->title = say(first->scene.film.language, "Comparison");
@@ -136,15 +137,17 @@ std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
 
 }  // namespace
 
-FigureSet load_set(const std::string& path, const Overrides& overrides,
-                   const std::vector<std::string>& formats, const std::vector<std::string>& pages) {
+FigureSet load_set(const std::string& path, const SceneResources& resources,
+                   const Overrides& overrides, const std::vector<std::string>& formats,
+                   const std::vector<std::string>& pages) {
     const EndsAtOnce whole;
     const bool is_stream = path == standard_input;
     FigureSet set{.of = is_stream ? "stdin" : std::filesystem::path(path).filename().string(),
                   .stem = scene_stem(path)};
     SetFile file;
     if (is_stream || !is_figure_set(path)) {
-        SetPart& part = set.parts.emplace_back(part_of({.path = path, .place = {}}, overrides));
+        SetPart& part =
+            set.parts.emplace_back(part_of({.path = path, .place = {}}, resources, overrides));
         set.title = part.scene.title;
         set.description = part.scene.description;
     } else {
@@ -154,7 +157,7 @@ FigureSet load_set(const std::string& path, const Overrides& overrides,
     }
     set.formats = in_order(formats.empty() ? file.formats : formats);
     set.pages = pages_of(pages.empty() ? file.templates : pages);
-    if (set.parts.empty()) set.parts = parts_of_set(path, file, overrides);
+    if (set.parts.empty()) set.parts = parts_of_set(path, file, resources, overrides);
     return set;
 }
 

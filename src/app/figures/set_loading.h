@@ -13,8 +13,8 @@ namespace carom {
 /// each scene and one for each comparison, whose scene is the first that it compares, with the
 /// set's words. `formats` and `pages` are those asked for; none: the file's. Throws SceneError with
 /// the mistakes of all scenes, SystemError, UsageError (also where a scene lists no figures).
-FigureSet load_set(const std::string& path, const Overrides& overrides,
-                   const std::vector<std::string>& formats = {},
+FigureSet load_set(const std::string& path, const SceneResources& resources,
+                   const Overrides& overrides, const std::vector<std::string>& formats = {},
                    const std::vector<std::string>& pages = {});
 
 }  // namespace carom

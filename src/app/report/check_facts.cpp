@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/chunks/source_fingerprint.h"
 #include "app/film/frame_span.h"
 #include "app/progress.h"
 #include "figures/figure_drawing.h"
@@ -18,6 +19,7 @@
 #include "scene/describe.h"
 #include "scene/time/timeline.h"
 #include "scene/words.h"
+#include "util/fingerprint.h"
 #include "util/joined.h"
 #include "util/text.h"
 
@@ -333,6 +335,21 @@ Facts facts_of(const CheckedFile& checked) {
                          {{"errors", std::move(list)}}});
 }
 
+// What pictures and films of a scene depend on, in one word.
+std::string made_from(const SceneSource& source) {
+    std::string all = source_fingerprint;
+    const auto add = [&](const std::string& text) {
+        all += fmt::format(" {}:{}", text.size(), text);
+    };
+    for (const std::string& text : {source.text, source.template_text}) add(text);
+    for (const std::string& one : source.overrides) add(one);
+    for (const auto& [path, text] : source.files) {
+        add(path);
+        add(text);
+    }
+    return fingerprint(all);
+}
+
 }  // namespace
 
 Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
@@ -344,6 +361,9 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
     const auto rate = expected_collision_rate(box, drawn, sample);
     return joined<Fact>(
         {{{"title", scene.title, "title", scene.title},
+          {"description", scene.description},
+          {"language", word_of(scene.film.language)},
+          {"made_from", made_from(scene.source)},
           {"seed", scene.seed},
           {"dimension", box.dimension},
           box_fact(box)},

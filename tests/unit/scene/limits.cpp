@@ -21,20 +21,65 @@ using namespace carom;
 namespace {
 
 // All of them, in the order of the page.
-constexpr std::array limits{
-    most_file_bytes,     most_nesting,         most_values,        most_letters,
-    most_title_letters,  most_caption_letters, most_words_letters, most_name_letters,
-    most_seconds,        most_trail_seconds,   most_overrides,     most_errors_shown,
-    largest_quantity,    smallest_quantity,    largest_seed,       most_seeds,
-    most_runs,           most_points,          most_particles,     most_returning,
-    most_species,        most_events,          most_partitions,    most_gaps,
-    most_obstacles,      most_corners,         most_samples,       most_time_steps,
-    most_run_collisions, most_pairs_compared,  most_frames,        most_frames_per_second,
-    smallest_side,       largest_side,         most_panels,        most_slow_spans,
-    most_overlays,       most_field_cells,     most_monitors,      most_bins,
-    most_chosen,         largest_grid,         most_figures,       most_set_scenes,
-    most_strip,          most_compared,        most_read_again,    most_changes,
-    largest_figure,      smallest_figure,      most_precise};
+constexpr std::array limits{most_file_bytes,
+                            most_nesting,
+                            most_values,
+                            most_letters,
+                            most_title_letters,
+                            most_caption_letters,
+                            most_words_letters,
+                            most_name_letters,
+                            most_seconds,
+                            most_trail_seconds,
+                            most_overrides,
+                            most_errors_shown,
+                            largest_quantity,
+                            smallest_quantity,
+                            largest_seed,
+                            most_seeds,
+                            most_runs,
+                            most_points,
+                            most_particles,
+                            most_returning,
+                            most_species,
+                            most_events,
+                            most_partitions,
+                            most_gaps,
+                            most_obstacles,
+                            most_corners,
+                            most_samples,
+                            most_time_steps,
+                            most_run_collisions,
+                            most_pairs_compared,
+                            most_frames,
+                            most_frames_per_second,
+                            smallest_side,
+                            largest_side,
+                            most_panels,
+                            most_slow_spans,
+                            most_overlays,
+                            most_field_cells,
+                            most_monitors,
+                            most_bins,
+                            most_chosen,
+                            largest_grid,
+                            most_figures,
+                            most_set_scenes,
+                            most_strip,
+                            most_compared,
+                            most_read_again,
+                            most_changes,
+                            largest_figure,
+                            smallest_figure,
+                            most_precise,
+                            most_classroom_seconds,
+                            most_classroom_frames,
+                            most_classroom_side,
+                            most_classroom_particles,
+                            most_classroom_samples,
+                            most_classroom_steps,
+                            most_classroom_collisions,
+                            most_classroom_precise_collisions};
 
 std::string text_of(const std::string& path) {
     return test::contents(carom::test::checkout().string() + path);
@@ -185,6 +230,48 @@ TEST_CASE("places are compared up to the limit") {
     CHECK(complaint(tower(7000, 0.01)).find("particle 6999 (gas) overlaps particle 6998") !=
           std::string::npos);
     CHECK(complaint(tower(30'000, 0.0025)).empty());
+}
+
+// Each at its limit and one over it. Of collisions it is the run's ceiling that is lowered.
+TEST_CASE("a classroom has limits of its own") {
+    SceneResources resources = test::resources();
+    resources.is_classroom = true;
+    const auto loaded = [&](const std::string& text) {
+        return load_scene_text(text, "test", resources);
+    };
+    const auto said = [&](const std::string& text) -> std::string {
+        try {
+            loaded(text);
+        } catch (const SceneError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const auto film = [&](const std::string& keys) {
+        return said(scene_with("{count: 2}", "until: 10", keys));
+    };
+    CHECK(film("seconds: 120, fps: 60, size: [3840, 2160]").empty());
+    CHECK(names(film("seconds: 120.1"), most_classroom_seconds));
+    CHECK(names(film("seconds: 120, fps: 61"), most_classroom_frames));
+    CHECK(names(film("seconds: 1, size: [100, 3841]"), most_classroom_side));
+    CHECK(film("seconds: 121, size: [100, 3841]").find("test:5:17") != std::string::npos);
+    const std::string small = "radius: 0.1}";
+    CHECK(said(scene_with("{count: 20000, " + small)).empty());
+    CHECK(names(
+        said(scene_with("{name: a, count: 9000, " + small + ", {name: b, count: 11001, " + small)),
+        most_classroom_particles));
+    // Of 2 particles.
+    CHECK(said(scene_with("{count: 2}", "until: 10, sample_every: 1.001e-6")).empty());
+    CHECK(names(said(scene_with("{count: 200}", "until: 10, sample_every: 9e-6")),
+                most_classroom_samples));
+    CHECK(names(said(scene_with("{count: 200}", "until: 10, time_step: 9e-6")),
+                most_classroom_steps));
+    CHECK(loaded(scene_with("{count: 2}")).run.most_collisions == 100'000'000);
+    CHECK(loaded(scene_with("{count: 2}", "until: 10, most_collisions: 7")).run.most_collisions ==
+          7);
+    CHECK(loaded(scene_with("{count: 2}", "until: 10, precision: 64")).run.most_collisions ==
+          200'000);
+    CHECK_FALSE(test::scene_from(scene_with("{count: 2}")).run.most_collisions.has_value());
 }
 
 TEST_CASE("the page of limits is current") {

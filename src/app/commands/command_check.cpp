@@ -12,12 +12,14 @@
 #include "app/film/letters.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "app/report/accessibility.h"
 #include "app/report/check_facts.h"
 #include "app/report/trial_run.h"
 #include "app/resources.h"
 #include "panels/words/text_panel.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -26,7 +28,7 @@ struct CheckArguments : SceneOptions {
     std::vector<std::string> scenes;
     FilmOptions film;
     std::string format;  // empty: all
-    bool json = false, measures = false;
+    bool json = false, measures = false, accessible = false;
 };
 
 // A scene that says nothing of a film, and of which none can be made, is good for its physics.
@@ -43,11 +45,22 @@ std::pair<Scene, bool> loaded(const std::string& path, const SceneResources& res
     }
 }
 
+// What is asked for, of films of the format asked for.
+void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedFile& found) {
+    if (!arguments.accessible) return;
+    const bool has_format = !arguments.format.empty();
+    std::vector<Diagnostic> its =
+        barriers_in(scene, has_format ? &output_format(arguments.format) : nullptr);
+    if (!found.barriers) found.barriers.emplace();
+    found.barriers->insert(found.barriers->end(), its.begin(), its.end());
+}
+
 // With all its scenes, figures and pages.
 Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
-                   const Overrides& overrides) {
+                   const Overrides& overrides, CheckedFile& found) {
     const FigureSet set = load_set(path, resources_of(arguments), overrides);
     for (const SetPart& part : set.parts) {
+        if (!part.compares) find_barriers(arguments, part.scene, found);
         refuse_long_words(part.scene);
         try_run(part.scene, true);
     }
@@ -77,11 +90,12 @@ CheckedFilm checked_film(const CheckArguments& arguments, const std::string& pat
 }
 
 Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
-                     const Overrides& overrides) {
+                     const Overrides& overrides, CheckedFile& found) {
     const auto [scene, has_film] = loaded(path, resources_of(arguments), overrides);
     if (has_film) refuse_long_words(scene);
     require_letters(scene);
     try_run(scene, has_film);
+    if (has_film) find_barriers(arguments, scene, found);
     return facts_of(scene,
                     has_film ? std::optional(checked_film(arguments, path, scene)) : std::nullopt);
 }
@@ -91,8 +105,8 @@ CheckedFile checked(const CheckArguments& arguments, const std::string& path,
     CheckedFile found{.path = path == standard_input ? "<stdin>" : path,
                       .is_set = path != standard_input && is_figure_set(path)};
     try {
-        found.facts = found.is_set ? facts_of_set(arguments, path, overrides)
-                                   : facts_of_scene(arguments, path, overrides);
+        found.facts = found.is_set ? facts_of_set(arguments, path, overrides, found)
+                                   : facts_of_scene(arguments, path, overrides, found);
     } catch (const SceneError& error) {
         found.errors = error.diagnostics();
     } catch (const MissingLetters& error) {
@@ -124,6 +138,17 @@ void refuse_invalid(const std::vector<CheckedFile>& files, bool json) {
                                  invalid == 1 ? "is" : "are"));
 }
 
+void refuse_barriers(const std::vector<CheckedFile>& files, bool json) {
+    std::vector<Diagnostic> barriers;
+    for (const CheckedFile& file : files)
+        if (file.barriers)
+            barriers.insert(barriers.end(), file.barriers->begin(), file.barriers->end());
+    if (barriers.empty()) return;
+    if (!json) throw SceneError(std::move(barriers));
+    throw UsageError(
+        fmt::format("--accessible: {}", counted(static_cast<int>(barriers.size()), "barrier")));
+}
+
 void check_scenes(const CheckArguments& arguments) {
     refuse_second_standard_input(arguments.scenes);
     const Overrides overrides = overrides_of(arguments);
@@ -135,6 +160,7 @@ void check_scenes(const CheckArguments& arguments) {
     else if (!arguments.quiet)
         Output("-").write(check_table(files));
     refuse_invalid(files, arguments.json);
+    refuse_barriers(files, arguments.json);
 }
 
 CommandText check_text() {
@@ -164,6 +190,8 @@ Command check_command() {
                "simulate each film and encode a few of its frames, which tells its size within a "
                "third",
                &its.measures},
+              {"--accessible", "refuse what keeps some viewers from the film (WCAG 2.1, level AA)",
+               &its.accessible},
               {"--format", "the cost of this format only", &its.format, film_formats()}},
              scene_options(its),
              {limits_option(its)},

@@ -328,11 +328,16 @@ Facts rows_of(const CheckedFile& checked) {
 }
 
 Facts facts_of(const CheckedFile& checked) {
-    Json list = Json::array();
-    for (const Diagnostic& error : checked.errors) list.push_back(error_value(error));
-    return joined<Fact>({{name_of(checked), {"valid", checked.facts.has_value()}},
-                         checked.facts.value_or(Facts{}),
-                         {{"errors", std::move(list)}}});
+    const auto list = [](const std::vector<Diagnostic>& found) {
+        Json values = Json::array();
+        for (const Diagnostic& one : found) values.push_back(error_value(one));
+        return values;
+    };
+    Facts facts = joined<Fact>({{name_of(checked), {"valid", checked.facts.has_value()}},
+                                checked.facts.value_or(Facts{}),
+                                {{"errors", list(checked.errors)}}});
+    if (checked.barriers) facts.push_back({"barriers", list(*checked.barriers)});
+    return facts;
 }
 
 // What pictures and films of a scene depend on, in one word.

@@ -21,6 +21,7 @@ struct CheckedFile {
     bool is_set = false;
     std::optional<Facts> facts = {};  ///< none: not valid
     std::vector<Diagnostic> errors = {};
+    std::optional<std::vector<Diagnostic>> barriers = {};  ///< none: not asked for
 };
 
 /// What is wanted of the film of a checked scene.

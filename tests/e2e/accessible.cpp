@@ -1,0 +1,103 @@
+// carom check --accessible: what keeps viewers from a film is named with its criterion, and
+// mended as the hint says it is gone.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "e2e/program.h"
+#include "support/process.h"
+
+using namespace carom::test;
+using nlohmann::json;
+
+namespace {
+
+std::string scene(const std::string& gas, const std::string& film,
+                  const std::string& description = "What there is to see.") {
+    return "title: T\n" + (description.empty() ? "" : "description: " + description + "\n") +
+           "box: {size: [40, 30]}\ngas:\n" + gas + "run: {until: 10}\nfilm: {" + film + "}\n";
+}
+
+const std::string two = "  - {name: a, count: 9}\n  - {name: b, count: 9";
+
+Outcome checked(const std::string& text, const std::vector<std::string>& options = {}) {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", text);
+    std::vector<std::string> command{program, "check", "scene.yaml", "--accessible"};
+    command.insert(command.end(), options.begin(), options.end());
+    return run(command, folder.path());
+}
+
+bool is_accessible(const std::string& text, const std::vector<std::string>& options = {}) {
+    const Outcome outcome = checked(text, options);
+    CAPTURE(outcome.err);
+    CHECK((outcome.exit_code == 0 || outcome.exit_code == 2));
+    return outcome.exit_code == 0 && outcome.err.empty();
+}
+
+// Whether the first barrier is this one, and the exit code says so.
+bool refuses(const std::string& criterion, const std::string& text,
+             const std::vector<std::string>& options = {}) {
+    const Outcome outcome = checked(text, options);
+    CAPTURE(outcome.err);
+    return outcome.exit_code == 2 && has(outcome.err, "error: WCAG " + criterion);
+}
+
+}  // namespace
+
+TEST_CASE("carom check --accessible names each barrier, and none where there is none") {
+    const std::string one = "  - {count: 9}\n", film = "seconds: 10";
+    CHECK(is_accessible(scene(one, film)));
+    CHECK(refuses("1.1.1", scene(one, film, "")));
+    CHECK(refuses("1.4.1", scene(two + "}\n", film + ", color_by: species")));
+    CHECK(is_accessible(scene(two + ", label: b}\n", film + ", color_by: species")));
+    CHECK(is_accessible(scene(two + ", fill: false}\n", film + ", color_by: species")));
+    CHECK(is_accessible(scene(two + ", radius: 0.7}\n", film + ", color_by: species")));
+    CHECK(is_accessible(scene(two + "}\n", film + ", color_by: species, theme: print")));
+    CHECK(refuses("1.4.3", scene(one, film + ", ground: none"), {"--format", "webm"}));
+    CHECK(refuses("1.4.4", scene(one, film + ", size: [640, 360]")));
+    CHECK(is_accessible(scene(one, film + ", size: [960, 540]")));
+    CHECK(refuses("2.2.2", scene(one, film + ", fps: 25"), {"--format", "gif"}));
+    CHECK(is_accessible(scene(one, "seconds: 5, fps: 25"), {"--format", "gif"}));
+    CHECK(is_accessible(scene(one, film), {"--format", "mp4"}));
+}
+
+// 459 disks of radius 0.5 cover 0.3 of the box and come past a place 0.38 times while they fly one
+// unit of length; in 10 seconds of film with 8.6 of motion these are 8.6 units at speed 1.
+TEST_CASE("fast and dense gases are refused as flashing, slow or dilute ones are not") {
+    const auto gas = [](const char* count, const char* speed) {
+        return std::string("  - {count: ") + count + ", speed: " + speed + "}\n";
+    };
+    CHECK(is_accessible(scene(gas("459", "1"), "seconds: 10")));
+    CHECK(refuses("2.3.1", scene(gas("459", "10"), "seconds: 10")));
+    CHECK(is_accessible(scene(gas("459", "10"), "seconds: 60")));
+    CHECK(is_accessible(scene(gas("300", "10"), "seconds: 10")));
+}
+
+TEST_CASE("barriers stand in the JSON document, each with its hint") {
+    const Outcome outcome =
+        checked(scene("  - {count: 9}\n", "seconds: 10, size: [640, 360]"), {"--json"});
+    CHECK(outcome.exit_code == 2);
+    CHECK(has(outcome.err, "1 barrier"));
+    const json found = json::parse(outcome.out)[0];
+    CHECK(found["valid"] == true);
+    CHECK(found["errors"].empty());
+    REQUIRE(found["barriers"].size() == 1);
+    CHECK(has(found["barriers"][0]["message"], "WCAG 1.4.4"));
+    CHECK(has(found["barriers"][0]["hint"], "1.2 times as large"));
+}
+
+TEST_CASE("what a scene is made from has one name, and another when a part of it changes") {
+    const auto name = [](const std::string& text, const std::vector<std::string>& options = {}) {
+        std::vector<std::string> all{"--json"};
+        all.insert(all.end(), options.begin(), options.end());
+        return json::parse(checked(text, all).out)[0]["made_from"].get<std::string>();
+    };
+    const std::string text = scene("  - {count: 9}\n", "seconds: 10");
+    CHECK(name(text) == name(text));
+    CHECK(name(text) != name(text + "# more\n"));
+    CHECK(name(text) != name(text, {"--set", "gas.0.count=8"}));
+    CHECK(name(text) != name(text, {"--template", "data"}));
+}

@@ -154,7 +154,8 @@ class Run(_Scene):
 
     def _repr_html_(self):
         try:
-            return self.frame().T.to_html(header=False)
+            import pandas
+            return pandas.Series(self.numbers, dtype=object).to_frame().to_html(header=False)
         except ImportError:
             rows = "".join(f"<tr><th>{html.escape(name)}</th><td>{number}</td></tr>" for name, number in self.numbers.items())
             return f"<table>{rows}</table>"

@@ -1,7 +1,9 @@
 // Scenes in documents of MyST Markdown, by the plugin in integrations/myst. Skipped where ./dev
-// setup full has not installed mystmd from npm. Themes of its pages come from a server, and are not
-// tried.
+// setup full has not installed mystmd from npm, or Node.js is older than 20, which it is built for.
+// Themes of its pages come from a server, and are not tried.
 #include <fmt/format.h>
+
+#include <cstdlib>
 
 #include "e2e/in_documents.h"
 
@@ -13,8 +15,10 @@ namespace {
 const fs::path myst = root / "build/npm/node_modules/.bin/myst";
 
 bool has_myst() {
-    if (fs::exists(myst)) return true;
-    MESSAGE("mystmd is not installed (./dev setup full): the plugin for it is not tried");
+    const std::string version = run({"node", "--version"}).out;  // v20.1.2
+    const bool is_new = version.starts_with("v") && std::atoi(version.c_str() + 1) >= 20;
+    if (is_new && fs::exists(myst)) return true;
+    MESSAGE("mystmd or Node.js 20 is not installed (./dev setup full): the plugin is not tried");
     return false;
 }
 

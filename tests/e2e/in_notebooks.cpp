@@ -80,7 +80,7 @@ TEST_CASE("a notebook shows the films, the picture and the numbers of the exampl
     CHECK(three[0] == of_run["collisions"]["particle"]);
     CHECK(three[1] != three[0]);
     REQUIRE(made(example, "html").exit_code == 0);
-    CHECK(has(example.text("done.html"), "<video controls"));
+    CHECK(has(example.text("done.html"), "<video "));
     CHECK(example.media(".mp4").size() == 2);
 }
 
@@ -91,14 +91,34 @@ TEST_CASE("large films stand beside the notebook, and samples are rows") {
                                       "carom.embed_below = 0\n"
                                       "film = carom.film('gas.yaml', **{'film.size': [320, 180]})\n"
                                       "print(film.path in film._repr_html_())\n"
-                                      "rows = carom.run('gas.yaml').samples()\n"
-                                      "print(len(rows), sorted(rows[0])[-1])\n");
+                                      "run = carom.run('gas.yaml')\n"
+                                      "sys.modules['pandas'] = None\n"
+                                      "rows = run.samples()\n"
+                                      "print(len(rows), sorted(rows[0])[-1])\n"
+                                      "print('<tr><th>particles</th><td>41</td></tr>' in "
+                                      "run._repr_html_())\n");
     CAPTURE(outcome.err);
     CHECK(has(outcome.out, "True\n"));
     const std::string samples =
         run({program, "run", "gas.yaml", "--csv", "-", "--quiet"}, example.place()).out;
     const auto rows = std::ranges::count(samples, '\n') - 1;
-    CHECK(has(outcome.out, std::to_string(rows) + " y\n"));
+    CHECK(has(outcome.out, std::to_string(rows) + " y\nTrue\n"));
+}
+
+TEST_CASE("with pandas, numbers and samples are tables of it") {
+    if (!has_nbconvert() || run({python, "-c", "import pandas"}).exit_code != 0) return;
+    const ExampleDocuments example;
+    const Outcome outcome = in_python(example,
+                                      "run = carom.run('gas.yaml')\n"
+                                      "samples, numbers = run.samples(), run.frame()\n"
+                                      "print(len(samples), samples.y.dtype, len(numbers), "
+                                      "numbers.particles[0])\n"
+                                      "print('<td>41</td>' in run._repr_html_())\n");
+    CAPTURE(outcome.err);
+    const std::string samples =
+        run({program, "run", "gas.yaml", "--csv", "-", "--quiet"}, example.place()).out;
+    const auto rows = std::ranges::count(samples, '\n') - 1;
+    CHECK(outcome.out == std::to_string(rows) + " float64 1 41\nTrue\n");
 }
 
 TEST_CASE("hostile values and scenes in a notebook are words or errors") {

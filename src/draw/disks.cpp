@@ -8,22 +8,10 @@
 #include <vector>
 
 #include "draw/disk_mask.h"
+#include "draw/pixel_bounds.h"
 
 namespace carom {
 namespace {
-
-// Pixel columns and rows that may be written: [left, right) and [top, bottom).
-struct PixelBounds {
-    int left = 0, top = 0, right = 0, bottom = 0;
-};
-
-PixelBounds bounds_of(PixelSize size, const Rect& clip) {
-    const auto within = [](double position, int most) {
-        return static_cast<int>(std::clamp(std::round(position), 0.0, static_cast<double>(most)));
-    };
-    return {within(clip.x, size.width), within(clip.y, size.height),
-            within(clip.right(), size.width), within(clip.bottom(), size.height)};
-}
 
 using Bytes = std::uint8_t __attribute__((vector_size(16)));
 using Quads = std::uint32_t __attribute__((vector_size(16)));
@@ -175,8 +163,6 @@ void draw_circles(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
     canvas.fill_circles(circles, clip);
 }
 
-}  // namespace
-
 // Asks for the pixels of a disk that will be drawn soon. Disks come in no order of place: without
 // this, waiting for memory takes half of the time.
 void fetch_ahead(const PixelView& pixels, const PixelBounds& bounds, const Disk& disk) {
@@ -193,28 +179,13 @@ void fetch_ahead(const PixelView& pixels, const PixelBounds& bounds, const Disk&
     }
 }
 
-// The squares around disks, or the whole clip where they take a good part of it.
-class Boxes {
-  public:
-    explicit Boxes(const Rect& clip) : clip_(clip), left_(0.4 * clip.width * clip.height) {}
+Rect box_around(const Disk& disk) {
+    const double reach = static_cast<double>(disk.radius) + 2.0;
+    return {static_cast<double>(disk.x) - reach, static_cast<double>(disk.y) - reach, 2.0 * reach,
+            2.0 * reach};
+}
 
-    void add(const Disk& disk) {
-        if (left_ < 0.0) return;
-        const double reach = static_cast<double>(disk.radius) + 2.0, side = 2.0 * reach;
-        boxes_.push_back({double(disk.x) - reach, double(disk.y) - reach, side, side});
-        left_ -= side * side;
-    }
-
-    void touch(Canvas& canvas) const {
-        if (left_ < 0.0) return canvas.touch(clip_);
-        for (const Rect& box : boxes_) canvas.touch(box);
-    }
-
-  private:
-    Rect clip_;
-    double left_;  ///< pixels
-    std::vector<Rect> boxes_;
-};
+}  // namespace
 
 // Masks are kept while there is room for them, each radius at the phases met so far. What is kept
 // saves time and never shows in the picture.
@@ -291,12 +262,12 @@ void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
     const PixelView pixels = canvas.pixels();
     const PixelBounds bounds = bounds_of(canvas.size(), clip);
     constexpr std::size_t ahead = 4;
-    Boxes boxes(clip);
+    DrawnBoxes boxes(clip);
     for (std::size_t i = 0; i < disks.size(); ++i) {
         const Disk& disk = disks[i];
         if (i + ahead < disks.size()) fetch_ahead(pixels, bounds, disks[i + ahead]);
         if (!is_visible(disk, bounds)) continue;
-        boxes.add(disk);
+        boxes.add(box_around(disk));
         const Stamp stamp(pixels, bounds, disk.color);
         implementation_->draw_one(stamp, place(disk));
     }

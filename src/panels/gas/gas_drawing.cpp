@@ -8,6 +8,7 @@
 #include "panels/gas/bead_words.h"
 #include "panels/gas/disk_names.h"
 #include "panels/gas/gas_panel.h"
+#include "panels/gas/trail_lines.h"
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_strokes.h"
 #include "util/text.h"
@@ -15,10 +16,10 @@
 namespace carom {
 namespace {
 
-constexpr double ring_line = 0.13;    // units
-constexpr double rim_line = 0.09;     // of disks that would fade into the ground
-constexpr double trail_shades = 64;   // that are hardly told apart
-constexpr double least_radius = 1.2;  // pixels: smaller disks are no longer round
+constexpr double ring_line = 0.13;      // units
+constexpr double followed_line = 0.14;  // units: around disks with a trail, and others
+constexpr double rim_line = 0.09;       // of disks that would fade into the ground
+constexpr double least_radius = 1.2;    // pixels: smaller disks are no longer round
 
 // How far away a disk that reaches over a periodic side is seen again; 0 if it is not.
 double image_shift(const Box& box, int axis, double at, double radius) {
@@ -113,7 +114,8 @@ struct GasPanel::Drawing {
     void draw_arrows() const;
     bool labels_fit() const;
     void draw_labels() const;
-    void draw_trail(std::size_t followed, Point shift) const;
+    void add_trail(std::vector<Taper>& tapers, std::size_t followed, Point shift) const;
+    void draw_trails() const;
     void draw_followed() const;
     void draw_flashes() const;
     void draw_remarks() const;
@@ -220,8 +222,7 @@ void GasPanel::Drawing::draw_contents() const {
     }
     draw_ghosts();
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
-    for (std::size_t k = 0; k < gas.trails.size(); ++k)
-        for_each_turn([&](Point shift) { draw_trail(k, shift); });
+    draw_trails();
     gas.field ? draw_outlines() : draw_disks();
     if (scene.film.labels == Labels::none)
         draw_infinite();
@@ -301,7 +302,13 @@ void GasPanel::Drawing::draw_disks() const {
         });
     };
     for (Eigen::Index i = 0; i < radius.size(); ++i) add(i);
-    for (const Followed& one : panel.followed_) add(one.particle);
+    for (const Followed& one : panel.followed_) {
+        const double ring = radius[one.particle] * scale + followed_line * dc.unit;
+        for_each_image(place_of(gas.place, one.particle), radius[one.particle], [&](Point at) {
+            add_disk(disks, at, static_cast<float>(ring), rgb_of(dc.theme.ink), 0.0, 0);
+        });
+        add(one.particle);
+    }
     dc.disks.draw(canvas, disks, frame);
 }
 
@@ -380,42 +387,45 @@ void GasPanel::Drawing::draw_labels() const {
             panel.is_disk(i) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
 }
 
-// In pieces of one strength, whose round ends lie over one another: steps with square ends of their
-// own would show as ribs where they are short, and as notches where the path turns.
-void GasPanel::Drawing::draw_trail(std::size_t followed, Point shift) const {
+void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t followed,
+                                  Point shift) const {
     const Trail& trail = gas.trails[followed];
     const auto [particle, seconds] = panel.followed_[followed];
     const Color own = panel.colors_.is_of_species(gas.shades[static_cast<std::size_t>(particle)])
                           ? edge_of(colors[shade(particle)], dc.theme)
                           : dc.theme.ink;
     const Color ink = gas.seen(own, particle, dc.theme.ground);
-    const auto seen_at = [&](Point place) { return pixel({place.x + shift.x, place.y + shift.y}); };
-    std::vector<Point> piece;
-    double strength = 0.0;
-    const auto draw_piece = [&] {
-        if (piece.size() > 1)
-            canvas.stroke_path(piece, (0.1 + 0.25 * strength) * dc.unit,
-                               mix(dc.theme.ground, ink, 0.75 * strength));
-        piece.clear();
-    };
-    for (std::size_t i = 1; i < trail.places.size(); ++i) {
-        const Point& from = trail.places[i - 1];
-        const Point& to = trail.places[i];
+    const auto place = [&](std::size_t i, double across, double up) {
+        const Point& at = trail.places[i];
         const double age = static_cast<double>(trail.ages[i]) / seconds;
-        const double now =
-            std::round((1.0 - std::clamp(age, 0.0, 1.0)) * trail_shades) / trail_shades;
-        if (now != strength) draw_piece();
-        strength = now;
-        if (piece.empty()) piece.push_back(seen_at(from));
-        // A step goes through a periodic side rather than through more than half the box.
-        const double across = box.size[0] * box.turns(0, from.x - to.x);
-        const double up = box.size[1] * box.turns(1, from.y - to.y);
-        piece.push_back(seen_at({to.x + across, to.y + up}));
-        if (across == 0.0 && up == 0.0) continue;
-        draw_piece();  // and on from the opposite side
-        piece = {seen_at({from.x - across, from.y - up}), seen_at(to)};
+        return TrailPlace{pixel({at.x + shift.x + across, at.y + shift.y + up}),
+                          1.0 - std::clamp(age, 0.0, 1.0)};
+    };
+    std::vector<TrailPlace> way;
+    way.reserve(trail.places.size());
+    for (std::size_t i = 0; i < trail.places.size(); ++i) {
+        double across = 0.0, up = 0.0;
+        if (i > 0) {
+            // A step goes through a periodic side rather than through more than half the box.
+            const Point &from = trail.places[i - 1], &to = trail.places[i];
+            across = box.size[0] * box.turns(0, from.x - to.x);
+            up = box.size[1] * box.turns(1, from.y - to.y);
+        }
+        if (across != 0.0 || up != 0.0) {
+            way.push_back(place(i, across, up));
+            add_trail_lines(tapers, way, dc.theme.ground, ink, dc.unit);
+            way = {place(i - 1, -across, -up)};  // and on from the opposite side
+        }
+        way.push_back(place(i, 0.0, 0.0));
     }
-    draw_piece();
+    add_trail_lines(tapers, way, dc.theme.ground, ink, dc.unit);
+}
+
+void GasPanel::Drawing::draw_trails() const {
+    std::vector<Taper> tapers;
+    for (std::size_t k = 0; k < gas.trails.size(); ++k)
+        for_each_turn([&](Point shift) { add_trail(tapers, k, shift); });
+    draw_tapers(canvas, tapers, frame);
 }
 
 void GasPanel::Drawing::draw_followed() const {
@@ -426,7 +436,7 @@ void GasPanel::Drawing::draw_followed() const {
                  0.0, 0);
     for (const Spotlights::Ring& ring : gas.rings) {
         const double shown = std::max(least_radius, radius[ring.particle] * scale);
-        const double line = 0.14 * dc.unit;
+        const double line = followed_line * dc.unit;
         for_each_image(place_of(gas.place, ring.particle), radius[ring.particle], [&](Point at) {
             canvas.stroke_circle(at, shown + 0.5 * line, line,
                                  with_alpha(dc.theme.ink, ring.share));
@@ -434,12 +444,14 @@ void GasPanel::Drawing::draw_followed() const {
     }
     for (const Followed& one : panel.followed_) {
         const Eigen::Index i = one.particle;
-        const double shown = radius[i] * scale, line = 0.14 * dc.unit;
-        for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
-            canvas.stroke_circle(at, shown + 0.5 * line, line, dc.theme.ink);
-        });
+        const double shown = radius[i] * scale, line = followed_line * dc.unit;
+        if (gas.field)  // else it was drawn with the disk
+            for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
+                canvas.stroke_circle(at, shown + 0.5 * line, line, dc.theme.ink);
+            });
+        if (gas.label_alpha <= 0.0) continue;
         const std::string name = single_name(panel.context_, i);
-        if (gas.label_alpha <= 0.0 || name.empty()) continue;
+        if (name.empty()) continue;
         const Point at = pixel(i);
         const Rect disk{at.x - shown, at.y - shown, 2.0 * shown, 2.0 * shown};
         draw_name(canvas, dc, frame, disk, escape_markup(name), gas.label_alpha,

@@ -68,6 +68,7 @@ void GasPanel::choose_particles() {
             context_.scene.gas.species[species].count == 1 && context_.particles.count() > 10;
         const double trail =
             asked_trail(context_, i).value_or(single ? default_trail_seconds : 0.0);
+        trail_of_.push_back(trail > 0.0 ? static_cast<std::ptrdiff_t>(followed_.size()) : -1);
         if (trail > 0.0) followed_.push_back({i, trail});
     }
 }
@@ -77,21 +78,23 @@ void GasPanel::extend_trails(const FrameInput& input) {
     const bool moves = input.tick.time > last_time_;
     if (moves) moving_seconds_ += elapsed;
     const double pace = moves ? elapsed / (input.tick.time - last_time_) : 0.0;
-    for (std::size_t k = 0; k < followed_.size(); ++k) {
-        std::deque<TrailPoint>& trail = trails_[k];
-        const auto particle = static_cast<std::int32_t>(followed_[k].particle);
+    const auto visit = [&](std::int64_t particle, double time, const Eigen::Array2d& at) {
+        const std::ptrdiff_t k = trail_of_[static_cast<std::size_t>(particle)];
+        if (k < 0) return;
+        trails_[static_cast<std::size_t>(k)].push_back(
+            {moving_seconds_ - (input.tick.time - time) * pace, {at[0], at[1]}});
+    };
+    if (!followed_.empty())
         for (const Collision& collision : input.advanced.collisions) {
-            if (collision.first != particle && collision.second != particle) continue;
-            const Eigen::Array2d& at =
-                collision.first == particle ? collision.first_position : collision.second_position;
-            trail.push_back(
-                {moving_seconds_ - (input.tick.time - collision.time) * pace, {at[0], at[1]}});
+            visit(collision.first, collision.time, collision.first_position);
+            if (collision.second.is_particle())
+                visit(collision.second.particle(), collision.time, collision.second_position);
         }
-        trail.push_back({moving_seconds_,
-                         {input.sample.position(followed_[k].particle, 0),
-                          input.sample.position(followed_[k].particle, 1)}});
-        while (trail.front().film_time < moving_seconds_ - followed_[k].trail_seconds)
-            trail.pop_front();
+    for (std::size_t k = 0; k < followed_.size(); ++k) {
+        const auto [particle, seconds] = followed_[k];
+        std::deque<TrailPoint>& trail = trails_[k];
+        visit(particle, input.tick.time, input.sample.position.row(particle));
+        while (trail.front().film_time < moving_seconds_ - seconds) trail.pop_front();
     }
     last_time_ = input.tick.time;
 }
@@ -101,8 +104,11 @@ std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
     see(input, input.sample.position, *state);
     state->surfaces = surfaces_.states(input);
     extend_trails(input);
+    state->trails.reserve(trails_.size());
     for (const std::deque<TrailPoint>& trail : trails_) {
         Trail& copy = state->trails.emplace_back();
+        copy.places.reserve(trail.size());
+        copy.ages.reserve(trail.size());
         for (const TrailPoint& point : trail) {
             copy.places.push_back(point.place);
             copy.ages.push_back(static_cast<float>(moving_seconds_ - point.film_time));

@@ -70,6 +70,7 @@ class GasPanel : public ParticlePanel {
 
     SurfaceView surfaces_;
     std::vector<Followed> followed_;
+    std::vector<std::ptrdiff_t> trail_of_;        // of each particle, or -1
     std::vector<std::deque<TrailPoint>> trails_;  // of these, as of the last state
     double moving_seconds_ = 0.0;                 // film time without holds
     double last_time_ = 0.0;

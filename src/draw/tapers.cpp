@@ -1,0 +1,192 @@
+#include "draw/tapers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "draw/pixel_bounds.h"
+
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace carom {
+namespace {
+
+// Four pixels of a row.
+constexpr int lanes = 4;
+using Floats = float __attribute__((vector_size(lanes * sizeof(float))));
+using Ints = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t))));
+
+[[gnu::always_inline]] inline Floats all(float a) { return Floats{a, a, a, a}; }
+[[gnu::always_inline]] inline Floats least(Floats a, Floats b) { return a < b ? a : b; }
+[[gnu::always_inline]] inline Floats most(Floats a, Floats b) { return a > b ? a : b; }
+[[gnu::always_inline]] inline Floats share(Floats a) { return least(most(a, all(0)), all(1)); }
+[[gnu::always_inline]] inline Floats root(Floats a) {
+    Floats to;
+    for (int k = 0; k < lanes; ++k) to[k] = std::sqrt(a[k]);
+    return to;
+}
+
+constexpr float edge = 0.5F;  // pixels within which coverage falls, on either side of an edge
+
+// A taper as its pixels need it: places relative to its start.
+struct Shape {
+    double x, y, along_x, along_y;
+    float dx, dy, by_length_squared;
+    float half_width, growth;  // of it
+    double reach;              // of what is covered in part, around the line
+    std::array<float, 4> channel, change;
+
+    explicit Shape(const Taper& taper)
+        : x(taper.from.x),
+          y(taper.from.y),
+          along_x(taper.to.x - taper.from.x),
+          along_y(taper.to.y - taper.from.y),
+          dx(static_cast<float>(along_x)),
+          dy(static_cast<float>(along_y)),
+          half_width(static_cast<float>(0.5 * taper.width_at_start)),
+          growth(static_cast<float>(0.5 * (taper.width_at_end - taper.width_at_start))),
+          reach(0.5 * std::max(taper.width_at_start, taper.width_at_end) + edge) {
+        const float length_squared = dx * dx + dy * dy;
+        by_length_squared = length_squared > 0.0F ? 1.0F / length_squared : 0.0F;
+        const Color &a = taper.color_at_start, &b = taper.color_at_end;
+        const std::array<double, 4> start{a.blue, a.green, a.red, 1.0},
+            end{b.blue, b.green, b.red, 1.0};
+        for (std::size_t k = 0; k < 4; ++k) {
+            channel[k] = static_cast<float>(255.0 * start[k]);
+            change[k] = static_cast<float>(255.0 * (end[k] - start[k]));
+        }
+    }
+
+    // Nothing but what is finite, and has a width.
+    bool is_drawn() const {
+        return std::isfinite(x + y + along_x + along_y) && reach > static_cast<double>(edge);
+    }
+
+    Rect box() const {
+        return {std::min(x, x + along_x) - reach, std::min(y, y + along_y) - reach,
+                std::abs(along_x) + 2.0 * reach, std::abs(along_y) + 2.0 * reach};
+    }
+};
+
+[[gnu::always_inline]] inline Floats coverage(const Shape& shape, Floats x, Floats y, Floats at) {
+    const Floats off_x = x - at * shape.dx, off_y = y - at * shape.dy;
+    const Floats distance = root(off_x * off_x + off_y * off_y);
+    const Floats half = shape.half_width + at * shape.growth;
+    // The second where a line is thinner than a pixel.
+    return share(half - distance + edge) - share(edge - half - distance);
+}
+
+[[gnu::always_inline]] inline Ints mixed(Ints below, const Shape& shape, Floats at, Floats weight) {
+    Ints pixel{};
+    for (int k = 0; k < 4; ++k) {
+        const auto channel = static_cast<std::size_t>(k);
+        const Floats old = __builtin_convertvector((below >> (8 * k)) & 0xFF, Floats);
+        const Floats own = shape.channel[channel] + at * shape.change[channel];
+        const Floats now = old + weight * (own - old) + 0.5F;
+        pixel |= __builtin_convertvector(now, Ints) << (8 * k);
+    }
+    return pixel;
+}
+
+// Columns [first, last] of the row through `y` that the line may cover.
+struct Span {
+    double first, last;
+};
+
+Span span_at(const Shape& shape, const Rect& box, double y) {
+    Span span{box.x, box.right()};
+    if (std::abs(shape.along_y) < 1e-3) return span;
+    const double middle = shape.x + (y - shape.y) * shape.along_x / shape.along_y;
+    const double around =
+        shape.reach * std::hypot(shape.along_x, shape.along_y) / std::abs(shape.along_y);
+    return {std::max(span.first, middle - around), std::min(span.last, middle + around)};
+}
+
+// So many pixels of a group, with their columns and rows relative to the line's start.
+template <int count>
+[[gnu::always_inline]] inline void draw_group(const Shape& shape, std::uint32_t* pixels,
+                                              Floats columns, Floats rows) {
+    const Floats at = share((columns * shape.dx + rows * shape.dy) * shape.by_length_squared);
+    const Floats weight = coverage(shape, columns, rows, at);
+    const Ints covered = weight > 0.0F;
+    if ((covered[0] | covered[1] | covered[2] | covered[3]) == 0) return;
+    Ints group{};
+    std::memcpy(&group, pixels, count * sizeof *pixels);
+    group = mixed(group, shape, at, weight);
+    std::memcpy(pixels, &group, count * sizeof *pixels);
+}
+
+void draw_row(const Shape& shape, std::uint32_t* row, int first, int end, float y) {
+    const Floats rows = all(y);
+    const Floats columns = Floats{0.5F, 1.5F, 2.5F, 3.5F} - static_cast<float>(shape.x - first);
+    int x = first;
+    for (; x + lanes <= end; x += lanes)
+        draw_group<lanes>(shape, row + x, columns + static_cast<float>(x - first), rows);
+    for (; x < end; ++x)
+        draw_group<1>(shape, row + x, columns + static_cast<float>(x - first), rows);
+}
+
+void draw_one(const PixelView& pixels, const PixelBounds& bounds, const Shape& shape,
+              const Rect& box) {
+    const auto from = [](double place, int least) {
+        return std::max(least, static_cast<int>(std::floor(std::max<double>(place, least))));
+    };
+    const auto to = [](double place, int most) {
+        return std::min(most, static_cast<int>(std::ceil(std::min<double>(place, most))));
+    };
+    for (int y = from(box.y, bounds.top); y < to(box.bottom(), bounds.bottom); ++y) {
+        const double middle = y + 0.5;
+        const Span span = span_at(shape, box, middle);
+        const int first = from(span.first - 0.5, bounds.left);
+        const int end = to(span.last + 0.5, bounds.right);
+        if (first < end)
+            draw_row(shape, pixels.data + static_cast<std::ptrdiff_t>(y) * pixels.stride, first,
+                     end, static_cast<float>(middle - shape.y));
+    }
+}
+
+// In steps that are hardly told apart.
+void stroke(Canvas& canvas, const Taper& taper) {
+    constexpr double step = 3.0 / 255.0;
+    const Color &a = taper.color_at_start, &b = taper.color_at_end;
+    const double change =
+        std::max({std::abs(a.red - b.red), std::abs(a.green - b.green), std::abs(a.blue - b.blue)});
+    const int steps = std::max(1, static_cast<int>(std::ceil(change / step)));
+    const auto between = [](double from, double to, double at) { return from + (to - from) * at; };
+    const auto place = [&](double at) {
+        return Point{between(taper.from.x, taper.to.x, at), between(taper.from.y, taper.to.y, at)};
+    };
+    for (int i = 0; i < steps; ++i) {
+        const double middle = (i + 0.5) / steps;
+        const std::array<Point, 2> ends{place(1.0 * i / steps), place((i + 1.0) / steps)};
+        canvas.stroke_path(ends, between(taper.width_at_start, taper.width_at_end, middle),
+                           mix(a, b, middle));
+    }
+}
+
+}  // namespace
+
+void draw_tapers(Canvas& canvas, std::span<const Taper> tapers, Rect clip) {
+    if (tapers.empty()) return;
+    if (!canvas.is_raster()) {
+        canvas.clip_to(clip);
+        for (const Taper& taper : tapers) stroke(canvas, taper);
+        return canvas.release_clip();
+    }
+    const PixelView pixels = canvas.pixels();
+    const PixelBounds bounds = bounds_of(canvas.size(), clip);
+    DrawnBoxes boxes(clip);
+    for (const Taper& taper : tapers) {
+        const Shape shape(taper);
+        if (!shape.is_drawn()) continue;
+        const Rect box = shape.box();
+        draw_one(pixels, bounds, shape, box);
+        boxes.add(box);
+    }
+    canvas.pixels_changed();
+    boxes.touch(canvas);
+}
+
+}  // namespace carom

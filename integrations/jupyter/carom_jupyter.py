@@ -61,8 +61,11 @@ class _Scene:
         self._scene = "-" if text is not None else os.path.join(".", os.fspath(path))
         self._text = text
         self._options = _sets(values) + (["--limits", limits] if limits else [])
-        self._call("check", "--quiet")  # for its messages
-        self.facts = json.loads(self._call("check", "--json"))[0]
+        try:
+            self.facts = json.loads(self._call("check", "--json"))[0]
+        except CaromError:
+            self._call("check", "--quiet")  # whose messages are for people
+            raise
 
     def _call(self, command, *arguments):
         return _call([command, self._scene, *arguments, *self._options], self._text)

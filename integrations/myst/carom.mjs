@@ -38,6 +38,18 @@ function call(page, command, scene, ...options) {
   }
 }
 
+// What carom knows of a scene.
+function factsOf(page, scene) {
+  let json;
+  try {
+    json = call(page, 'check', scene, '--json');
+  } catch (error) {
+    call(page, 'check', scene, '--quiet'); // whose messages are for people
+    throw error;
+  }
+  return JSON.parse(json)[0];
+}
+
 // The path, beside the page, of something that is made of a scene and `parts`, once.
 function made(page, facts, parts, ending, make) {
   const key = createHash('sha256').update(JSON.stringify([facts.made_from, ...parts])).digest('hex').slice(0, 16);
@@ -65,8 +77,7 @@ function shown(page, data) {
   const theme = checked('theme', data.options?.theme, /^(light|dark|print)$/, 'light, dark or print');
   const kind = checked('kind', data.options?.kind, /^[a-z][a-z-]*$/, 'the kind of a figure, as speed-histogram');
   const scene = scenePath(data.arg);
-  call(page, 'check', scene, '--quiet'); // for its messages
-  const [facts] = JSON.parse(call(page, 'check', scene, '--json'));
+  const facts = factsOf(page, scene);
   const words = alt ?? facts.description;
   const image = { type: 'image', url: picture(page, scene, facts, { at, theme, kind }), alt: words, width };
   const children = [image];

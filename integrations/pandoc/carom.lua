@@ -101,16 +101,24 @@ local function member(json, name)
 end
 
 local function unescaped(json)
-    return (json:gsub('\\u(%x%x%x%x)', function(code) return utf8.char(tonumber(code, 16)) end)
-                :gsub('\\(.)', {n = ' ', t = ' ', ['"'] = '"', ['\\'] = '\\', ['/'] = '/'}))
+    return (json:gsub('\\(.)(%x?%x?%x?%x?)', function(letter, code)
+        if letter == 'u' then return utf8.char(tonumber(code, 16)) end
+        return (letter:match('[ntrbf]') and ' ' or letter) .. code
+    end))
 end
 
--- A scene as carom has checked it.
+local checked_scenes = {}
+
+-- A scene as carom has checked it, once in a document.
 local function checked(scene, text)
+    local known = checked_scenes[text or scene]
+    if known then return known end
     local json = call('check', scene, text, {'--json'})
-    return {scene = scene, text = text, made_from = member(json, 'made_from'), until_time = tonumber(member(json, 'time')),
-            title = unescaped(member(json, 'title')), description = unescaped(member(json, 'description')),
-            language = member(json, 'language')}
+    known = {scene = scene, text = text, made_from = member(json, 'made_from'), until_time = tonumber(member(json, 'time')),
+             description = unescaped(member(json, 'description')),
+             language = member(json, 'language')}
+    checked_scenes[text or scene] = known
+    return known
 end
 
 -- The path, without its ending, of what is made of a scene and these options.

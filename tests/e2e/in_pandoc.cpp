@@ -230,6 +230,18 @@ TEST_CASE("a hostile document is refused by the filter, or its words are words")
         "```carom\ntitle: T\nbox: {size: [9, 9]}\ngas: [{count: 2}]\nrun: {until: 200}\n```\n");
     CHECK(large.exit_code == 1);
     CHECK(has(large.err, "the limit is 120 seconds of a film, with --limits classroom"));
+    const std::string words = "\\\"><script>pwned()</script> \\\\input{canary} $(touch pwned)";
+    const std::string own = "title: T\ndescription: \"" + words +
+                            "\"\nbox: {size: [9, 9]}\n"
+                            "gas: [{count: 2}]\nrun: {until: 1}\nfilm: {size: [320, 180]}\n```\n";
+    CHECK(call("```carom\n" + own).exit_code == 0);
+    CHECK_FALSE(has(example.text("lecture.html"), "<script>pwned"));
+    CHECK(has(example.text("lecture.html"), "&lt;script&gt;pwned()"));
+    CHECK(call("```{.carom film=false caption=\"" + words + "\"}\n" + own).exit_code == 0);
+    CHECK_FALSE(has(example.text("lecture.html"), "<script>pwned"));
+    made(example, "lecture.tex");
+    CHECK(has(example.text("lecture.tex"), "\\textbackslash"));
+    CHECK_FALSE(has(example.text("lecture.tex"), "\\input{canary}"));
     CHECK(call("![words](gas.yaml){film=true width=\"1\\\" onload=pwned()\" "
                "alt=\"\\\"><script>pwned()</script>\"}\n")
               .exit_code == 0);

@@ -71,7 +71,7 @@ class FigureRun::OneRun {
     bool tries_bits() const { return !scene_.run.bits; }
     double time_to_simulate() const;
     void start(const RunsCallbacks& on_progress);
-    void survey(const RunsCallbacks& on_progress, std::size_t most_bytes);
+    void survey(const RunsCallbacks& on_progress, const Recording::Room& room);
     void look(const RunsCallbacks& on_progress);
     Figure* figure_of(const std::string& name);
     const Particles& particles() const { return particles_; }
@@ -113,7 +113,7 @@ void FigureRun::OneRun::start(const RunsCallbacks& on_progress) {
     start_ = std::move(started.simulation);
 }
 
-void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, std::size_t most_bytes) {
+void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, const Recording::Room& room) {
     if (figures.empty()) return start_.reset();
     std::vector<PanelSpec> specs;
     for (const Figure& figure : figures) specs.push_back(figure.spec->panel);
@@ -126,7 +126,7 @@ void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, std::size_t mos
         [&](const Tick& tick, const Sample&, const AdvanceResult&) {
             on_progress.go_on(tick.time - std::exchange(now, tick.time));
         },
-        most_bytes);
+        room);
     start_.reset();
 }
 
@@ -177,8 +177,10 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     if (on_progress.begin && !shows_trials) on_progress.begin(time);
     each([&](OneRun& run) { run.start(shown); });
     if (on_progress.begin && shows_trials) on_progress.begin(time);
-    const std::size_t most_bytes = Recording::most_bytes / runs_.size();
-    each([&](OneRun& run) { run.survey(shown, most_bytes); });
+    Recording::Room room;
+    room.memory /= runs_.size();
+    room.file /= static_cast<std::int64_t>(runs_.size());
+    each([&](OneRun& run) { run.survey(shown, room); });
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (!parts[i].empty()) fix_axes(scene_.figures[i], parts[i]);
     each([&](OneRun& run) { run.look(shown); });

@@ -192,8 +192,8 @@ void PanelSet::fix_axes_of_both() {
 }
 
 Recording PanelSet::record(std::size_t run, Simulation start, std::vector<Tick> ticks,
-                           const Recording::Viewer& see, std::size_t most) {
-    const Recording::Wanted wanted{wants_collisions(), return_times(run, ticks)};
+                           const Recording::Viewer& see, const Recording::Room& room, bool aside) {
+    const Recording::Wanted wanted{wants_collisions(), return_times(run, ticks), aside};
     Recording recording;
     with_places_of_errors(runs_[run]->scene, [&] {
         recording = Recording(
@@ -202,7 +202,7 @@ Recording PanelSet::record(std::size_t run, Simulation start, std::vector<Tick> 
                 survey(run, tick, sample, advanced);
                 see(tick, sample, advanced);
             },
-            most);
+            room);
     });
     return recording;
 }

@@ -57,17 +57,18 @@ class PanelSet {
     void fix_axes();
 
     /// The first pass over a whole run, from a simulation at time 0; `see` sees each frame after
-    /// the panels. Errors have their places in the scene file. At most `most` bytes are kept.
+    /// the panels. Errors have their places in the scene file. `room` is for what is kept. With
+    /// `aside` panels see it, and `see` does, on a thread of their own, while the run is simulated.
     /// Throws SceneError, Interrupted.
     Recording record(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
-                     std::size_t most = Recording::most_bytes) {
-        return record(own, std::move(start), std::move(ticks), see, most);
+                     const Recording::Room& room = {}, bool aside = false) {
+        return record(own, std::move(start), std::move(ticks), see, room, aside);
     }
 
     /// The same for the run beside it.
     Recording record_beside(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
-                            std::size_t most = Recording::most_bytes) {
-        return record(other, std::move(start), std::move(ticks), see, most);
+                            const Recording::Room& room = {}, bool aside = false) {
+        return record(other, std::move(start), std::move(ticks), see, room, aside);
     }
 
     /// Where the second pass takes the frames of the run beside it from, one for each frame_data().
@@ -135,7 +136,7 @@ class PanelSet {
     void survey(std::size_t run, const Tick& tick, const Sample& sample,
                 const AdvanceResult& advanced);
     Recording record(std::size_t run, Simulation start, std::vector<Tick> ticks,
-                     const Recording::Viewer& see, std::size_t most);
+                     const Recording::Viewer& see, const Recording::Room& room, bool aside);
     std::vector<double> return_times(std::size_t run, const std::vector<Tick>& ticks) const;
     void fix_axes_of_both();
     bool refreshes_readouts(const Tick& tick) const;

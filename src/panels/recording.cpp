@@ -2,52 +2,156 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "panels/archived.h"
 #include "scene/limits.h"
 #include "util/interrupt.h"
+#include "util/relay.h"
 
 namespace carom {
 namespace {
+
+// Of frames in memory whose samples and collisions are in a file: enough for an hour of film.
+constexpr std::size_t most_bytes_beside = 64 << 20;
 
 std::size_t bytes_of_sample(std::int64_t particles, int dimension) {
     return static_cast<std::size_t>(particles * dimension) * 2 * sizeof(double);
 }
 
+template <class Value>
+std::span<const std::byte> bytes_of(const Value* values, std::size_t count) {
+    return std::as_bytes(std::span(values, count));
+}
+
+template <class Value>
+std::span<std::byte> room_of(Value* values, std::size_t count) {
+    return std::as_writable_bytes(std::span(values, count));
+}
+
+// A frame on its way from the thread that simulates to the one that sees it.
+struct SentFrame {
+    Tick tick;
+    std::shared_ptr<const Sample> sample;
+    AdvanceResult advanced;
+    std::vector<Collision> collisions;
+};
+
+// Calls `see` on a thread of its own, for the frames that `simulate` shows meanwhile. What `see`
+// throws is of an earlier frame than what the simulation throws.
+void see_aside(const std::function<void(const Recording::Viewer&)>& simulate,
+               const Recording::Viewer& see) {
+    Relay<SentFrame> relay([&](SentFrame frame) {
+        frame.advanced.collisions = frame.collisions;
+        see(frame.tick, *frame.sample, frame.advanced);
+    });
+    std::shared_ptr<const Sample> last;
+    try {
+        simulate([&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+            if (!last || last->time != sample.time) last = std::make_shared<const Sample>(sample);
+            relay.send(
+                {tick, last, advanced, {advanced.collisions.begin(), advanced.collisions.end()}});
+        });
+    } catch (...) {
+        relay.finish();
+        throw;
+    }
+    relay.finish();
+}
+
 }  // namespace
 
 Recording::Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted,
-                     const Viewer& see, std::size_t most)
+                     const Viewer& see, const Room& room)
     : ticks_(std::move(ticks)), with_collisions_(wanted.collisions), start_(std::move(start)) {
     bool kept = true;
+    const auto see_and_keep = [&](const Tick& tick, const Sample& sample,
+                                  const AdvanceResult& advanced) {
+        if (kept && !keep(sample, advanced, room)) {
+            kept = false;
+            forget();
+        }
+        see(tick, sample, advanced);
+    };
     Simulation first = *start_;
     first.measure_return(wanted.return_times);
-    simulate(std::move(first),
-             [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                 kept = kept && keep(sample, advanced, most);
-                 see(tick, sample, advanced);
-             });
-    if (kept) {
-        start_.reset();
-    } else {
-        samples_ = {};
-        frames_ = {};
-    }
+    if (wanted.aside)
+        see_aside([&](const Viewer& send) { simulate(std::move(first), send); }, see_and_keep);
+    else
+        simulate(std::move(first), see_and_keep);
+    if (kept) start_.reset();
 }
 
-bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, std::size_t most) {
-    if (samples_.empty() || samples_.back().time != sample.time) {
-        samples_.push_back(sample);
-        bytes_ += bytes_of_sample(sample.position.rows(), static_cast<int>(sample.position.cols()));
+void Recording::forget() {
+    samples_ = {};
+    filed_ = {};
+    frames_ = {};
+    file_.reset();
+}
+
+double Recording::time_of_last_sample() const {
+    return filed_.empty() ? samples_.back().time : filed_.back().time;
+}
+
+// In memory up to its bound, from then on in the file.
+bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, const Room& room) {
+    const bool is_new = sample_count() == 0 || time_of_last_sample() != sample.time;
+    Frame frame{sample_count() - (is_new ? 0 : 1), advanced, {}};
+    frame.advanced.collisions = {};
+    const std::size_t of_sample =
+        is_new ? bytes_of_sample(sample.position.rows(), static_cast<int>(sample.position.cols()))
+               : 0;
+    const std::size_t of_collisions = advanced.collisions.size_bytes();
+    bytes_ += sizeof(Frame) + advanced.surfaces.size() * sizeof(SurfaceState);
+    if (!file_ && bytes_ + of_sample + of_collisions > room.memory && room.file > 0)
+        file_ = std::make_shared<ScratchFile>(room.file);
+    if (file_) {
+        // What frames have beside samples and collisions stays in memory.
+        if (bytes_ > room.memory + most_bytes_beside ||
+            !keep_in_file(sample, is_new, advanced.collisions, frame))
+            return false;
+    } else {
+        if (is_new) samples_.push_back(sample);
+        frame.collisions.assign(advanced.collisions.begin(), advanced.collisions.end());
+        bytes_ += of_sample + of_collisions;
     }
-    frames_.push_back(
-        {samples_.size() - 1, advanced, {advanced.collisions.begin(), advanced.collisions.end()}});
-    frames_.back().advanced.collisions = {};
-    bytes_ += sizeof(Frame) + advanced.collisions.size() * sizeof(Collision) +
-              advanced.surfaces.size() * sizeof(SurfaceState);
-    return bytes_ <= most;
+    frames_.push_back(std::move(frame));
+    return file_ || bytes_ <= room.memory;
+}
+
+bool Recording::keep_in_file(const Sample& sample, bool is_new,
+                             std::span<const Collision> collisions, Frame& frame) {
+    const auto add = [&](std::span<const std::byte> bytes, std::int64_t& place) {
+        const std::optional<std::int64_t> begin = file_->append(bytes);
+        place = begin.value_or(0);
+        return begin.has_value();
+    };
+    if (is_new) {
+        particles_ = sample.position.rows();
+        axes_ = sample.position.cols();
+        const auto count = static_cast<std::size_t>(sample.position.size());
+        FiledSample& filed = filed_.emplace_back(FiledSample{sample.time, 0});
+        std::int64_t behind = 0;
+        if (!add(bytes_of(sample.position.data(), count), filed.place) ||
+            !add(bytes_of(sample.velocity.data(), count), behind))
+            return false;
+    }
+    frame.filed = collisions.size();
+    return add(std::as_bytes(collisions), frame.place);
+}
+
+void Recording::read_sample(std::size_t number, Sample& to) const {
+    const FiledSample& filed = filed_[number - samples_.size()];
+    to.time = filed.time;
+    to.position.resize(particles_, axes_);
+    to.velocity.resize(particles_, axes_);
+    const auto count = static_cast<std::size_t>(to.position.size());
+    const std::span<std::byte> position = room_of(to.position.data(), count);
+    file_->read(filed.place, position);
+    file_->read(filed.place + static_cast<std::int64_t>(position.size()),
+                room_of(to.velocity.data(), count));
 }
 
 void Recording::simulate(Simulation simulation, const Viewer& see) const {
@@ -74,9 +178,24 @@ void Recording::Player::next() {
         const Frame& frame = recording_->frames_[next_];
         advanced_ = frame.advanced;
         advanced_.collisions = frame.collisions;
-        sample_ = &recording_->samples_[frame.sample];
+        if (frame.filed > 0) {
+            collisions_.resize(frame.filed);
+            recording_->file_->read(frame.place, room_of(collisions_.data(), frame.filed));
+            advanced_.collisions = collisions_;
+        }
+        show_sample(frame.sample);
     }
     ++next_;
+}
+
+void Recording::Player::show_sample(std::size_t number) {
+    if (number < recording_->samples_.size()) {
+        sample_ = &recording_->samples_[number];
+        return;
+    }
+    if (read_ != number) recording_->read_sample(number, from_file_);
+    read_ = number;
+    sample_ = &from_file_;
 }
 
 Recording Recording::Player::rest(std::size_t end) const {
@@ -91,15 +210,40 @@ Recording Recording::Player::rest(std::size_t end) const {
     return rest;
 }
 
-// Frames that share a sample share it in the part too.
+// Frames that share a sample share it in the part too; what is in the file is shared with the
+// whole.
 void Recording::keep_part(const Recording& whole, std::size_t first, std::size_t end) {
+    file_ = whole.file_;
+    particles_ = whole.particles_;
+    axes_ = whole.axes_;
     for (std::size_t i = first; i < end; ++i) {
         const Frame& frame = whole.frames_[i];
-        if (i == first || frame.sample != whole.frames_[i - 1].sample)
-            samples_.push_back(whole.samples_[frame.sample]);
+        if (i == first || frame.sample != whole.frames_[i - 1].sample) {
+            if (frame.sample < whole.samples_.size())
+                samples_.push_back(whole.samples_[frame.sample]);
+            else
+                filed_.push_back(whole.filed_[frame.sample - whole.samples_.size()]);
+        }
         frames_.push_back(frame);
-        frames_.back().sample = samples_.size() - 1;
+        frames_.back().sample = sample_count() - 1;
     }
+}
+
+// Without a file.
+Recording Recording::in_memory() const {
+    Recording all;
+    all.ticks_ = ticks_;
+    all.with_collisions_ = with_collisions_;
+    Player player(*this);
+    for (const Frame& frame : frames_) {
+        player.next();
+        if (all.frames_.empty() || all.frames_.back().sample != frame.sample)
+            all.samples_.push_back(player.sample());
+        const std::span<const Collision> collisions = player.advanced().collisions;
+        all.frames_.push_back(
+            {frame.sample, frame.advanced, {collisions.begin(), collisions.end()}});
+    }
+    return all;
 }
 
 Recording Recording::part(std::size_t first, std::size_t end) const {
@@ -117,7 +261,10 @@ void Recording::play(std::size_t end, const Viewer& see) const {
 }
 
 bool Recording::fits(std::size_t frames, std::int64_t particles, int dimension) {
-    return frames * (bytes_of_sample(particles, dimension) + sizeof(Frame)) <= most_bytes;
+    const auto bytes = static_cast<double>(bytes_of_sample(particles, dimension) + sizeof(Frame)) *
+                       static_cast<double>(frames);
+    return bytes <= static_cast<double>(most_bytes) ||
+           bytes <= static_cast<double>(ScratchFile::room());
 }
 
 // What panels look up by the numbers of samples, particles and surfaces is there.
@@ -157,6 +304,7 @@ bool Recording::fits_together(const Box& box, Eigen::Index particles) const {
 
 void Recording::archive(Archive& archive, const Box& box, const Particles& particles,
                         const Run& run) {
+    if (!archive.is_reading() && file_) return in_memory().archive(archive, box, particles, run);
     bool kept = is_kept();
     archive(kept, with_collisions_, ticks_, samples_, frames_);
     if (archive.is_reading()) {

@@ -38,18 +38,18 @@ Progress& silent() {
 }
 
 // A plan as it is read, and whether its run is kept in memory.
-FilmPlan planned(std::size_t kept_bytes) {
+FilmPlan planned(const Recording::Room& room) {
     const Scene scene = load_scene_text(scene_text, "scene.yaml", test::resources());
-    return prepare(scene, {.output = "film.gif", .kept_bytes = kept_bytes}, silent());
+    return prepare(scene, {.output = "film.gif", .room = room}, silent());
 }
 
 FilmPlan& plan_in_memory() {
-    static FilmPlan plan = planned(Recording::most_bytes);
+    static FilmPlan plan = planned({});
     return plan;
 }
 
 FilmPlan& plan_simulated_again() {
-    static FilmPlan plan = planned(0);
+    static FilmPlan plan = planned({.memory = 0, .file = 0});
     return plan;
 }
 

@@ -26,9 +26,9 @@ struct SurveyedFilm {
     Recording run, beside;
     std::string axes;  ///< what the first pass has fixed
 
-    /// Keeps at most so many bytes of each run.
-    explicit SurveyedFilm(const Scene& loaded, std::size_t most = Recording::most_bytes)
-        : SurveyedFilm(start_scene(loaded), most) {}
+    /// With so much room for each run.
+    explicit SurveyedFilm(const Scene& loaded, const Recording::Room& room = {})
+        : SurveyedFilm(start_scene(loaded), room) {}
     SurveyedFilm(const SurveyedFilm&) = delete;
     SurveyedFilm& operator=(const SurveyedFilm&) = delete;
 
@@ -44,7 +44,7 @@ struct SurveyedFilm {
     }
 
   private:
-    SurveyedFilm(StartedScene started, std::size_t most)
+    SurveyedFilm(StartedScene started, const Recording::Room& room)
         : scene(std::move(started.scene)),
           particles(started.simulation.particles()),
           start(started.simulation.sample()) {
@@ -58,8 +58,8 @@ struct SurveyedFilm {
         const auto ignore = [](const Tick&, const Sample&, const AdvanceResult&) {};
         if (other)
             beside =
-                first.record_beside(std::move(other->simulation), timeline(scene), ignore, most);
-        run = first.record(std::move(started.simulation), timeline(scene), ignore, most);
+                first.record_beside(std::move(other->simulation), timeline(scene), ignore, room);
+        run = first.record(std::move(started.simulation), timeline(scene), ignore, room);
         first.fix_axes();
         Archive written;
         first.archive(written);

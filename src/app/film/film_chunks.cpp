@@ -281,6 +281,7 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     }
     FilmOptions options = asked;
     options.text = true;
+    options.room.file = 0;  // a chunk of a large run begins with a state, which is smaller
     FilmPlan plan = prepare(scene, options, progress);
     const double simulated = watch.cpu();
     const OutputFormat& format = format_of_film(options.output);

@@ -189,22 +189,26 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
 
     PanelSet panels(plan.scene, plan.particles, plan.start,
                     plan.beside ? &plan.beside->start : nullptr);
-    const std::size_t most_bytes = options.kept_bytes / (other ? 2 : 1);
+    Recording::Room room = options.room;
+    if (other) room = {room.memory / 2, room.file / 2};
+    // With less to see it is not worth a thread.
+    constexpr Eigen::Index enough = 2000;
+    const bool aside = options.threads > 1 && plan.particles.count() >= enough;
     std::optional<FilmTextMaker> text;
     if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at);
     progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
     if (other)
         plan.beside->run = panels.record_beside(
             std::move(*other), ticks,
-            [&](const Tick&, const Sample&, const AdvanceResult&) { progress.advance(); },
-            most_bytes);
+            [&](const Tick&, const Sample&, const AdvanceResult&) { progress.advance(); }, room,
+            aside);
     plan.run = panels.record(
         std::move(start), std::move(ticks),
         [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
             if (text) text->see(tick, sample, advanced);
             progress.advance();
         },
-        most_bytes);
+        room, aside);
     panels.fix_axes();
     Archive axes;
     panels.archive(axes);
@@ -221,6 +225,7 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
                             int threads) {
     constexpr double of_program = 120e6, of_particle = 1500.0;
     constexpr double of_kept_particle = 40.0, of_frame = 8192.0;  // in a recording, or waiting
+    constexpr double of_filed_frame = 512.0;  // whose samples are in a temporary file
     constexpr double most_kept = static_cast<double>(Recording::most_bytes) + most_waiting_bytes;
     const double pixels = static_cast<double>(scene.film.size.width) * scene.film.size.height;
     const int frames = frame_count(scene.film);
@@ -233,7 +238,8 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
                                          format.film->frame_bytes(disks, pixels, Quality::standard),
                                          format.film->frame_bytes(disks, pixels, Quality::final_)});
     const double encoded = std::min(1.0 * frames, 2.0 * workers * segments[1]) * frame_bytes;
-    const double kept = std::min(most_kept, frames * (of_frame + of_kept_particle * disks));
+    const double kept = std::min(most_kept + frames * of_filed_frame,
+                                 frames * (of_frame + of_kept_particle * disks));
     const double previews = 4.0 * pixels * std::min(format.previews, frames);
     return static_cast<std::int64_t>(of_program + of_particle * disks + kept + 2.0 * encoded +
                                      previews + workers * format.film->memory_per_pixel * pixels);

@@ -30,8 +30,7 @@ struct FilmOptions {
     std::optional<double> joined_at = {};  ///< seconds of the film that it is a part of
     std::optional<double> from = {},
                           to = {};  ///< as frames_between() reads them; none: the whole film
-    std::size_t kept_bytes = Recording::most_bytes;  ///< up to which frames of the run are kept in
-                                                     ///< memory; beyond it is simulated again
+    Recording::Room room = {};      ///< for the frames of the run; beyond it is simulated again
 };
 
 /// The run that a film shows beside its own.

@@ -26,7 +26,8 @@ struct RenderReport {
     std::vector<std::string> passes;  ///< what the run was simulated for
     std::vector<std::string> cut;     ///< as FramePainter::cut_words()
     double wall_seconds = 0.0;
-    double simulate_seconds = 0.0;  ///< CPU, all passes and the panels
+    double simulate_seconds = 0.0;  ///< CPU, all passes and the panels, but for a first pass that
+                                    ///< panels see on a thread of their own
     WorkerSeconds workers;
 };
 

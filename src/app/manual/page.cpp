@@ -70,9 +70,11 @@ std::vector<Definition> files() {
 }
 
 std::vector<Definition> environment() {
-    return {{"PAGER", "what carom help shows its pages with on a terminal; unset: nothing"},
-            {"SLURM_CPUS_PER_TASK", "the most cores to use, unless --threads says otherwise"},
-            {"TMPDIR", "where temporary files go; default: /tmp"}};
+    return {
+        {"PAGER", "what carom help shows its pages with on a terminal; unset: nothing"},
+        {"SLURM_CPUS_PER_TASK", "the most cores to use, unless --threads says otherwise"},
+        {"TMPDIR",
+         "where temporary files go; default: /tmp, and /var/tmp for the frames of a large run"}};
 }
 
 const std::vector<std::string> program_calls{"carom COMMAND [options]", "carom help [COMMAND]",

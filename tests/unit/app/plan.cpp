@@ -141,10 +141,35 @@ TEST_CASE("so is one whose run is not kept: its chunks begin with states of the 
         render(scene, direct, silent());
         FilmOptions joined = direct;
         joined.output = folder.path() / fmt::format("joined{}.mp4", number);
-        joined.kept_bytes = 10'000;
+        joined.room = {.memory = 10'000, .file = 0};
         make_in_chunks(scene, joined, 2, folder.path() / fmt::format("plan{}", number++));
         CHECK((contents(direct.output) == contents(joined.output)));
     }
+}
+
+TEST_CASE("a film whose frames wait in a file is the same, from one run") {
+    const TemporaryFolder folder;
+    int number = 0;
+    for (const Scene& scene : {plane(), two_runs()})
+        for (const char* ending : {".mp4", ".gif"}) {
+            const auto rendered = [&](const Recording::Room& room) {
+                const fs::path path = folder.path() / fmt::format("{}{}", number++, ending);
+                const RenderReport report = render(scene,
+                                                   {.output = path,
+                                                    .quality = Quality::draft,
+                                                    .threads = 2,
+                                                    .text = true,
+                                                    .room = room},
+                                                   silent());
+                return std::pair{contents(path), report.passes.size()};
+            };
+            const auto [bytes, passes] = rendered({});
+            CHECK((rendered({.memory = 20'000}) == std::pair{bytes, passes}));
+            CHECK(passes == 1);
+            const auto [again, more] = rendered({.memory = 0, .file = 0});
+            CHECK((again == bytes));
+            CHECK(more > passes);
+        }
 }
 
 TEST_CASE("so are a folder of frames and a part of a film") {
@@ -266,9 +291,9 @@ TEST_CASE("a run that is too large for memory is simulated again, to the same pi
     const Scene scene = plane();
     FilmPlan plan = prepare(scene, {}, silent());
     Simulation start(scene.gas, scene.run);
-    const Recording small_memory(
-        start, plan.run.ticks(), {true}, [](const Tick&, const Sample&, const AdvanceResult&) {},
-        10'000);
+    const Recording small_memory(start, plan.run.ticks(), {true},
+                                 [](const Tick&, const Sample&, const AdvanceResult&) {},
+                                 {.memory = 10'000, .file = 0});
     CHECK_FALSE(small_memory.is_kept());
     const OutputFormat& png = output_format("png");
     const std::vector<std::uint8_t> kept = draw_still(plan, 4.0, png, silent()).file();

@@ -38,8 +38,7 @@ struct WholeFilm {
     std::vector<FrameData> frames = {};
     std::vector<std::string> progress = {};  // before each frame, and after the last
 
-    explicit WholeFilm(const Scene& scene, std::size_t most = Recording::most_bytes)
-        : film(scene, most) {
+    explicit WholeFilm(const Scene& scene, const Recording::Room& room = {}) : film(scene, room) {
         film.run.play(size(),
                       [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
                           progress.push_back(progress_of(*panels));
@@ -183,7 +182,7 @@ Recording written_and_read(Recording recording, const Scene& scene, const Partic
 
 // The second pass of a run that is too large for memory: parts of it in order, from one simulation.
 void check_parts_of_long_run(const Scene& scene) {
-    WholeFilm whole(scene, 0);
+    WholeFilm whole(scene, {.memory = 0, .file = 0});
     REQUIRE_FALSE(whole.film.run.is_kept());
     Recording::Player player(whole.film.run);
     const test::SurveyedFilm& its = whole.film;

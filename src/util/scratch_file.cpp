@@ -1,0 +1,82 @@
+#include "util/scratch_file.h"
+
+#include <fmt/format.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+
+#include "util/diagnostics.h"
+#include "util/pending/temporary.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+// /tmp may be memory; /var/tmp is on a disk.
+fs::path folder_for_scratch() {
+    const char* const asked = std::getenv("TMPDIR");
+    if (asked != nullptr && *asked != '\0') return asked;
+    return access("/var/tmp", W_OK) == 0 ? "/var/tmp" : "/tmp";
+}
+
+std::int64_t half_of_free(const fs::path& folder) {
+    struct statvfs its = {};
+    if (statvfs(folder.c_str(), &its) != 0) return 0;
+    const double free = static_cast<double>(its.f_bavail) * static_cast<double>(its.f_frsize);
+    constexpr double largest = 1e18;
+    return static_cast<std::int64_t>(std::min(0.5 * free, largest));
+}
+
+}  // namespace
+
+ScratchFile::ScratchFile(std::int64_t most) : most_(std::min(most, room())) {
+    if (most_ <= 0) return;
+    const TemporaryFile file = temporary_file(folder_for_scratch() / "scratch");
+    descriptor_ = file.descriptor;
+    if (!file.name.empty()) unlink(file.name.c_str());
+}
+
+ScratchFile::~ScratchFile() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+std::int64_t ScratchFile::room() {
+    return std::min(most_bytes, half_of_free(folder_for_scratch()));
+}
+
+std::optional<std::int64_t> ScratchFile::append(std::span<const std::byte> bytes) {
+    const auto length = static_cast<std::int64_t>(bytes.size());
+    if (descriptor_ < 0 || length > most_ - size_) return std::nullopt;
+    for (std::int64_t done = 0; done < length;) {
+        const std::span<const std::byte> rest = bytes.subspan(static_cast<std::size_t>(done));
+        const ssize_t count = pwrite(descriptor_, rest.data(), rest.size(), size_ + done);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return std::nullopt;
+        done += count;
+    }
+    size_ += length;
+    return size_ - length;
+}
+
+void ScratchFile::read(std::int64_t place, std::span<std::byte> to) const {
+    for (std::size_t done = 0; done < to.size();) {
+        const std::span<std::byte> rest = to.subspan(done);
+        const ssize_t count =
+            pread(descriptor_, rest.data(), rest.size(), place + static_cast<std::int64_t>(done));
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0)
+            throw_system_error(
+                fmt::format("cannot read a temporary file in {}: {}", folder_for_scratch().string(),
+                            count < 0 ? std::generic_category().message(errno) : "it is too short"),
+                count < 0 ? errno : EIO);
+        done += static_cast<std::size_t>(count);
+    }
+}
+
+}  // namespace carom

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "draw/disk_mask.h"
-#include "draw/pixel_bounds.h"
+#include "draw/raster/pixel_bounds.h"
 
 namespace carom {
 namespace {

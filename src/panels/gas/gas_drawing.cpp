@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
+#include "draw/raster/trail_lines.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/gas/disk_names.h"
 #include "panels/gas/gas_panel.h"
-#include "panels/gas/trail_lines.h"
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_strokes.h"
 #include "util/text.h"

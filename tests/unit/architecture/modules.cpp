@@ -41,7 +41,9 @@ struct Parts {
 
 const std::map<std::string, Parts> parts_of_module{
     {"util", {{"memory", "pending", "util", "formula"}, {}}},
-    {"draw", {{"fonts", "draw", "formula"}, {"formula/ink.h"}}},
+    {"draw",
+     {{"fonts", "raster", "draw", "formula"},
+      {"canvas.h", "color.h", "formula/ink.h", "geometry.h"}}},
     {"stats", {{"paths", "stats"}, {}}},
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "surfaces", "placement", "theory", "events",
@@ -92,8 +94,7 @@ const std::vector<ThirdParty> third_party{
     {std::regex("xxhash.*"), {"util/fingerprint.cpp"}},
     {std::regex("pugixml.*"), {"draw/svg.cpp"}},
     {std::regex("zlib.*"), {"draw/png.cpp"}},
-    {std::regex("lib(av|sw).*"),
-     {"media/libav.h", "media/video_film.cpp", "media/gif_palette.cpp", "media/base64.cpp"}},
+    {std::regex("lib(av|sw).*"), {"media/libav.h"}},
     {std::regex("CLI/.*"), {"app/commands/command_line.cpp"}},
     {std::regex("nlohmann/.*"), {"runs/json.h"}},
     {std::regex("Eigen/.*"), {"physics/", "stats/", "scene/", "panels/", "runs/", "figures/"}},
@@ -148,9 +149,9 @@ bool is_own(const std::string& header) { return allowed_modules.contains(module(
 
 // Headers of C and POSIX, with their folders; all others with a slash or .h are third-party.
 bool is_system(const std::string& header) {
-    static const std::set<std::string> posix{"dirent.h",       "fcntl.h",    "sys/file.h",
-                                             "unistd.h",       "sys/stat.h", "sys/mman.h",
-                                             "sys/resource.h", "dlfcn.h"};
+    static const std::set<std::string> posix{"dirent.h",       "fcntl.h",       "sys/file.h",
+                                             "unistd.h",       "sys/stat.h",    "sys/mman.h",
+                                             "sys/resource.h", "sys/statvfs.h", "dlfcn.h"};
     return posix.contains(header) || header.find_first_of("/.") == std::string::npos;
 }
 

@@ -1,4 +1,4 @@
-#include "draw/tapers.h"
+#include "draw/raster/tapers.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "util/relay.h"
+#include "panels/relay.h"
 
 #include <doctest/doctest.h>
 

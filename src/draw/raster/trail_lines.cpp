@@ -1,4 +1,4 @@
-#include "panels/gas/trail_lines.h"
+#include "draw/raster/trail_lines.h"
 
 namespace carom {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "draw/tapers.h"
+#include "draw/raster/tapers.h"
 
 namespace carom {
 

@@ -1,4 +1,4 @@
-#include "draw/tapers.h"
+#include "draw/raster/tapers.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-#include "draw/pixel_bounds.h"
+#include "draw/raster/pixel_bounds.h"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 

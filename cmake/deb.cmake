@@ -16,6 +16,22 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME carom)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-inter (>= 4.0~)")
+# libav's libraries are loaded when a film is encoded: what dpkg-shlibdeps would say of them if they were linked.
+foreach(library IN ITEMS libavcodec libavfilter libavformat libavutil)
+    string(REGEX MATCH "^[0-9]+" major "${${library}_VERSION}")
+    set(package "")
+    file(GLOB lists /var/lib/dpkg/info/${library}*.shlibs)
+    foreach(list IN LISTS lists)
+        file(STRINGS "${list}" line REGEX "^${library} ${major} " LIMIT_COUNT 1)
+        if(line)
+            string(REGEX REPLACE "^${library} ${major} " "" package "${line}")
+        endif()
+    endforeach()
+    if(NOT package)
+        message(FATAL_ERROR "no installed package has ${library} ${major}")
+    endif()
+    string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", ${package}")
+endforeach()
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "carom simulates hard disks in a box and rods or points on a line with exact
 collision times, draws the gas beside histograms and theory curves, and writes
 films (MP4, WebM, GIF), figures (SVG, PDF, PNG) and tables. A scene is a few

@@ -1,23 +1,23 @@
 #include "media/base64.h"
 
-extern "C" {
-#include <libavutil/base64.h>
-}
-
+#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <stdexcept>
 
 namespace carom {
 
 std::string base64(std::string_view bytes) {
-    constexpr std::size_t most = std::numeric_limits<int>::max() / 4 * 3 - 6;
-    if (bytes.size() > most) throw std::length_error("too long for base64");
-    const auto size = static_cast<int>(bytes.size());
-    std::string text(static_cast<std::size_t>(AV_BASE64_SIZE(size)), '\0');
-    av_base64_encode(text.data(), static_cast<int>(text.size()),
-                     reinterpret_cast<const std::uint8_t*>(bytes.data()), size);
-    text.pop_back();  // the end of a C string
+    constexpr std::string_view letters =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve((bytes.size() + 2) / 3 * 4);
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::string_view group = bytes.substr(i, 3);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (k < group.size() ? static_cast<std::uint8_t>(group[k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k)
+            text += k <= group.size() ? letters[bits >> (18 - 6 * k) & 63] : '=';
+    }
     return text;
 }
 

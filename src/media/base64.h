@@ -6,7 +6,7 @@
 
 namespace carom {
 
-/// Base64 (RFC 4648, with padding). At most 1.5 GB; throws std::length_error beyond.
+/// Base64 (RFC 4648, with padding).
 std::string base64(std::string_view bytes);
 
 }  // namespace carom

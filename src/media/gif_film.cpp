@@ -17,7 +17,7 @@
 
 namespace carom {
 
-using libav::Owned, libav::owned;
+using libav::Owned, libav::owned, libav::api;
 
 namespace {
 
@@ -104,7 +104,7 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
     context->pix_fmt = AV_PIX_FMT_PAL8;
     context->time_base = {1, 100};
     context->thread_count = 1;
-    libav::check_encoder(encoder_name, avcodec_open2(context.get(), nullptr, nullptr));
+    libav::check_encoder(encoder_name, api().avcodec_open2(context.get(), nullptr, nullptr));
     return context;
 }
 
@@ -153,11 +153,12 @@ class GifFilm : public FilmWriter {
         void add(const Canvas& canvas) override {
             if (!context_) open();
             convert(canvas.pixels());
-            libav::check_encoder(encoder_name, avcodec_send_frame(context_.get(), indices_.get()));
-            ++indices_->pts;
-            const Owned<AVPacket> packet = owned(av_packet_alloc());
             libav::check_encoder(encoder_name,
-                                 avcodec_receive_packet(context_.get(), packet.get()));
+                                 api().avcodec_send_frame(context_.get(), indices_.get()));
+            ++indices_->pts;
+            const Owned<AVPacket> packet = owned(api().av_packet_alloc());
+            libav::check_encoder(encoder_name,
+                                 api().avcodec_receive_packet(context_.get(), packet.get()));
             images_.push_back(image_of({packet->data, static_cast<std::size_t>(packet->size)}));
         }
         void archive(Archive& archive) override { archive(images_); }
@@ -174,7 +175,7 @@ class GifFilm : public FilmWriter {
         void convert(const PixelView& frame) {
             assert(frame.width == indices_->width && frame.height == indices_->height);
             // The encoder keeps the frame before.
-            libav::check_encoder(encoder_name, av_frame_make_writable(indices_.get()));
+            libav::check_encoder(encoder_name, api().av_frame_make_writable(indices_.get()));
             for (int y = 0; y < frame.height; ++y)
                 finder_.find(frame.data + std::ptrdiff_t{y} * frame.stride,
                              indices_->data[0] + std::ptrdiff_t{y} * indices_->linesize[0],

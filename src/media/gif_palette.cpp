@@ -1,10 +1,5 @@
 #include "media/gif_palette.h"
 
-extern "C" {
-#include <libavfilter/buffersink.h>
-#include <libavfilter/buffersrc.h>
-}
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +12,7 @@ extern "C" {
 
 namespace carom {
 
-using libav::Owned, libav::owned;
+using libav::Owned, libav::owned, libav::api;
 
 namespace {
 
@@ -29,12 +24,12 @@ void check(int result) {
 
 AVFilterContext* add_filter(AVFilterGraph& graph, const char* filter, const char* name,
                             const std::string& options) {
-    const AVFilter* const found = avfilter_get_by_name(filter);
+    const AVFilter* const found = api().avfilter_get_by_name(filter);
     if (found == nullptr)
         throw SystemError(
             fmt::format("cannot choose the colours of a GIF: this libavfilter has no {}", filter));
     AVFilterContext* context = nullptr;
-    check(avfilter_graph_create_filter(
+    check(api().avfilter_graph_create_filter(
         &context, found, name, options.empty() ? nullptr : options.c_str(), nullptr, &graph));
     return context;
 }
@@ -69,7 +64,7 @@ PaletteMaker::PaletteMaker(int width, int height)
     Implementation& own = *implementation_;
     own.width = width;
     own.height = height;
-    own.graph = owned(avfilter_graph_alloc());
+    own.graph = owned(api().avfilter_graph_alloc());
     AVFilterGraph& graph = *own.graph;
     graph.nb_threads = 1;
     own.source = add_filter(graph, "buffer", "in",
@@ -80,9 +75,9 @@ PaletteMaker::PaletteMaker(int width, int height)
                    fmt::format("max_colors={}:reserve_transparent=1:stats_mode=full",
                                std::tuple_size_v<GifPalette>));
     own.sink = add_filter(graph, "buffersink", "out", "");
-    check(avfilter_link(own.source, 0, maker, 0));
-    check(avfilter_link(maker, 0, own.sink, 0));
-    check(avfilter_graph_config(&graph, nullptr));
+    check(api().avfilter_link(own.source, 0, maker, 0));
+    check(api().avfilter_link(maker, 0, own.sink, 0));
+    check(api().avfilter_graph_config(&graph, nullptr));
 }
 
 PaletteMaker::~PaletteMaker() = default;
@@ -96,15 +91,15 @@ void PaletteMaker::add(const PixelView& frame) {
         std::memcpy(copy->data[0] + std::ptrdiff_t{y} * copy->linesize[0],
                     frame.data + std::ptrdiff_t{y} * frame.stride,
                     static_cast<std::size_t>(frame.width) * sizeof *frame.data);
-    check(av_buffersrc_add_frame(own.source, copy.get()));
+    check(api().av_buffersrc_add_frame(own.source, copy.get()));
 }
 
 GifPalette PaletteMaker::finish() {
     Implementation& own = *implementation_;
     assert(own.frames > 0);
-    check(av_buffersrc_add_frame(own.source, nullptr));
-    const Owned<AVFrame> colors = owned(av_frame_alloc());
-    check(av_buffersink_get_frame(own.sink, colors.get()));
+    check(api().av_buffersrc_add_frame(own.source, nullptr));
+    const Owned<AVFrame> colors = owned(api().av_frame_alloc());
+    check(api().av_buffersink_get_frame(own.sink, colors.get()));
     GifPalette palette;
     constexpr int side = 16;
     assert(colors->width == side && colors->height == side);

@@ -1,8 +1,4 @@
 // Films as H.264 or VP9: libav's encoders, its writers of files, and the file itself.
-extern "C" {
-#include <libavutil/opt.h>
-}
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +21,7 @@ extern "C" {
 
 namespace carom {
 
-using libav::Owned, libav::owned;
+using libav::Owned, libav::owned, libav::api;
 
 namespace {
 
@@ -51,8 +47,9 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings, const Codec& c
     context->gop_size = std::numeric_limits<int>::max();
     tag_as_bt709(*context);
     for (const auto& [name, value] : codec.encoder_options(settings.quality))
-        libav::check_encoder(codec.encoder, av_opt_set(context->priv_data, name, value.c_str(), 0));
-    libav::check_encoder(codec.encoder, avcodec_open2(context.get(), nullptr, nullptr));
+        libav::check_encoder(codec.encoder,
+                             api().av_opt_set(context->priv_data, name, value.c_str(), 0));
+    libav::check_encoder(codec.encoder, api().avcodec_open2(context.get(), nullptr, nullptr));
     return context;
 }
 
@@ -82,29 +79,30 @@ void set_metadata(AVFormatContext& context, const VideoSettings& settings, const
     for (const auto& [key, value] : settings.metadata) {
         if (codec.keeps_all_metadata ||
             std::find(keys_of_mp4.begin(), keys_of_mp4.end(), key) != keys_of_mp4.end())
-            av_dict_set(&context.metadata, key.c_str(), value.c_str(), 0);
+            api().av_dict_set(&context.metadata, key.c_str(), value.c_str(), 0);
         else
             others += fmt::format("{}{}={}", others.empty() ? "" : ", ", key, value);
     }
     if (others.empty()) return;
-    if (av_dict_get(context.metadata, "keywords", nullptr, 0) != nullptr) others = ", " + others;
-    av_dict_set(&context.metadata, "keywords", others.c_str(), AV_DICT_APPEND);
+    if (api().av_dict_get(context.metadata, "keywords", nullptr, 0) != nullptr)
+        others = ", " + others;
+    api().av_dict_set(&context.metadata, "keywords", others.c_str(), AV_DICT_APPEND);
 }
 
 void set_chapters(AVFormatContext& context, const VideoSettings& settings) {
     const std::size_t count = settings.chapters.size();
     if (count == 0) return;
-    context.chapters = static_cast<AVChapter**>(av_calloc(count, sizeof(AVChapter*)));
+    context.chapters = static_cast<AVChapter**>(api().av_calloc(count, sizeof(AVChapter*)));
     if (context.chapters == nullptr) throw std::bad_alloc();
     for (const FilmChapter& its : settings.chapters) {
-        auto* chapter = static_cast<AVChapter*>(av_mallocz(sizeof(AVChapter)));
+        auto* chapter = static_cast<AVChapter*>(api().av_mallocz(sizeof(AVChapter)));
         if (chapter == nullptr) throw std::bad_alloc();
         context.chapters[context.nb_chapters++] = chapter;
         chapter->id = context.nb_chapters;
         chapter->time_base = {1, settings.fps};
         chapter->start = its.first;
         chapter->end = its.end;
-        av_dict_set(&chapter->metadata, "title", its.title.c_str(), 0);
+        api().av_dict_set(&chapter->metadata, "title", its.title.c_str(), 0);
     }
 }
 
@@ -119,7 +117,7 @@ void archive_side_data(Archive& archive, AVPacket& packet, int index) {
     }
     archive(type, bytes);
     if (!archive.is_reading()) return;
-    std::uint8_t* const data = av_packet_new_side_data(&packet, type, bytes.size());
+    std::uint8_t* const data = api().av_packet_new_side_data(&packet, type, bytes.size());
     if (data == nullptr) throw std::bad_alloc();
     std::ranges::copy(bytes, data);
 }
@@ -130,7 +128,8 @@ void archive_packet(Archive& archive, AVPacket& packet) {
     int flags = packet.flags;
     archive(bytes, time, flags);
     if (archive.is_reading()) {
-        if (av_new_packet(&packet, static_cast<int>(bytes.size())) < 0) throw std::bad_alloc();
+        if (api().av_new_packet(&packet, static_cast<int>(bytes.size())) < 0)
+            throw std::bad_alloc();
         std::ranges::copy(bytes, packet.data);
         packet.pts = time;
         packet.flags = flags;
@@ -214,7 +213,7 @@ void VideoFilm::Segment::add(const Canvas& canvas) {
     const VideoSettings& settings = film_.settings_;
     assert(frame.width == settings.width && frame.height == settings.height);
     AVFrame& planes = *frame_;
-    check(av_frame_make_writable(&planes));
+    check(api().av_frame_make_writable(&planes));
     const YuvPlanes to{planes.data[0],     planes.data[1], planes.data[2],    planes.linesize[0],
                        planes.linesize[1], planes.data[3], planes.linesize[3]};
     if (settings.transparent)
@@ -227,10 +226,10 @@ void VideoFilm::Segment::add(const Canvas& canvas) {
 
 // Of no frame: what the encoder still holds.
 void VideoFilm::Segment::encode(const AVFrame* frame) {
-    check(avcodec_send_frame(context_.get(), frame));
+    check(api().avcodec_send_frame(context_.get(), frame));
     while (true) {
-        Owned<AVPacket> packet = owned(av_packet_alloc());
-        const int result = avcodec_receive_packet(context_.get(), packet.get());
+        Owned<AVPacket> packet = owned(api().av_packet_alloc());
+        const int result = api().avcodec_receive_packet(context_.get(), packet.get());
         if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
         check(result);
         packets_.push_back(std::move(packet));
@@ -244,8 +243,8 @@ void VideoFilm::Segment::finish() {
 }
 
 void VideoFilm::Segment::keep_parameters() {
-    parameters_ = owned(avcodec_parameters_alloc());
-    check(avcodec_parameters_from_context(parameters_.get(), context_.get()));
+    parameters_ = owned(api().avcodec_parameters_alloc());
+    check(api().avcodec_parameters_from_context(parameters_.get(), context_.get()));
     time_base_ = context_->time_base;
     reordering_ = context_->has_b_frames;
     context_.reset();
@@ -261,8 +260,8 @@ void VideoFilm::Segment::archive(Archive& archive) {
             keep_parameters();
             film_.template_ = {std::move(parameters_), time_base_, reordering_};
         }
-        parameters_ = owned(avcodec_parameters_alloc());
-        check(avcodec_parameters_copy(parameters_.get(), film_.template_->parameters.get()));
+        parameters_ = owned(api().avcodec_parameters_alloc());
+        check(api().avcodec_parameters_copy(parameters_.get(), film_.template_->parameters.get()));
         time_base_ = film_.template_->time_base;
         reordering_ = film_.template_->reordering;
     }
@@ -274,7 +273,7 @@ void VideoFilm::Segment::archive(Archive& archive) {
     auto count = static_cast<std::int64_t>(packets_.size());
     archive(count);
     for (std::int64_t k = 0; k < count; ++k) {
-        if (archive.is_reading()) packets_.push_back(owned(av_packet_alloc()));
+        if (archive.is_reading()) packets_.push_back(owned(api().av_packet_alloc()));
         archive_packet(archive, *packets_[static_cast<std::size_t>(k)]);
     }
 }
@@ -291,12 +290,12 @@ void VideoFilm::check(int result) const {
 
 void VideoFilm::start(const Segment& segment) {
     AVFormatContext* allocated = nullptr;
-    check(avformat_alloc_output_context2(&allocated, nullptr, codec_.container, nullptr));
+    check(api().avformat_alloc_output_context2(&allocated, nullptr, codec_.container, nullptr));
     format_ = owned(allocated);
     // What was written is read back by this name, to move it behind the index.
-    format_->url = av_strdup(("file:" + file_.temporary().string()).c_str());
+    format_->url = api().av_strdup(("file:" + file_.temporary().string()).c_str());
     AVIOContext* opened = nullptr;
-    check(avio_open(&opened, format_->url, AVIO_FLAG_WRITE));
+    check(api().avio_open(&opened, format_->url, AVIO_FLAG_WRITE));
     io_ = owned(opened);
     format_->pb = io_.get();
     // Each packet is written at once, so that a full disk stops the work early.
@@ -304,18 +303,18 @@ void VideoFilm::start(const Segment& segment) {
     set_metadata(*format_, settings_, codec_);
     set_chapters(*format_, settings_);
 
-    AVStream* const stream = avformat_new_stream(format_.get(), nullptr);
+    AVStream* const stream = api().avformat_new_stream(format_.get(), nullptr);
     if (stream == nullptr) throw std::bad_alloc();
-    parameters_ = owned(avcodec_parameters_alloc());
-    check(avcodec_parameters_copy(parameters_.get(), segment.parameters_.get()));
-    check(avcodec_parameters_copy(stream->codecpar, segment.parameters_.get()));
+    parameters_ = owned(api().avcodec_parameters_alloc());
+    check(api().avcodec_parameters_copy(parameters_.get(), segment.parameters_.get()));
+    check(api().avcodec_parameters_copy(stream->codecpar, segment.parameters_.get()));
     stream->time_base = segment.time_base_;
-    if (settings_.transparent) av_dict_set(&stream->metadata, "alpha_mode", "1", 0);
+    if (settings_.transparent) api().av_dict_set(&stream->metadata, "alpha_mode", "1", 0);
     stream->avg_frame_rate = {settings_.fps, 1};
     AVDictionary* options = nullptr;
-    av_dict_set(&options, codec_.index_first.first, codec_.index_first.second, 0);
-    const int result = avformat_write_header(format_.get(), &options);
-    av_dict_free(&options);
+    api().av_dict_set(&options, codec_.index_first.first, codec_.index_first.second, 0);
+    const int result = api().avformat_write_header(format_.get(), &options);
+    api().av_dict_free(&options);
     check(result);
 }
 
@@ -334,8 +333,8 @@ void VideoFilm::append(Segment& segment) {
         // At a constant rate the decoding time is the number in the file, whatever its segment.
         packet->dts = index++ - segment.reordering_;
         packet->duration = 1;
-        av_packet_rescale_ts(packet.get(), segment.time_base_, stream_time);
-        check(av_write_frame(format_.get(), packet.get()));
+        api().av_packet_rescale_ts(packet.get(), segment.time_base_, stream_time);
+        check(api().av_write_frame(format_.get(), packet.get()));
         packet.reset();
     }
     frames_ = index;
@@ -344,8 +343,8 @@ void VideoFilm::append(Segment& segment) {
 void VideoFilm::settle() {
     assert(frames_ > 0);
     if (bytes_ > 0) return;
-    check(av_write_trailer(format_.get()));
-    avio_flush(io_.get());
+    check(api().av_write_trailer(format_.get()));
+    api().avio_flush(io_.get());
     check(0);
     bytes_ = file_.size();
     file_.settle();
@@ -359,7 +358,7 @@ void VideoFilm::commit() {
 }  // namespace
 
 std::string encoding_library() {
-    const unsigned version = avcodec_version();
+    const unsigned version = api().avcodec_version();
     return fmt::format("libavcodec {}.{}.{}", AV_VERSION_MAJOR(version), AV_VERSION_MINOR(version),
                        AV_VERSION_MICRO(version));
 }

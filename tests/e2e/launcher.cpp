@@ -59,6 +59,50 @@ TEST_CASE("what is built runs where nothing may be written") {
     CHECK(outcome.exit_code == 0);
 }
 
+TEST_CASE("what was built after its last change runs without asking for a build") {
+    const Checkout checkout;
+    checkout.make_program("dev", "echo \"asked $*\"");
+    checkout.folder.write("CMakePresets.json", "");
+    checkout.folder.write("build/release/.current", "");
+    const auto touch = [&](const std::string& when, const std::string& file) {
+        REQUIRE(shell("touch -d '" + when + "' " + file, checkout.folder.path()).exit_code == 0);
+    };
+    const auto asks = [&] {
+        const Outcome outcome = shell("./carom check scene.yaml", checkout.folder.path());
+        CHECK(outcome.out == "ran check scene.yaml\n");
+        CHECK((outcome.err.empty() || outcome.err == "asked build carom\n"));
+        return !outcome.err.empty();
+    };
+    touch("1 minute ago", "CMakePresets.json");
+    touch("1 minute", "build/release/.current");
+    CHECK_FALSE(asks());
+    for (const std::string changed :
+         {"src/a.cpp", "src", "cmake", "CMakeLists.txt", "CMakePresets.json", "dependencies.txt"}) {
+        CAPTURE(changed);
+        touch("2 minutes", changed);
+        CHECK(asks());
+        touch("1 minute ago", changed);
+        CHECK_FALSE(asks());
+    }
+    // A library was installed since.
+    touch("2000-01-01", "build/release/.current");
+    CHECK(asks());
+    REQUIRE(shell("rm build/release/.current", checkout.folder.path()).exit_code == 0);
+    CHECK(asks());
+}
+
+TEST_CASE("the launcher is found by a link, from any folder") {
+    const Checkout checkout;
+    checkout.make_program("dev", ":");
+    for (const std::string& command :
+         {"cd / && '" + (checkout.folder.path() / "link").string() + "' a",
+          std::string("./carom a"), std::string("bash carom a")}) {
+        CAPTURE(command);
+        shell("ln -sf carom link", checkout.folder.path());
+        CHECK(shell(command, checkout.folder.path()).out == "ran a\n");
+    }
+}
+
 TEST_CASE("what is out of date where nothing may be written is told with what is not writable") {
     const Checkout checkout;
     REQUIRE(shell("touch -d '1 minute' src/a.cpp", checkout.folder.path()).exit_code == 0);

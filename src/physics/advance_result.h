@@ -13,6 +13,7 @@
 
 #include "physics/exact_positions.h"
 #include "physics/surface.h"
+#include "physics/velocity_changes.h"
 
 namespace carom {
 
@@ -104,6 +105,9 @@ struct AdvanceResult {
                           ///< Simulation::measure_return() asks for it at the present time
     std::vector<SurfaceState> surfaces =
         {};  ///< at its end, by their numbers; none where there are only walls that reflect
+    std::optional<std::span<const VelocityChange>> velocities =
+        {};  ///< that have changed in this advance, if Simulation::follow_velocities() asks for
+             ///< them and they are known; valid until the next advance
 };
 
 /// Told what time it is in a run, every some thousand events.

@@ -8,12 +8,13 @@ EnergyAccount energies(const Box& box, const Particles& particles, const Sample&
                        std::span<const SurfaceState> states) {
     EnergyAccount account;
     const Eigen::Array2d& gravity = box.surfaces.gravity;
-    const Eigen::ArrayXd each = kinetic_energies(particles, sample);
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         if (particles.inverse_mass[i] == 0.0) continue;
-        account.kinetic += each[i];
+        const double square = sample.velocity.row(i).square().sum();
+        account.kinetic += 0.5 * square / particles.inverse_mass[i];
         for (Eigen::Index axis = 0; axis < box.dimension; ++axis) {
             const double g = gravity[axis], r = particles.radius[i];
+            if (g == 0.0) continue;
             const double lowest = g < 0.0 ? r : box.size[axis] - r;
             account.potential +=
                 -g * (sample.position(i, axis) - lowest) / particles.inverse_mass[i];

@@ -29,6 +29,9 @@ using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventL
                           EventLoop<1, double, true>, EventLoop<2, double, true>,
                           EventLoop<1, Real, true>, EventLoop<2, Real, true>, FixedStepLoop>;
 
+// Fewer particles for each change, and looking at all of them takes less time.
+constexpr std::size_t particles_a_change = 2;
+
 bool reverses(const RunEvent& event) {
     return std::holds_alternative<ReverseVelocities>(event.action);
 }
@@ -41,7 +44,7 @@ struct Simulation::Implementation {
         return std::visit(std::forward<Function>(f), loop);
     }
 
-    Implementation(const Box& its_box, Particles its_particles, const Sample& start, const Run& run,
+    Implementation(const Box& its_box, Particles its_particles, Sample start, const Run& run,
                    const TimeCallback& on_progress)
         : box(its_box),
           particles(std::move(its_particles)),
@@ -49,16 +52,21 @@ struct Simulation::Implementation {
           bits(
               (check_surfaces(box, particles, start, run), check_run(run, particles.count(), box))),
           loop(loop_for(its_box, particles, run, bits)),
-          present(start) {
+          present(std::move(start)) {
         present.time = -run.equilibrate;
         with_loop([&](auto& its) {
-            its.start(present);
+            its.start(std::exchange(present, {}));
             if (run.equilibrate > 0.0) advance_loop(its, 0.0, nullptr, on_progress);
             its.forget();
         });
         present.time = 0.0;
-        sampled = run.equilibrate == 0.0;
-        at_start = energies_now();
+        const bool falls = (box.surfaces.gravity != 0.0).any();
+        if (falls) with_loop([&](const auto& its) { its.sample(0.0, present); });
+        sampled = falls;
+        at_start = energies(box, particles, falls ? present : with_loop([&](const auto& its) {
+                                return its.sample_of_velocities(0.0);
+                            }),
+                            surfaces());
     }
 
     // For a state that is read.
@@ -114,9 +122,9 @@ struct Simulation::Implementation {
     }
 
     static void advance_loop(auto& its, double time, std::vector<Collision>* record,
-                             const TimeCallback& on_progress) {
+                             const TimeCallback& on_progress, VelocityLog* velocities = nullptr) {
         try {
-            its.advance(time, record, on_progress);
+            its.advance(time, record, on_progress, velocities);
         } catch (const SurfaceError& error) {
             throw its.at_present(error);
         }
@@ -124,7 +132,8 @@ struct Simulation::Implementation {
 
     void advance(double time, const TimeCallback& on_progress) {
         with_loop([&](auto& its) {
-            advance_loop(its, time, recording ? &collisions : nullptr, on_progress);
+            advance_loop(its, time, recording ? &collisions : nullptr, on_progress,
+                         velocities.is_open() ? &velocities : nullptr);
         });
         present.time = time;
         sampled = false;
@@ -185,9 +194,9 @@ struct Simulation::Implementation {
 
     void apply(std::size_t event) {
         const auto& action = events[event].action;
-        if (const auto* its = std::get_if<Perturbation>(&action))
-            perturb(event, *its);
-        else if (std::holds_alternative<ReverseVelocities>(action))
+        if (const auto* its = std::get_if<Perturbation>(&action)) return perturb(event, *its);
+        velocities.give_up();
+        if (std::holds_alternative<ReverseVelocities>(action))
             reverse();
         else
             change(event);
@@ -256,8 +265,10 @@ struct Simulation::Implementation {
     int bits;
     Loop loop;
     Sample present;  ///< its time is the present; positions and velocities only when `sampled`
-    bool sampled = true;
+    bool sampled = false;
     bool recording = false;
+    bool is_following = false;
+    VelocityLog velocities;
     std::vector<Collision> collisions;
     std::vector<RunEvent> happened;
     EchoMeasurement echo;
@@ -271,8 +282,8 @@ Simulation::Simulation(const Gas& gas, const Run& run, const TimeCallback& on_pr
         throw PlacementError(*problem, gas);
     Box box = gas.box;
     box.surfaces.seed = gas.seed;
-    implementation_ =
-        std::make_unique<Implementation>(box, std::move(particles), start, run, on_progress);
+    implementation_ = std::make_unique<Implementation>(box, std::move(particles), std::move(start),
+                                                       run, on_progress);
 }
 
 Simulation::Simulation(const Box& box, Particles particles, const Sample& start, const Run& run) {
@@ -313,12 +324,15 @@ AdvanceResult Simulation::advance_to(double time, const TimeCallback& on_progres
         throw std::invalid_argument(
             fmt::format("cannot advance to {:g}: the present is {:g}", time, its.present.time));
     its.collisions.clear();
+    if (its.is_following)
+        its.velocities.open(static_cast<std::size_t>(its.particles.count()) / particles_a_change);
     its.advance_with_events(time, on_progress);
     auto distance = its.echo.compare(time, [&] { return its.exact_positions(); });
     const auto reversals = static_cast<int>(std::ranges::count_if(its.happened, reverses));
     return its.with_loop([&](const auto& loop) {
-        return AdvanceResult{loop.counts(),  loop.impulses(),     reversals,
-                             its.collisions, std::move(distance), its.surfaces()};
+        return AdvanceResult{loop.counts(),           loop.impulses(),     reversals,
+                             its.collisions,          std::move(distance), its.surfaces(),
+                             its.velocities.changes()};
     });
 }
 
@@ -345,11 +359,35 @@ const Sample& Simulation::sample() {
     return its.present;
 }
 
+Sample Simulation::sample_of_positions() const {
+    const Implementation& its = *implementation_;
+    return std::visit([&](const auto& loop) { return loop.sample_of_positions(its.present.time); },
+                      its.loop);
+}
+
+Sample Simulation::sample_of_velocities() const {
+    const Implementation& its = *implementation_;
+    return std::visit([&](const auto& loop) { return loop.sample_of_velocities(its.present.time); },
+                      its.loop);
+}
+
 ExactPositions Simulation::exact_positions() const { return implementation_->exact_positions(); }
 
 int Simulation::bits() const { return implementation_->bits; }
 
 void Simulation::record_collisions(bool on) { implementation_->recording = on; }
+
+void Simulation::follow_velocities(bool on) {
+    implementation_->is_following = on;
+    implementation_->velocities = {};
+}
+
+void Simulation::forget_sample() {
+    Implementation& its = *implementation_;
+    its.sampled = false;
+    its.present.position.resize(0, 0);
+    its.present.velocity.resize(0, 0);
+}
 
 const Box& Simulation::box() const { return implementation_->box; }
 

@@ -89,11 +89,23 @@ class Simulation {
     /// State of all particles at the present time.
     const Sample& sample();
 
+    /// The same without velocities, or without positions: in half the memory, and not kept.
+    Sample sample_of_positions() const;
+    Sample sample_of_velocities() const;
+
+    /// Gives back the memory of sample(), whose result it ends.
+    void forget_sample();
+
     /// Positions of all particles at the present time, with all bits of the run's numbers.
     ExactPositions exact_positions() const;
 
     /// Whether advance_to() gives the collisions themselves; off at first.
     void record_collisions(bool on);
+
+    /// Whether advance_to() gives the velocities that have changed; off at first. It knows them in
+    /// boxes with plain walls, between the run's events, as long as they are few: at most half
+    /// of them.
+    void follow_velocities(bool on);
 
     /// Bits of the significands of its numbers.
     int bits() const;

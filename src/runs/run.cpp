@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "panels/precision.h"
 #include "panels/surfaces/surface_words.h"
@@ -124,36 +125,73 @@ double sample_time(const Run& run, std::int64_t index) {
     return static_cast<double>(index) * run.sample_every;
 }
 
-// Of their bytes, which are little-endian on all machines that carom knows.
-std::string fingerprint_of(const Sample& sample) {
+// Of the bytes of all positions and velocities, which are little-endian on all machines that carom
+// knows.
+std::string fingerprint_of(const Simulation& simulation) {
     static_assert(std::endian::native == std::endian::little);
-    std::string bytes;
-    for (const auto* numbers : {&sample.position, &sample.velocity})
-        bytes.append(reinterpret_cast<const char*>(numbers->data()),
-                     static_cast<std::size_t>(numbers->size()) * sizeof(double));
-    return fingerprint(bytes);
+    GrowingFingerprint all;
+    const auto add = [&](const Eigen::ArrayXXd& numbers) {
+        all.add({reinterpret_cast<const char*>(numbers.data()),
+                 static_cast<std::size_t>(numbers.size()) * sizeof(double)});
+    };
+    add(simulation.sample_of_positions().position);
+    add(simulation.sample_of_velocities().velocity);
+    return all.digits();
+}
+
+// Decides from sample to sample whether the next is followed, seen by its changes alone: as long as
+// they are few.
+class Following {
+  public:
+    explicit Following(bool is_possible) : pause_(is_possible ? 0 : never) {}
+
+    bool is_on() const { return pause_ == 0; }
+
+    /// After each sample; whether its changes were known.
+    void see(bool were_known) {
+        constexpr int samples_in_pause = 16;
+        if (pause_ == never) return;
+        if (is_on() && !were_known)
+            pause_ = samples_in_pause;
+        else
+            pause_ = std::max(0, pause_ - 1);
+    }
+
+  private:
+    static constexpr int never = -1;
+    int pause_;
+};
+
+bool can_be_followed(const Simulation& simulation, const SampleTaker& take) {
+    constexpr Eigen::Index least = 1'000;  // below, looking at all takes no time
+    return !take && simulation.particles().count() >= least;
 }
 
 class Course {
   public:
-    Course(const StartedScene& started, const Stopwatch& watch, const RunCallbacks& on_progress)
+    Course(StartedScene& started, const SampleTaker& take, const Stopwatch& watch,
+           const RunCallbacks& on_progress)
         : run_(started.scene.run),
-          simulation_(started.simulation),
+          simulation_(std::move(started.simulation)),
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(started.scene.gas.species.size()), sample_count(run_)),
           reversals_(run_, simulation_),
           surfaces_(simulation_.box()),
+          take_(take),
+          following_(can_be_followed(simulation_, take)),
           on_progress_(on_progress),
           watch_(watch) {
+        advanced_.surfaces = simulation_.surfaces();
+        if (!take_) simulation_.forget_sample();
         seconds_.prepare = watch.wall();
         if (on_progress_.started) on_progress_.started();
     }
 
-    RunReport run(const SampleTaker& take) {
+    RunReport run() {
         const std::int64_t samples = sample_count(run_);
         for (std::int64_t index = 0; index < samples; ++index) {
             go_on_to(sample_time(run_, index));
-            see_sample(take);
+            see_sample();
         }
         seconds_.total = watch_.wall();
         RunReport report{simulation_.particles().count(),
@@ -171,19 +209,36 @@ class Course {
             report.account = simulation_.energy_account();
             report.summary.largest_energy_error = std::nullopt;
         }
-        report.state = fingerprint_of(simulation_.sample());
+        report.state = fingerprint_of(simulation_);
         return report;
     }
 
   private:
-    void see_sample(const SampleTaker& take) {
+    void see_sample() {
         const Stopwatch watch;
-        const Sample& sample = simulation_.sample();
-        const std::vector<SurfaceState> surfaces = simulation_.surfaces();
-        statistics_.see(sample, advanced_.impulses, surfaces);
-        surfaces_.see(surfaces);
-        if (take) take(simulation_.particles(), sample, surfaces);
+        if (take_)
+            take_sample();
+        else
+            see_parts();
+        surfaces_.see(advanced_.surfaces);
         seconds_.samples += watch.wall();
+    }
+
+    void take_sample() {
+        const Sample& sample = simulation_.sample();
+        statistics_.see(sample, advanced_);
+        take_(simulation_.particles(), sample, advanced_.surfaces);
+    }
+
+    void see_parts() {
+        if (statistics_.wants_positions(advanced_))
+            statistics_.see_positions(simulation_.sample_of_positions(), advanced_);
+        const bool are_known = advances_ == 1 && advanced_.velocities;
+        if (are_known && statistics_.see_changes(now_, *advanced_.velocities, advanced_)) return;
+        following_.see(advances_ == 0 || advanced_.velocities.has_value());
+        simulation_.follow_velocities(following_.is_on());
+        statistics_.see_velocities(simulation_.sample_of_velocities(), advanced_,
+                                   following_.is_on());
     }
 
     void reach(double now) const {
@@ -192,7 +247,7 @@ class Course {
 
     // Stops at reversals and returns on the way.
     void go_on_to(double time) {
-        while (now_ < time) {
+        for (advances_ = 0; now_ < time; ++advances_) {
             throw_if_interrupted();
             const Stopwatch watch;
             now_ = std::min(time, reversals_.next_time());
@@ -209,9 +264,12 @@ class Course {
     RunStatistics statistics_;
     ReversalWatch reversals_;
     SurfaceWatch surfaces_;
+    const SampleTaker& take_;
+    Following following_;
     const RunCallbacks& on_progress_;
     const Stopwatch& watch_;
     AdvanceResult advanced_;
+    int advances_ = 0;  ///< since the last sample
     double now_ = 0.0;
 };
 
@@ -222,10 +280,10 @@ std::int64_t events_of(const CollisionCounts& counts) { return counts.particle +
 RunReport run_physics(const Scene& scene, const SampleTaker& take,
                       const RunCallbacks& on_progress) {
     const Stopwatch watch;
-    const StartedScene started = start_scene(scene, on_progress.start);
+    StartedScene started = start_scene(scene, on_progress.start);
     RunReport report;
     with_places_of_errors(started.scene,
-                          [&] { report = Course(started, watch, on_progress).run(take); });
+                          [&] { report = Course(started, take, watch, on_progress).run(); });
     return report;
 }
 

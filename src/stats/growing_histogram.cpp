@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 #include "stats/histogram.h"
 
@@ -11,43 +12,39 @@ namespace {
 
 constexpr std::int64_t most_fine_bins = 100'000;
 
-double largest_finite(const Eigen::ArrayXd& values) {
-    double largest = 0.0;
-    for (const double value : values)
-        if (std::isfinite(value)) largest = std::max(largest, value);
-    return largest;
-}
-
 }  // namespace
 
-void GrowingHistogram::add(const Eigen::ArrayXd& values) {
-    const double largest = largest_finite(values);
-    if (fine_.empty() && largest > 0.0) look_first(largest);
-    if (!fine_.empty())
-        while (largest / width_ >= double(most_fine_bins - 1)) coarsen();
+// At least a thousand bins up to the largest value of the first sample, at most ten thousand.
+void GrowingHistogram::make_room(double largest) {
+    if (!(largest > 0.0) || !std::isfinite(largest)) return;
+    constexpr int least_exponent = -300;  // below, powers of ten lose their digits
+    if (!has_scale_)
+        set_exponent(
+            std::max(least_exponent, static_cast<int>(std::floor(std::log10(largest))) - 3));
+    has_scale_ = true;
+    while (largest / width_ >= double(most_fine_bins - 1)) coarsen();
+}
+
+void GrowingHistogram::count(const Values& values, std::int64_t held, std::int64_t offset) {
     for (const double value : values) {
         if (!std::isfinite(value)) continue;
-        ++total_;
-        if (fine_.empty()) {
-            ++zeros_;
-            continue;
-        }
-        const auto bin = static_cast<std::size_t>(bin_of(value));
-        if (bin >= fine_.size()) fine_.resize(bin + 1);
-        ++fine_[bin];
+        const auto k = static_cast<std::size_t>(bin_of(value));
+        if (k >= fine_.size()) fine_.resize(k + 1);
+        fine_[k].held += held;
+        fine_[k].offset += offset;
     }
 }
 
-// At least a thousand bins up to the largest value of the first look, at most ten thousand.
-void GrowingHistogram::look_first(double largest) {
-    constexpr int least_exponent = -300;  // below, powers of ten lose their digits
-    set_exponent(std::max(least_exponent, static_cast<int>(std::floor(std::log10(largest))) - 3));
-    fine_.assign(1, zeros_);
+void GrowingHistogram::hold_none() {
+    for (Bin& bin : fine_) bin = {0, bin.offset + samples_ * bin.held};
 }
 
 void GrowingHistogram::coarsen() {
-    std::vector<std::int64_t> coarse((fine_.size() + 9) / 10);
-    for (std::size_t bin = 0; bin < fine_.size(); ++bin) coarse[bin / 10] += fine_[bin];
+    std::vector<Bin> coarse((fine_.size() + 9) / 10);
+    for (std::size_t k = 0; k < fine_.size(); ++k) {
+        coarse[k / 10].held += fine_[k].held;
+        coarse[k / 10].offset += fine_[k].offset;
+    }
     fine_.swap(coarse);
     set_exponent(exponent_ + 1);
 }
@@ -65,20 +62,32 @@ double GrowingHistogram::edge(std::int64_t bin) const {
 }
 
 std::int64_t GrowingHistogram::bin_of(double value) const {
-    auto bin = static_cast<std::int64_t>(value / width_);
+    // Of at most 10^5 bins: farther from an edge than any rounding error.
+    constexpr double clear = 1e-9;
+    const double place = value * bins_per_unit_;
+    auto bin = static_cast<std::int64_t>(place);
+    const double within = place - static_cast<double>(bin);
+    if (within > clear && within < 1.0 - clear) return bin;
     while (bin > 0 && value < edge(bin)) --bin;
     while (value >= edge(bin + 1)) ++bin;
     return bin;
 }
 
+std::vector<std::int64_t> GrowingHistogram::fine_counts() const {
+    std::vector<std::int64_t> counts;
+    for (const Bin& bin : fine_) counts.push_back(bin.offset + samples_ * bin.held);
+    return counts;
+}
+
 // To within a fine bin.
-double GrowingHistogram::quantile(double share) const {
-    const double wanted = share * static_cast<double>(total_);
+double GrowingHistogram::quantile(const std::vector<std::int64_t>& fine, double total,
+                                  double share) const {
+    const double wanted = share * total;
     double seen = 0.0;
     std::size_t bin = 0;
-    while (bin + 1 < fine_.size() && seen + static_cast<double>(fine_[bin]) < wanted)
-        seen += static_cast<double>(fine_[bin++]);
-    const auto here = static_cast<double>(fine_[bin]);
+    while (bin + 1 < fine.size() && seen + static_cast<double>(fine[bin]) < wanted)
+        seen += static_cast<double>(fine[bin++]);
+    const auto here = static_cast<double>(fine[bin]);
     const double within = here > 0.0 ? (wanted - seen) / here : 0.0;
     return edge(static_cast<std::int64_t>(bin)) + within * width_;
 }
@@ -92,16 +101,19 @@ std::int64_t GrowingHistogram::bins_together(double width) const {
 }
 
 BinnedCounts GrowingHistogram::counts() const {
-    if (fine_.empty()) return {{0.0, 1.0}, {zeros_}};
-    const double rule =
-        freedman_diaconis_width(quantile(0.75) - quantile(0.25), static_cast<double>(total_));
-    const double top = edge(static_cast<std::int64_t>(fine_.size()));
+    const std::vector<std::int64_t> fine = fine_counts();
+    if (!has_scale_) return {{0.0, 1.0}, fine};
+    const auto total =
+        static_cast<double>(std::accumulate(fine.begin(), fine.end(), std::int64_t{0}));
+    const double spread = quantile(fine, total, 0.75) - quantile(fine, total, 0.25);
+    const double rule = freedman_diaconis_width(spread, total);
+    const double top = edge(static_cast<std::int64_t>(fine.size()));
     const std::int64_t together = bins_together(std::clamp(rule, top / 200.0, top / 20.0));
     BinnedCounts result;
-    result.counts.resize((fine_.size() + static_cast<std::size_t>(together) - 1) /
+    result.counts.resize((fine.size() + static_cast<std::size_t>(together) - 1) /
                          static_cast<std::size_t>(together));
-    for (std::size_t bin = 0; bin < fine_.size(); ++bin)
-        result.counts[bin / static_cast<std::size_t>(together)] += fine_[bin];
+    for (std::size_t bin = 0; bin < fine.size(); ++bin)
+        result.counts[bin / static_cast<std::size_t>(together)] += fine[bin];
     for (std::size_t k = 0; k <= result.counts.size(); ++k)
         result.edges.push_back(edge(static_cast<std::int64_t>(k) * together));
     return result;

@@ -3,16 +3,19 @@
 // number of samples.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "physics/gas.h"
+#include "physics/mechanics.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
 #include "stats/growing_histogram.h"
 #include "stats/pressure.h"
+#include "util/exact_sum.h"
 
 namespace carom {
 
@@ -42,39 +45,71 @@ struct RunSummary {
     BinnedCounts speeds, energies;  ///< of all particles in all samples
 };
 
+/// Sums over the particles of a sample are exact, rounded once: they are the same however a sample
+/// was given.
 class RunStatistics {
   public:
-    /// For a run of about `samples` samples; `species` is the number of species.
+    /// For a run of about `samples` samples; `species` is the number of species. The particles must
+    /// outlive it.
     RunStatistics(const Box& box, const Particles& particles, int species, std::int64_t samples);
 
-    /// The next sample in order of time, with the impulses by then and the surfaces of a box that
-    /// has any.
-    void see(const Sample& sample, const ImpulseTotals& impulses = {},
-             std::span<const SurfaceState> surfaces = {});
+    /// The next sample in order of time, and what happened by then.
+    void see(const Sample& sample, const AdvanceResult& advanced = {});
+
+    /// The same in parts. First, if they are wanted, the positions of the sample, which are looked
+    /// at for overlaps; no velocities need be there.
+    bool wants_positions(const AdvanceResult& advanced) const;
+    void see_positions(const Sample& sample, const AdvanceResult& advanced);
+
+    /// Then its velocities; no positions need be there. With `is_followed` the next ones may be
+    /// given by their changes.
+    void see_velocities(const Sample& sample, const AdvanceResult& advanced, bool is_followed);
+
+    /// Or of its velocities all that differ from the sample before, which was followed or seen so,
+    /// too. False, and they are not seen, if they must be seen whole: the gas drifts faster than it
+    /// is hot.
+    bool see_changes(double time, std::span<const VelocityChange> changes,
+                     const AdvanceResult& advanced);
 
     /// The statistics of all samples seen, at least one, the last of them at the end of the
     /// `advanced`, which gives the impulses since time 0.
     RunSummary summary(const AdvanceResult& advanced) const;
 
   private:
+    /// Of one species, over the samples.
     struct Sums {
         double energy = 0.0, speed = 0.0;
     };
+    /// Of one species in the present sample.
+    struct Tally {
+        ExactSum energy, speed;
+    };
+    /// Some particles, of which the sums are made: one entry for each.
+    struct Bodies;
     struct Totals {
         double energy = 0.0;
         Eigen::ArrayXd momentum;
     };
-    void see_totals(const Sample& sample, const Eigen::ArrayXd& energies);
-    void see_species(const Eigen::ArrayXd& speeds, const Eigen::ArrayXd& energies);
-    void audit(const Sample& sample);
+    void tally(const Sample& sample, bool is_followed);
+    template <bool is_added>
+    void tally(const Bodies& bodies);
+    std::optional<ThermalMotion> present_motion() const;
+    void finish(double time, const ThermalMotion& motion, const AdvanceResult& advanced);
     std::vector<SpeciesMeans> species_means() const;
 
     Box box_;
-    Particles particles_;
+    const Particles& particles_;
     std::int64_t samples_between_audits_;
     std::int64_t seen_ = 0;
-    double time_ = 0.0;       ///< of the last sample
-    bool worked_on_ = false;  ///< an infinite mass moves
+    std::int64_t audited_ = 0;              ///< samples whose positions were seen
+    std::int64_t collisions_at_audit_ = 0;  ///< that had happened by the last of these
+    double time_ = 0.0;                     ///< of the last sample
+    bool worked_on_ = false;                ///< an infinite mass moves
+    bool is_followed_ = false;              ///< the last sample can be changed into the next
+    std::vector<Tally> tallies_;            ///< by species
+    std::array<ExactSum, 2> momentum_;      ///< by axis
+    double mass_ = 0.0;                     ///< of all
+    std::array<bool, 2> is_conserved_{};    ///< momentum along an axis
     Totals first_, last_;
     double largest_energy_error_ = 0.0;
     double largest_overlap_ = 0.0;

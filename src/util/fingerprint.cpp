@@ -7,7 +7,6 @@
 #include <xxhash.h>
 
 #include <fstream>
-#include <memory>
 #include <vector>
 
 namespace carom {
@@ -17,30 +16,43 @@ std::string digits(const XXH128_hash_t& hash) {
     return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
-struct FreeState {
-    void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-};
-
 }  // namespace
 
 std::string fingerprint(std::string_view bytes) {
     return digits(XXH3_128bits(bytes.data(), bytes.size()));
 }
 
+struct GrowingFingerprint::State {
+    XXH3_state_t hash;  // aligned as it asks for
+};
+
+GrowingFingerprint::GrowingFingerprint() : state_(std::make_unique<State>()) {
+    XXH3_128bits_reset(&state_->hash);
+}
+
+GrowingFingerprint::~GrowingFingerprint() = default;
+
+void GrowingFingerprint::add(std::string_view bytes) {
+    XXH3_128bits_update(&state_->hash, bytes.data(), bytes.size());
+}
+
+std::string GrowingFingerprint::digits() const {
+    return carom::digits(XXH3_128bits_digest(&state_->hash));
+}
+
 std::optional<std::string> fingerprint_of_file(const std::filesystem::path& path) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
-    const std::unique_ptr<XXH3_state_t, FreeState> state{XXH3_createState()};
-    if (!file || !state) return std::nullopt;
-    XXH3_128bits_reset(state.get());
+    if (!file) return std::nullopt;
+    GrowingFingerprint all;
     std::vector<char> buffer(1 << 18);
     while (file) {
         file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-        XXH3_128bits_update(state.get(), buffer.data(), static_cast<std::size_t>(file.gcount()));
+        all.add({buffer.data(), static_cast<std::size_t>(file.gcount())});
     }
     if (!file.eof()) return std::nullopt;
-    return digits(XXH3_128bits_digest(state.get()));
+    return all.digits();
 }
 
 }  // namespace carom

@@ -26,11 +26,30 @@ Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
         return {static_cast<double>(x[0]), static_cast<double>(x[1])};
 }
 
+// Lets a pointer point at something for a while.
+template <typename T>
+class PointedAt {
+  public:
+    PointedAt(T*& pointer, T* target) : pointer_(pointer) { pointer = target; }
+    ~PointedAt() { pointer_ = nullptr; }
+    PointedAt(const PointedAt&) = delete;
+    PointedAt& operator=(const PointedAt&) = delete;
+
+  private:
+    T*& pointer_;
+};
+
 template <typename Scalar, std::size_t Dimension>
 std::array<double, Dimension> in_doubles(const std::array<Scalar, Dimension>& x) {
     std::array<double, Dimension> values;
     for (std::size_t a = 0; a < Dimension; ++a) values[a] = static_cast<double>(x[a]);
     return values;
+}
+
+// With 0 for what a line lacks.
+template <std::size_t Dimension>
+std::array<double, 2> in_two(const std::array<double, Dimension>& v) {
+    return {v[0], Dimension == 1 ? 0.0 : v[Dimension - 1]};
 }
 
 }  // namespace
@@ -65,7 +84,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::forget() {
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::start(const Sample& state) {
+void EventLoop<Dimension, Scalar, has_surfaces>::start(Sample state) {
     now_ = clock_.start(state.time);
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         Body& b = bodies_[k];
@@ -77,6 +96,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::start(const Sample& state) {
         }
         body_has_changed(b);
     }
+    state = {};  // while predictions take most memory
     put_in_order();
     if constexpr (has_surfaces) {
         geometry_.surfaces().shift_epoch(-now_);
@@ -91,14 +111,25 @@ template <int Dimension, typename Scalar, bool has_surfaces>
 std::vector<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::put_in_order() {
     cycles_since_sorted_ = 0;
     std::vector<std::int32_t> order = geometry_.order(bodies_);
-    typename Geometry::Bodies bodies(bodies_.size());
-    std::vector<std::int32_t> number(number_.size());
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        bodies[k] = body(order[k]);
-        number[k] = number_of(order[k]);
+    // In their place, along the cycles of the permutation: a second array would be the most memory
+    // that a run takes.
+    std::vector<bool> is_done(order.size());
+    for (std::size_t first = 0; first < order.size(); ++first) {
+        if (is_done[first] || static_cast<std::size_t>(order[first]) == first) continue;
+        Body begin = std::move(bodies_[first]);
+        const std::int32_t its_number = number_[first];
+        std::size_t k = first;
+        for (auto next = static_cast<std::size_t>(order[k]); next != first;
+             next = static_cast<std::size_t>(order[k])) {
+            bodies_[k] = std::move(bodies_[next]);
+            number_[k] = number_[next];
+            is_done[k] = true;
+            k = next;
+        }
+        bodies_[k] = std::move(begin);
+        number_[k] = its_number;
+        is_done[k] = true;
     }
-    bodies_.swap(bodies);
-    number_.swap(number);
     return order;
 }
 
@@ -125,11 +156,14 @@ void EventLoop<Dimension, Scalar, has_surfaces>::predict_all() {
     for (Body& b : bodies_) b.prediction = {};
     std::vector<Prediction> predictions;
     std::vector<Scalar> times;
+    predictions.reserve(bodies_.size());
+    times.reserve(bodies_.size() + static_cast<std::size_t>(events_of_surfaces()));
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
         times.push_back(geometry_.predict(bodies_, static_cast<std::int32_t>(k), now_));
         predictions.push_back(std::exchange(bodies_[k].prediction, {}));
     }
     for (std::size_t k = 0; k < bodies_.size(); ++k) bodies_[k].prediction = predictions[k];
+    predictions = {};
     for (std::int32_t k = 0; k < events_of_surfaces(); ++k)
         times.push_back(surface_event(static_cast<std::size_t>(k)));
     queue_.reset(std::move(times));
@@ -224,7 +258,11 @@ std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::overlapped(
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
                                                          std::vector<Collision>* record,
-                                                         const TimeCallback& on_progress) {
+                                                         const TimeCallback& on_progress,
+                                                         VelocityLog* velocities) {
+    // Surfaces accelerate disks between collisions, too.
+    if (has_surfaces && velocities) std::exchange(velocities, nullptr)->give_up();
+    const PointedAt log(velocities_, velocities);
     constexpr int events_between_looks = 4096;
     int until_look = events_between_looks;
     Collision collision;
@@ -269,6 +307,28 @@ void EventLoop<Dimension, Scalar, has_surfaces>::sample(double time, Sample& sta
             state.velocity(number_[k], axis) = static_cast<double>(velocity_at(b, a, local));
         }
     }
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+Sample EventLoop<Dimension, Scalar, has_surfaces>::sample_of_positions(double time) const {
+    Sample state{time, Eigen::ArrayXXd(static_cast<Eigen::Index>(bodies_.size()), Dimension), {}};
+    const Scalar local = clock_.local(time);
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+        for (std::size_t a = 0; a < Dimension; ++a)
+            state.position(number_[k], static_cast<Eigen::Index>(a)) =
+                box_.wrapped(a, static_cast<double>(position_at(bodies_[k], a, local)));
+    return state;
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+Sample EventLoop<Dimension, Scalar, has_surfaces>::sample_of_velocities(double time) const {
+    Sample state{time, {}, Eigen::ArrayXXd(static_cast<Eigen::Index>(bodies_.size()), Dimension)};
+    const Scalar local = clock_.local(time);
+    for (std::size_t k = 0; k < bodies_.size(); ++k)
+        for (std::size_t a = 0; a < Dimension; ++a)
+            state.velocity(number_[k], static_cast<Eigen::Index>(a)) =
+                static_cast<double>(velocity_at(bodies_[k], a, local));
+    return state;
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
@@ -434,6 +494,10 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
     impulses_.virial += contact.virial;
     impulses_.largest_overlap = std::max(impulses_.largest_overlap, contact.overlap);
     count_tie(first, second);
+    if (velocities_) {
+        note_velocity(first, in_two(first_before));
+        note_velocity(second, in_two(second_before));
+    }
     if (collision) {
         const Eigen::Array2d position = in_plane(a.x);
         *collision = {clock_.absolute(now_),
@@ -447,6 +511,13 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
                       in_plane(b.v)};
     }
     return true;
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::note_velocity(
+    std::int32_t i, const std::array<double, 2>& before) {
+    if (velocities_->is_open())
+        velocities_->note(number_of(i), before, in_two(in_doubles(body(i).v)));
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
@@ -475,6 +546,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::bounce(std::int32_t i, int side
     body_has_changed(b);
     ++b.collisions;
     ++counts_.wall;
+    if (velocities_) note_velocity(i, in_two(before));
     if (!collision) return;
     const Eigen::Array2d position = in_plane(b.x);
     Eigen::Array2d contact = position;

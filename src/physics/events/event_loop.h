@@ -36,6 +36,7 @@
 #include "physics/surfaces/open_plane.h"
 #include "physics/surfaces/surface_error.h"
 #include "physics/surfaces/surface_events.h"
+#include "physics/velocity_changes.h"
 
 namespace carom {
 
@@ -50,13 +51,15 @@ class EventLoop {
               std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
     /// Puts all particles where `state` says, at its time, and predicts all events anew.
-    void start(const Sample& state);
+    void start(Sample state);
 
-    /// Processes all events with time <= `time`; adds each collision to `record` unless it is null.
-    /// `on_progress` is called now and then with the time of the latest event. Throws Interrupted,
-    /// SurfaceError (without its time), and CollisionError when particles collide without end at
-    /// one instant, too often in all, or two of infinite mass meet on a line.
-    void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
+    /// Processes all events with time <= `time`; adds each collision to `record` unless it is null,
+    /// and notes in `velocities` which have changed. `on_progress` is called now and then with the
+    /// time of the latest event. Throws Interrupted, SurfaceError (without its time), and
+    /// CollisionError when particles collide without end at one instant, too often in all, or two
+    /// of infinite mass meet on a line.
+    void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {},
+                 VelocityLog* velocities = nullptr);
 
     /// What advance() has thrown, with the name of the surface, the time and where it is.
     SurfaceError at_present(const SurfaceError& error) const;
@@ -88,6 +91,10 @@ class EventLoop {
     /// The state at `time`, which is not before the last event processed nor after the next;
     /// periodic coordinates lie in [0, size). Changes nothing in the particles.
     void sample(double time, Sample& state) const;
+
+    /// The same without velocities, or without positions.
+    Sample sample_of_positions(double time) const;
+    Sample sample_of_velocities(double time) const;
 
     /// Positions at `time`, as sample() has them but in full, and periodic ones not brought into
     /// the box: those of each particle one after the other, in the order listed by the user.
@@ -162,6 +169,7 @@ class EventLoop {
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
     bool hit(std::int32_t i, const Prediction& event, Collision* collision);
+    void note_velocity(std::int32_t i, const std::array<double, 2>& before);
     void process_surface_event(std::size_t k);
     void look_for_hits(std::size_t k);
     std::int32_t events_of_surfaces() const;
@@ -187,7 +195,8 @@ class EventLoop {
     ChangeHistory<Scalar> changes_;
     double heat_of_events_ = 0.0;
     int cycles_since_sorted_ = 0;
-    FetchAhead<Geometry> fetch_ahead_;  ///< used where memory is slow
+    FetchAhead<Geometry> fetch_ahead_;   ///< used where memory is slow
+    VelocityLog* velocities_ = nullptr;  ///< within advance(), where it is wanted
     CollisionCounts counts_;
     ImpulseTotals impulses_;
     std::int64_t collisions_ = 0;  ///< since start()

@@ -69,20 +69,18 @@ void EventQueue::set_width(double width) {
     cycle_ = width_ * buckets_;
 }
 
-void EventQueue::reset(const std::vector<double>& times) {
+void EventQueue::reset(std::vector<double> times) {
     assert(times.size() == index(count_));
-    set_width(width_for(times));
+    for (std::size_t i = 0; i < times.size(); ++i) nodes_[i] = Node{.time = times[i]};
+    set_width(width_for(std::move(times)));
     clear();
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        nodes_[i] = Node{.time = times[i]};
-        insert(static_cast<std::int32_t>(i), times[i]);
-    }
+    for (std::int32_t i = 0; i < count_; ++i) insert(i, time(i));
 }
 
 void EventQueue::renumber(const std::vector<std::int32_t>& before) {
     std::vector<double> times(before.size());
     for (std::size_t k = 0; k < before.size(); ++k) times[k] = time(before[k]);
-    reset(times);
+    reset(std::move(times));
 }
 
 // In the cycle, or buckets_ for a time beyond.

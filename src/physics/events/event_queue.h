@@ -33,7 +33,7 @@ class EventQueue {
 
     /// Replaces all events at once (a time is infinite where nothing will ever happen) and chooses
     /// the width of the buckets by them; the present is time 0.
-    void reset(const std::vector<double>& times);
+    void reset(std::vector<double> times);
 
     /// Gives the particles new numbers: k is the one that was before[k]. The present is time 0.
     void renumber(const std::vector<std::int32_t>& before);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <utility>
 
 #include "physics/collision/pair_collision.h"
 #include "physics/collision_error.h"
@@ -21,9 +22,9 @@ FixedStepLoop::FixedStepLoop(const Box& box, const Particles& particles, double 
     std::iota(order_.begin(), order_.end(), 0);
 }
 
-void FixedStepLoop::start(const Sample& state) {
-    now_ = state;
-    first_ = state.time;
+void FixedStepLoop::start(Sample state) {
+    now_ = std::move(state);
+    first_ = now_.time;
     steps_ = 0;
 }
 
@@ -38,8 +39,9 @@ void FixedStepLoop::move_to(double time) {
 }
 
 void FixedStepLoop::advance(double time, std::vector<Collision>* record,
-                            const TimeCallback& on_progress) {
+                            const TimeCallback& on_progress, VelocityLog* velocities) {
     constexpr std::int64_t steps_between_calls = 1024;
+    if (velocities) velocities->give_up();
     while (true) {
         const double next = first_ + step_ * static_cast<double>(steps_ + 1);
         if (next > time) break;
@@ -148,6 +150,13 @@ void FixedStepLoop::sample(double time, Sample& state) const {
     state.position += (time - now_.time) * now_.velocity;
     for (Eigen::Index axis = 0; axis < 2; ++axis)
         for (double& x : state.position.col(axis)) x = box_.wrapped(axis, x);
+}
+
+Sample FixedStepLoop::sample_of_positions(double time) const {
+    Sample state;
+    sample(time, state);
+    state.velocity = {};
+    return state;
 }
 
 std::vector<double> FixedStepLoop::positions(double time) const {

@@ -15,6 +15,7 @@
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/surfaces/surface_error.h"
+#include "physics/velocity_changes.h"
 
 namespace carom {
 
@@ -27,12 +28,15 @@ class FixedStepLoop {
 
     /// The functions of EventLoop, for the whole of a Simulation. Between the ends of two steps
     /// particles fly freely; a reversal and a displacement begin a new step.
-    void start(const Sample& state);
-    void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {});
+    void start(Sample state);
+    void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {},
+                 VelocityLog* velocities = nullptr);
     void reverse(double time);
     std::optional<Partner> displace(std::int64_t particle, const std::array<std::string, 2>& by,
                                     double time);
     void sample(double time, Sample& state) const;
+    Sample sample_of_positions(double time) const;
+    Sample sample_of_velocities(double time) const { return {time, {}, now_.velocity}; }
     std::vector<double> positions(double time) const;
     const CollisionCounts& counts() const { return counts_; }
     const ImpulseTotals& impulses() const { return impulses_; }

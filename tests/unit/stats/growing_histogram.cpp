@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -19,6 +20,15 @@ Eigen::ArrayXd array(std::initializer_list<double> values) {
 
 std::int64_t total(const BinnedCounts& bins) {
     return std::accumulate(bins.counts.begin(), bins.counts.end(), std::int64_t{0});
+}
+
+// Counts a sample.
+void add(GrowingHistogram& histogram, const Eigen::ArrayXd& values) {
+    double largest = 0.0;
+    for (const double value : values)
+        if (std::isfinite(value)) largest = std::max(largest, value);
+    histogram.make_room(largest);
+    histogram.add(values);
 }
 
 // How many of all values lie in the bins, by looking at each.
@@ -40,16 +50,16 @@ TEST_CASE("no value at all, and nothing but zeros, give one bin from 0 to 1") {
     CHECK(none.counts().edges == std::vector<double>{0.0, 1.0});
     CHECK(none.counts().counts == std::vector<std::int64_t>{0});
     GrowingHistogram zeros;
-    zeros.add(array({0.0, 0.0}));
-    zeros.add(array({0.0}));
+    add(zeros, array({0.0, 0.0}));
+    add(zeros, array({0.0}));
     CHECK(zeros.counts().edges == std::vector<double>{0.0, 1.0});
     CHECK(zeros.counts().counts == std::vector<std::int64_t>{3});
 }
 
 TEST_CASE("zeros seen before the first larger value are counted with the smallest") {
     GrowingHistogram histogram;
-    histogram.add(array({0.0, 0.0}));
-    histogram.add(array({0.0, 2.0}));
+    add(histogram, array({0.0, 0.0}));
+    add(histogram, array({0.0, 2.0}));
     const BinnedCounts bins = histogram.counts();
     CHECK(bins.counts.front() == 3);
     CHECK(bins.counts.back() == 1);
@@ -58,8 +68,8 @@ TEST_CASE("zeros seen before the first larger value are counted with the smalles
 
 TEST_CASE("values that are no number or infinite are left out") {
     GrowingHistogram histogram;
-    histogram.add(array(
-        {std::numeric_limits<double>::quiet_NaN(), 1.0, std::numeric_limits<double>::infinity()}));
+    add(histogram, array({std::numeric_limits<double>::quiet_NaN(), 1.0,
+                          std::numeric_limits<double>::infinity()}));
     check_counts(histogram.counts(), {1.0});
 }
 
@@ -73,7 +83,7 @@ TEST_CASE("every value is counted in its bin, however far the range grows") {
             value = std::pow(10.0, 0.1 * round) * random.uniform();
             all.push_back(value);
         }
-        histogram.add(values);
+        add(histogram, values);
     }
     check_counts(histogram.counts(), all);
 }
@@ -82,7 +92,7 @@ TEST_CASE("edges are decimal numbers, and a value on an edge begins a bin") {
     GrowingHistogram histogram;
     std::vector<double> all;
     for (int i = 0; i <= 30; ++i) all.push_back(i / 10.0);
-    histogram.add(Eigen::Map<const Eigen::ArrayXd>(all.data(), 31));
+    add(histogram, Eigen::Map<const Eigen::ArrayXd>(all.data(), 31));
     const BinnedCounts bins = histogram.counts();
     check_counts(bins, all);
     // 31 values from 0 to 3: 2 IQR n^(-1/3) = 0.95, kept at 1/20 of the range, 0.15: 0.2
@@ -97,7 +107,7 @@ TEST_CASE("bins are as wide as Freedman and Diaconis say, rounded up to 1, 2 or 
     Eigen::ArrayXd values(64'000);
     for (Eigen::Index i = 0; i < values.size(); ++i)  // uniform in [0, 100): IQR 50, width 2.5
         values[i] = 100.0 * (static_cast<double>(i) + 0.5) / 64'000.0;
-    histogram.add(values);
+    add(histogram, values);
     const BinnedCounts bins = histogram.counts();
     CHECK(bins.edges[1] == 5.0);
     CHECK(bins.counts == std::vector<std::int64_t>(20, 3200));
@@ -107,7 +117,7 @@ TEST_CASE("tiny and huge values have bins of their size") {
     for (const double scale : {1e-200, 1e-30, 1e30, 1e200}) {
         CAPTURE(scale);
         GrowingHistogram histogram;
-        histogram.add(scale * array({1.0, 2.0, 3.0}));
+        add(histogram, scale * array({1.0, 2.0, 3.0}));
         const BinnedCounts bins = histogram.counts();
         check_counts(bins, {scale * 1.0, scale * 2.0, scale * 3.0});
         CHECK(bins.edges.back() < 4.0 * scale);

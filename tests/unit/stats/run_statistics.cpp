@@ -143,7 +143,8 @@ TEST_CASE("the temperature of a run is that of theory's collision rate and of ea
     // Momentum is conserved, so that N disks share their energy as N - 1 do.
     const std::vector<Body> bodies{{1, 1, 2, 1, 0.5, 1.0}, {5, 5, -2, -1, 0.5, 1.0}};
     const Box around = box_of(9, 9, Wall::periodic, Wall::periodic);
-    RunStatistics statistics(around, particles_of(bodies), 1, 1);
+    const Particles particles = particles_of(bodies);
+    RunStatistics statistics(around, particles, 1, 1);
     statistics.see(sample_of(bodies));
     CHECK(statistics.summary({}).temperature == 2.0 * 5.0 / 2.0);
     // In equilibrium a heavy species and a light one have the gas's temperature, each in its mean.
@@ -273,7 +274,8 @@ TEST_CASE("the distance from home is that of the nearest image") {
 TEST_CASE("means are over particles and samples, the energy's error is the largest on the way") {
     std::vector<Body> bodies{
         {1, 1, 3, 4, 0.5, 2.0, 0}, {5, 5, 0, 0, 0.5, 2.0, 0}, {8, 1, 1, 0, 0.5, 1.0, 1}};
-    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 2, 3);
+    const Particles particles = particles_of(bodies);
+    RunStatistics statistics(box_of(10, 8), particles, 2, 3);
     statistics.see(sample_of(bodies));  // energies 25, 0, 1/2
     bodies[2].vx = 2.0;                 // 2
     statistics.see(sample_of(bodies, 2, 1.0));
@@ -299,7 +301,8 @@ TEST_CASE("means are over particles and samples, the energy's error is the large
 
 TEST_CASE("a gas at rest has no energy, no error and no temperature above 0") {
     const std::vector<Body> bodies{{1, 1, 0, 0}, {5, 5, 0, 0, 0.5, infinite}};
-    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 1, 2);
+    const Particles particles = particles_of(bodies);
+    RunStatistics statistics(box_of(10, 8), particles, 1, 2);
     statistics.see(sample_of(bodies));
     statistics.see(sample_of(bodies, 2, 1.0));
     const RunSummary summary = statistics.summary({});
@@ -313,7 +316,8 @@ TEST_CASE("a gas at rest has no energy, no error and no temperature above 0") {
 
 TEST_CASE("what a moving infinite mass makes meaningless is absent, the rest is not") {
     std::vector<Body> bodies{{1, 1, 2, 0}, {5, 5, 1, 0, 0.5, infinite, 1}};
-    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 2, 2);
+    const Particles particles = particles_of(bodies);
+    RunStatistics statistics(box_of(10, 8), particles, 2, 2);
     statistics.see(sample_of(bodies));
     statistics.see(sample_of(bodies, 2, 1.0));
     const RunSummary summary = statistics.summary({});
@@ -331,7 +335,8 @@ TEST_CASE("what a moving infinite mass makes meaningless is absent, the rest is 
 }
 
 TEST_CASE("no particles are a gas too") {
-    RunStatistics statistics(box_of(10, 8), particles_of({}), 0, 1);
+    const Particles particles = particles_of({});
+    RunStatistics statistics(box_of(10, 8), particles, 0, 1);
     statistics.see(sample_of({}));
     const RunSummary summary = statistics.summary({});
     CHECK(summary.energy_initial == 0.0);
@@ -344,10 +349,65 @@ TEST_CASE("no particles are a gas too") {
 
 TEST_CASE("the overlap is the deepest at a collision or in a sample") {
     const std::vector<Body> bodies{{1, 1, 0, 0}, {1.9, 1, 0, 0}};
-    RunStatistics statistics(box_of(10, 8), particles_of(bodies), 1, 1);
+    const Particles particles = particles_of(bodies);
+    RunStatistics statistics(box_of(10, 8), particles, 1, 1);
     statistics.see(sample_of(bodies));
     AdvanceResult advanced;
     CHECK(statistics.summary(advanced).largest_overlap == relative(0.1, 1e-14));
     advanced.impulses.largest_overlap = 0.25;
     CHECK(statistics.summary(advanced).largest_overlap == 0.25);
+}
+
+TEST_CASE("samples given by their changes have the very statistics of whole samples") {
+    // With walls, in a periodic box, and in one whose gas drifts as a whole.
+    for (const auto& [wall, drift] :
+         {std::pair{Wall::solid, 0.0}, {Wall::periodic, 0.1}, {Wall::periodic, 10.0}}) {
+        CAPTURE(drift);
+        Random random(4, "velocities");
+        std::vector<Body> bodies;
+        for (int k = 0; k < 60; ++k)
+            bodies.push_back({1.0 + 2.0 * (k % 10), 1.0 + 2.0 * (k / 10), drift + random.normal(),
+                              random.normal(), 0.5, k % 3 + 0.7, k % 2});
+        const Box box = box_of(20, 20, wall, wall);
+        const Particles particles = particles_of(bodies);
+        RunStatistics whole(box, particles, 2, 40), changed(box, particles, 2, 40);
+        int seen_by_changes = 0;
+        for (int k = 0; k < 40; ++k) {
+            std::vector<VelocityChange> changes;
+            for (std::int32_t i = k % 7; k > 0 && i < 60; i += 13) {
+                Body& body = bodies[static_cast<std::size_t>(i)];
+                VelocityChange& change =
+                    changes.emplace_back(VelocityChange{i, {body.vx, body.vy}, {0.0, 0.0}});
+                const double growth = k < 20 ? 1.0 : 40.0;  // histograms must grow on the way
+                body.vx = drift + growth * random.normal();
+                body.vy = growth * random.normal();
+                change.after = {body.vx, body.vy};
+            }
+            const Sample sample = sample_of(bodies, 2, k);
+            whole.see(sample);
+            changed.see_positions({sample.time, sample.position, {}}, {});
+            if (k != 25 && changed.see_changes(k, changes, {}))
+                ++seen_by_changes;
+            else
+                changed.see_velocities({sample.time, {}, sample.velocity}, {}, k != 25);
+        }
+        CHECK((drift > 1.0 || seen_by_changes > 30));
+        const RunSummary a = whole.summary({}), b = changed.summary({});
+        CHECK(a.energy_final == b.energy_final);
+        CHECK(a.largest_energy_error == b.largest_energy_error);
+        CHECK(a.momentum_final == b.momentum_final);
+        CHECK(a.temperature == b.temperature);
+        CHECK(a.speeds.edges == b.speeds.edges);
+        CHECK(a.speeds.counts == b.speeds.counts);
+        CHECK(a.energies.edges == b.energies.edges);
+        CHECK(a.energies.counts == b.energies.counts);
+        for (std::size_t s = 0; s < 2; ++s) {
+            CHECK(a.species[s].energy == b.species[s].energy);
+            CHECK(a.species[s].speed == b.species[s].speed);
+        }
+        const double thermal = thermal_motion(box, particles, sample_of(bodies)).temperature();
+        RunStatistics last(box, particles, 2, 1);
+        last.see(sample_of(bodies));
+        CHECK(*last.summary({}).temperature == relative(thermal, 1e-14));
+    }
 }

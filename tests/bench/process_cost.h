@@ -1,0 +1,52 @@
+// What some work takes in a process of its own: CPU, and memory at its peak.
+#pragma once
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+
+#include "bench/measured.h"
+
+namespace carom::test {
+
+struct Cost {
+    double seconds = std::numeric_limits<double>::infinity();  ///< of CPU
+    double bytes = 0.0;                                        ///< of memory
+
+    /// The least disturbed of two.
+    void keep_better(const Cost& other) {
+        seconds = std::min(seconds, other.seconds);
+        bytes = std::max(bytes, other.bytes);
+    }
+};
+
+/// `work` gives the CPU time from which on seconds count.
+template <typename Work>
+Cost cost_of(const Work& work) {
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) std::abort();
+    const pid_t child = fork();
+    if (child < 0) std::abort();
+    if (child == 0) {
+        const double begin = work();
+        const double seconds = cpu_seconds() - begin;
+        const bool is_written = write(ends[1], &seconds, sizeof seconds) == sizeof seconds;
+        _exit(is_written ? 0 : 1);
+    }
+    Cost cost;
+    int status = 0;
+    rusage usage{};
+    close(ends[1]);
+    const bool is_read = read(ends[0], &cost.seconds, sizeof cost.seconds) == sizeof cost.seconds;
+    close(ends[0]);
+    if (wait4(child, &status, 0, &usage) != child || status != 0 || !is_read) std::abort();
+    cost.bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
+    return cost;
+}
+
+}  // namespace carom::test

@@ -5,7 +5,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 
 set(public_headers_of_util archive.h diagnostics.h interrupt.h)
 set(public_headers_of_physics
-    advance_result.h exact_positions.h gas.h particles.h placement/placement.h placement/problem.h reversal/precision.h run.h simulation.h surface.h
+    advance_result.h collision/velocity_changes.h exact_positions.h gas.h particles.h placement/placement.h placement/problem.h reversal/precision.h run.h simulation.h surface.h
     surfaces/surface_problem.h theory/theory.h ways_back.h)
 foreach(module util physics)
     list(TRANSFORM public_headers_of_${module} PREPEND ${PROJECT_SOURCE_DIR}/src/${module}/)

@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "physics/collision/velocity_changes.h"
 #include "physics/exact_positions.h"
 #include "physics/surface.h"
-#include "physics/velocity_changes.h"
 
 namespace carom {
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "physics/advance_result.h"
+#include "physics/collision/velocity_changes.h"
 #include "physics/events/event_queue.h"
 #include "physics/events/fetch_ahead.h"
 #include "physics/events/local_clock.h"
@@ -36,7 +37,6 @@
 #include "physics/surfaces/open_plane.h"
 #include "physics/surfaces/surface_error.h"
 #include "physics/surfaces/surface_events.h"
-#include "physics/velocity_changes.h"
 
 namespace carom {
 

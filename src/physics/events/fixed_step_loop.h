@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "physics/advance_result.h"
+#include "physics/collision/velocity_changes.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/surfaces/surface_error.h"
-#include "physics/velocity_changes.h"
 
 namespace carom {
 

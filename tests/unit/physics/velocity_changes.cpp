@@ -1,5 +1,5 @@
 // Which velocities an advance has changed, against a comparison of all of them.
-#include "physics/velocity_changes.h"
+#include "physics/collision/velocity_changes.h"
 
 #include <doctest/doctest.h>
 

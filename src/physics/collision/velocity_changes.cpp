@@ -1,4 +1,4 @@
-#include "physics/velocity_changes.h"
+#include "physics/collision/velocity_changes.h"
 
 #include <algorithm>
 

@@ -11,6 +11,7 @@
 #include "panels/shared_panel.h"
 #include "panels/words/text_panel.h"
 #include "scene/describe.h"
+#include "util/interrupt.h"
 
 namespace carom {
 namespace {
@@ -147,6 +148,28 @@ bool PanelSet::wants_collisions() const {
         any = any || panel.wants_collisions() || panel.surveys_collisions();
     });
     return any;
+}
+
+bool PanelSet::wants_return_distances() const {
+    bool any = false;
+    for_each_panel(
+        [&](const Panel& panel, std::size_t) { any = any || panel.wants_return_distances(); });
+    return any;
+}
+
+void PanelSet::survey_run(Simulation simulation, const std::vector<Tick>& ticks,
+                          const Recording::Viewer& see) {
+    with_places_of_errors(scene(), [&] {
+        simulation.record_collisions(wants_collisions());
+        simulation.measure_return(return_times(own, ticks));
+        for (const Tick& tick : ticks) {
+            throw_if_interrupted();
+            const AdvanceResult advanced = simulation.advance_to(tick.time);
+            const Sample& sample = simulation.sample();
+            survey(own, tick, sample, advanced);
+            see(tick, sample, advanced);
+        }
+    });
 }
 
 std::vector<double> PanelSet::return_times(std::size_t run, const std::vector<Tick>& ticks) const {

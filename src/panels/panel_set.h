@@ -71,6 +71,10 @@ class PanelSet {
         return record(other, std::move(start), std::move(ticks), see, room, aside);
     }
 
+    /// The first pass over frames of a run with none beside it, of which nothing is kept; `see`
+    /// sees each after the panels. Throws SceneError, Interrupted.
+    void survey_run(Simulation start, const std::vector<Tick>& ticks, const Recording::Viewer& see);
+
     /// Where the second pass takes the frames of the run beside it from, one for each frame_data().
     /// Refers to the recording.
     void play_beside(const Recording& recording) { beside_.emplace(recording); }
@@ -97,6 +101,9 @@ class PanelSet {
 
     /// Whether any panel needs the collisions on the way, in either pass.
     bool wants_collisions() const;
+
+    /// Whether any panel needs the distance from the return, which is measured at all frames.
+    bool wants_return_distances() const;
 
     /// A panel and its place in the template's grid.
     struct Placed {

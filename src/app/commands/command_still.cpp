@@ -24,6 +24,7 @@ struct StillArguments : SceneOptions {
     std::string scene;
     std::string output, format;
     double at = 0.0;
+    bool is_quick = false;
 };
 
 // Of a picture for standard output, the name that it would have.
@@ -54,7 +55,7 @@ void make_still(const StillArguments& arguments) {
     std::optional<Output> stream;  // before the work
     if (Output::is_standard_output(arguments.output)) stream.emplace("-");
     const EndsAtOnce whole;
-    Canvas picture = draw_still(prepare(scene, {}, progress), arguments.at, format, progress);
+    Canvas picture = draw_still_alone(scene, arguments.at, arguments.is_quick, format, progress);
     const std::vector<std::uint8_t> bytes = picture.file();
     if (stream) return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     write_file(output, bytes);
@@ -81,6 +82,10 @@ Command still_command() {
     return {"still", "draw one frame of a film as PNG, SVG or PDF",
             joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
                              {"--at T", "simulated time; the nearest frame is drawn", &its.at},
+                             {"--quick",
+                              "find axes and colour scales from thirty times of the run, not from "
+                              "all frames",
+                              &its.is_quick},
                              {"-o,--output PICTURE",
                               "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
                               "default: out/SCENE.png",

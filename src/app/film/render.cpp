@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/means.h"
+#include "app/simulate.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
@@ -43,6 +46,74 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
     report.bytes = writer.bytes();
     report.wall_seconds = watch.wall();
     return report;
+}
+
+// A frame that is kept, with its collisions.
+struct KeptFrame {
+    Tick tick;
+    Sample sample;
+    AdvanceResult advanced;
+    std::vector<Collision> collisions;
+};
+
+// About as many as are wanted, evenly spread, with the last and that of the still.
+std::vector<Tick> some_of(const std::vector<Tick>& ticks, int still) {
+    constexpr std::size_t wanted = 30;
+    const std::size_t step = std::max<std::size_t>(1, ticks.size() / wanted);
+    std::vector<Tick> some;
+    for (std::size_t k = 0; k < ticks.size(); ++k)
+        if (k % step == 0 || k + 1 == ticks.size() || ticks[k].frame == still)
+            some.push_back(ticks[k]);
+    return some;
+}
+
+// Sees the run at those times, and returns what the still needs of it.
+std::vector<KeptFrame> survey(PanelSet& panels, Simulation start, const std::vector<Tick>& ticks,
+                              int still, bool are_kept, Progress& progress) {
+    progress.begin("simulating", static_cast<double>(ticks.size()));
+    std::vector<KeptFrame> kept;
+    panels.survey_run(
+        std::move(start), ticks,
+        [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+            if (are_kept && tick.frame <= still)
+                kept.push_back({tick,
+                                sample,
+                                advanced,
+                                {advanced.collisions.begin(), advanced.collisions.end()}});
+            progress.advance();
+        });
+    return kept;
+}
+
+FrameData frame_of(PanelSet& panels, std::vector<KeptFrame> kept) {
+    FrameData frame;
+    for (KeptFrame& its : kept) {
+        its.advanced.collisions = its.collisions;
+        const bool is_last = &its == &kept.back();
+        frame = panels.frame_data(its.tick, its.sample, its.advanced, is_last);
+        its = {};
+    }
+    return frame;
+}
+
+// Of what is too much to be kept: simulated again.
+FrameData frame_of(PanelSet& panels, Simulation start, const std::vector<Tick>& ticks, int still) {
+    FrameData frame;
+    start.record_collisions(panels.wants_collisions());
+    for (const Tick& tick : ticks) {
+        if (tick.frame > still) break;
+        throw_if_interrupted();
+        const AdvanceResult advanced = start.advance_to(tick.time);
+        frame = panels.frame_data(tick, start.sample(), advanced, tick.frame == still);
+    }
+    return frame;
+}
+
+// Kept in memory are as many frames as those of a film.
+bool fit(const std::vector<Tick>& ticks, int still, const Box& box, Eigen::Index particles) {
+    const auto frames =
+        std::ranges::count_if(ticks, [=](const Tick& tick) { return tick.frame <= still; });
+    return Recording::fits(static_cast<std::size_t>(frames), particles, box.dimension);
 }
 
 }  // namespace
@@ -110,6 +181,13 @@ RenderReport render(const FilmPlan& plan, const FilmOptions& options, Progress& 
     return write_film(plan, options, *film_writer(plan, options), progress, {});
 }
 
+Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputFormat& format) {
+    FramePainter painter(panels);
+    Canvas canvas = blank_still(panels.scene(), frame.tick.time, format);
+    painter.paint_on(canvas, frame);
+    return canvas;
+}
+
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
     const auto end = static_cast<std::size_t>(frame_nearest_to(plan.run.ticks(), at)) + 1;
     const std::unique_ptr<PanelSet> panels = plan.panels();
@@ -122,10 +200,40 @@ Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, P
         progress.advance();
     });
     progress.finish();
-    FramePainter painter(*panels);
-    Canvas canvas = blank_still(plan.scene, frame.tick.time, format);
-    painter.paint_on(canvas, frame);
-    return canvas;
+    return paint_still(*panels, frame, format);
+}
+
+Canvas draw_still_alone(const Scene& asked, double at, bool is_quick, const OutputFormat& format,
+                        Progress& progress) {
+    if (asked.film.beside) return draw_still(prepare(asked, {}, progress), at, format, progress);
+    FilmPlan plan;
+    auto [scene, start] = start_scene(asked, progress);
+    plan.scene = std::move(scene);
+    std::vector<Tick> ticks = timeline(plan.scene);
+    const int still = ticks[static_cast<std::size_t>(frame_nearest_to(ticks, at))].frame;
+    plan.particles = start.particles();
+    plan.start = start.sample();
+    std::optional<PanelSet> first_pass(std::in_place, plan.scene, plan.particles, plan.start);
+    if (is_quick && !first_pass->wants_return_distances()) ticks = some_of(ticks, still);
+    const bool are_kept = fit(ticks, still, plan.scene.gas.box, plan.particles.count());
+    std::optional<Simulation> again;
+    if (are_kept)
+        plan.start = {};  // the first frame shows it, too
+    else
+        again = start;
+    std::vector<KeptFrame> kept =
+        survey(*first_pass, std::move(start), ticks, still, are_kept, progress);
+    first_pass->fix_axes();
+    Archive axes;
+    first_pass->archive(axes);
+    plan.axes = axes.finished();
+    first_pass.reset();
+    if (are_kept) plan.start = kept.front().sample;
+    const std::unique_ptr<PanelSet> panels = plan.panels();
+    const FrameData frame = again ? frame_of(*panels, std::move(*again), ticks, still)
+                                  : frame_of(*panels, std::move(kept));
+    progress.finish();
+    return paint_still(*panels, frame, format);
 }
 
 }  // namespace carom

@@ -51,8 +51,19 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
 /// When in a run the picture is taken that stands for its film, as a share of the run.
 inline constexpr double poster_at = 0.3;
 
+/// A frame as a picture, in a format of stills.
+Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputFormat& format);
+
 /// Draws the frame nearest to the simulated time `at`, in a format of stills. Throws as render()
 /// does.
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress);
+
+/// Draws the frame of the film of `scene` that is nearest to the simulated time `at`, in a format
+/// of stills: the same picture as draw_still() of the whole plan. With `is_quick` panels see the
+/// run at some thirty times only, from which axes and colour scales are found, and what they
+/// gather. Throws SceneError (the gas cannot be placed, or does not return), SystemError,
+/// Interrupted.
+Canvas draw_still_alone(const Scene& scene, double at, bool is_quick, const OutputFormat& format,
+                        Progress& progress);
 
 }  // namespace carom

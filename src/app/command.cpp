@@ -69,9 +69,10 @@ std::string word_of(const Option& option) {
 }
 
 std::vector<Command> all_commands() {
-    return {render_command(), still_command(),  figures_command(), figure_command(),
-            run_command(),    plan_command(),   join_command(),    check_command(),
-            new_command(),    schema_command(), help_command(),    completions_command()};
+    return {render_command(),     still_command(), figures_command(), figure_command(),
+            gallery_command(),    run_command(),   plan_command(),    join_command(),
+            check_command(),      new_command(),   schema_command(),  help_command(),
+            completions_command()};
 }
 
 std::vector<Option> scene_options(SceneOptions& options) {

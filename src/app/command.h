@@ -140,6 +140,7 @@ Command still_command();
 Command figures_command();
 Command figure_command();
 Command run_command();
+Command gallery_command();
 Command plan_command();
 Command join_command();
 Command check_command();

@@ -15,6 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "draw/pages/pages.h"
 #include "draw/png.h"
 #include "draw/svg.h"
 #include "util/diagnostics.h"
@@ -324,6 +325,12 @@ PixelView Canvas::pixels() { return implementation_->pixels(); }
 PixelView Canvas::pixels() const { return implementation_->pixels(); }
 
 void Canvas::pixels_changed() { cairo_surface_mark_dirty(implementation_->surface.get()); }
+
+void end_page(Canvas& document) {
+    assert(!document.is_raster());
+    cairo_show_page(document.handle());
+    check(cairo_status(document.handle()), "write a page");
+}
 
 std::vector<std::uint8_t> Canvas::png() const {
     assert(is_raster());

@@ -79,7 +79,8 @@ struct Part {
 
 class Parser {
   public:
-    Parser(const Source& page, Errors& errors) : page_(page), errors_(errors) {}
+    Parser(const Source& page, const Placeholders& names, Errors& errors)
+        : page_(page), names_(names), errors_(errors) {}
 
     std::vector<Part> parse() { return until(nullptr, {""}); }
 
@@ -90,7 +91,7 @@ class Parser {
     std::vector<string> names_in(const Scopes& scopes) const {
         std::vector<string> names;
         for (const string& scope : scopes) {
-            const auto& more = placeholders().at(scope);
+            const auto& more = names_.at(scope);
             names.insert(names.end(), more.begin(), more.end());
         }
         return names;
@@ -99,8 +100,7 @@ class Parser {
     void check(const Tag& tag, const Scopes& scopes) {
         if (const auto phrase = phrase_of(tag.name); phrase && is_known(*phrase)) return;
         const std::vector<string> names = names_in(scopes);
-        const bool lists =
-            tag.sign == ' ' && !tag.name.empty() && placeholders().contains(tag.name);
+        const bool lists = tag.sign == ' ' && !tag.name.empty() && names_.contains(tag.name);
         if (!lists && std::ranges::find(names, tag.name) != names.end()) return;
         if (lists)
             return errors_.add(page_, tag.place, fmt::format("`{}` is a list", tag.name),
@@ -136,7 +136,7 @@ class Parser {
             Part part{tag->sign, tag->name};
             if (tag->sign != ' ') {
                 Scopes inside = scopes;
-                if (tag->sign == '#' && placeholders().contains(tag->name))
+                if (tag->sign == '#' && names_.contains(tag->name))
                     inside.insert(inside.begin(), tag->name);
                 part.inner = until(&*tag, inside);
             }
@@ -151,6 +151,7 @@ class Parser {
     }
 
     const Source& page_;
+    const Placeholders& names_;
     Errors& errors_;
     std::size_t at_ = 0;
     bool broken_ = false;  ///< reported, and nothing after it is read
@@ -159,8 +160,7 @@ class Parser {
 // What stands before a colon would be taken for the scheme of the address.
 string address(const string& file) {
     const string encoded = percent_encoded(file, "-._~/+=:;,");
-    const bool is_inline = file.starts_with("data:image/");
-    return !is_inline && file.find(':') != string::npos ? "./" + encoded : encoded;
+    return file.find(':') != string::npos ? "./" + encoded : encoded;
 }
 
 string latex_name(const string& file) {
@@ -197,6 +197,8 @@ class Filler {
                 return escaped(words->second, kind_);
             if (const auto words = scope->formulated.find(name); words != scope->formulated.end())
                 return escaped_with_formulas(words->second, kind_);
+            if (const auto file = scope->inlined.find(name); file != scope->inlined.end())
+                return file->second;
             if (const auto file = scope->files.find(name); file != scope->files.end())
                 return kind_ == PageKind::latex ? latex_name(file->second) : address(file->second);
         }
@@ -238,8 +240,8 @@ void require_utf8(const Source& page, Errors& errors) {
 
 }  // namespace
 
-const std::map<string, std::vector<string>>& placeholders() {
-    static const std::map<string, std::vector<string>> names{
+const Placeholders& placeholders() {
+    static const Placeholders names{
         {"", {"title", "description", "language", "carom", "sections", "figures", "films"}},
         {"sections", {"title", "subtitle", "description", "scene", "seed", "figures", "films"}},
         {"figures",
@@ -251,10 +253,11 @@ const std::map<string, std::vector<string>>& placeholders() {
     return names;
 }
 
-string filled_page(const Source& page, PageKind kind, const PageFields& fields) {
+string filled_page(const Source& page, PageKind kind, const PageFields& fields,
+                   const Placeholders& names) {
     Errors errors;
     require_utf8(page, errors);
-    const std::vector<Part> parts = Parser(page, errors).parse();
+    const std::vector<Part> parts = Parser(page, names, errors).parse();
     errors.throw_if_any();
     return Filler(kind, fields.language).fill(parts, {&fields});
 }

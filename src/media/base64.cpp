@@ -21,4 +21,8 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
+std::string data_address(std::string_view type, std::string_view bytes) {
+    return "data:" + std::string(type) + ";base64," + base64(bytes);
+}
+
 }  // namespace carom

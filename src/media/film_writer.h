@@ -60,6 +60,10 @@ std::string encoding_library();
 /// A film that is being written; it appears whole or not at all. All throw SystemError.
 class FilmWriter : public PendingOutput {
   public:
+    /// The document of which each frame is a page, to be drawn one after the other, each ended by
+    /// end_page() (draw/pages/pages.h). Null where frames are pixels, which segments take.
+    virtual Canvas* document() { return nullptr; }
+
     /// Colours for the whole film, 0xffRRGGBB, before the first segment: for a format that has few
     /// of them (OutputFormat::previews).
     virtual void use_colors(const std::vector<std::uint32_t>&) {}
@@ -76,6 +80,11 @@ std::unique_ptr<FilmWriter> mp4_film(const std::filesystem::path& path,
                                      const VideoSettings& settings, int frames);
 std::unique_ptr<FilmWriter> webm_film(const std::filesystem::path& path,
                                       const VideoSettings& settings, int frames);
+
+/// A PDF with a page of lines, curves and text for each frame. It has no segments: to ask for one
+/// throws std::logic_error.
+std::unique_ptr<FilmWriter> pdf_film(const std::filesystem::path& path,
+                                     const VideoSettings& settings, int frames);
 
 /// A folder of frame-00001.png and so on, which must be empty if it is there already. `frames` are
 /// those of the whole film: so many digits.

@@ -33,6 +33,13 @@ constexpr FormatCost gif_cost{
 constexpr FormatCost png_cost{
     {5.1 * mp4_seconds.at_200, 6.2 * mp4_seconds.at_1000}, {269e3, 401e3}, 0.8, 48};
 
+// Of 200 and 1000 disks at 1080p, roughly: pages are drawn one by one, and only their memory
+// counts.
+constexpr FormatCost pdf_cost{.core_seconds = mp4_seconds,
+                              .bytes = {26e3, 50e3},
+                              .power_of_pixels = 0,
+                              .memory_per_pixel = 4};
+
 template <class Use>
 std::vector<std::string> names(Use use) {
     std::vector<std::string> found;
@@ -82,7 +89,13 @@ const std::vector<OutputFormat>& output_formats() {
          .previews = 32,
          .make_film = gif_film},
         {.name = "svg", .stills = true, .figures = true, .vector = VectorFormat::svg},
-        {.name = "pdf", .stills = true, .figures = true, .vector = VectorFormat::pdf},
+        {.name = "pdf",
+         .stills = true,
+         .figures = true,
+         .vector = VectorFormat::pdf,
+         .film = pdf_cost,
+         .in_one_piece = true,
+         .make_film = pdf_film},
         {.name = "png",
          .stills = true,
          .figures = true,
@@ -111,6 +124,12 @@ std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
 }
 
 std::vector<std::string> film_formats() { return names(&OutputFormat::film); }
+
+std::vector<std::string> chunk_formats() {
+    std::vector<std::string> found = film_formats();
+    std::erase_if(found, [](const std::string& name) { return output_format(name).in_one_piece; });
+    return found;
+}
 
 std::vector<std::string> still_formats() { return names(&OutputFormat::stills); }
 

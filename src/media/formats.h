@@ -46,7 +46,8 @@ struct OutputFormat {
     std::string no_transparency = {};     ///< why a film in it has none; empty: it can
     int most_frames_per_second = 0;       ///< 0: any number
     double large_bytes = 0.0;             ///< from which a film is large for it; 0: never
-    int previews = 0;  ///< frames of the whole film from which its colours are chosen
+    bool in_one_piece = false;  ///< a film in it is made by one process, and its cost is not told
+    int previews = 0;           ///< frames of the whole film from which its colours are chosen
     std::unique_ptr<FilmWriter> (*make_film)(const std::filesystem::path&, const VideoSettings&,
                                              int frames) = nullptr;
 };
@@ -65,8 +66,9 @@ const OutputFormat& format_of_film(const std::filesystem::path& path);
 std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
                                         const VideoSettings& settings, int frames);
 
-/// Names of those that can be films, stills or figures.
+/// Names of those that can be films, films in chunks, stills or figures.
 std::vector<std::string> film_formats();
+std::vector<std::string> chunk_formats();
 std::vector<std::string> still_formats();
 std::vector<std::string> figure_formats();
 

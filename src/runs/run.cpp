@@ -162,14 +162,37 @@ class Following {
     int pause_;
 };
 
-bool can_be_followed(const Simulation& simulation, const SampleTaker& take) {
+bool can_be_followed(const Simulation& simulation, const RunTakers& take) {
     constexpr Eigen::Index least = 1'000;  // below, looking at all takes no time
-    return !take && simulation.particles().count() >= least;
+    return !take.sample && !take.collisions && simulation.particles().count() >= least;
 }
+
+// How far a run goes in one step, so that of all its collisions few are in memory at a time.
+class StepLength {
+  public:
+    /// The end of the next step on the way to `time`.
+    double next(double now, double time) const {
+        if (span_ <= 0.0) return time;
+        return std::min(time, std::max(now + span_, std::nextafter(now, time)));
+    }
+
+    /// After a step of `length` with so many collisions. A gas at rest may begin to move.
+    void see(double length, std::size_t collisions) {
+        constexpr double aim = 4096.0, most_growth = 2.0;
+        const double per_time = static_cast<double>(collisions) / length;
+        const double wanted = per_time > 0.0 ? aim / per_time : most_growth * length;
+        span_ = std::min(wanted, most_growth * length);
+    }
+
+    void begin(double length) { span_ = length; }
+
+  private:
+    double span_ = 0.0;  ///< 0: as far as is asked for
+};
 
 class Course {
   public:
-    Course(StartedScene& started, const SampleTaker& take, const Stopwatch& watch,
+    Course(StartedScene& started, const Stopwatch& watch, const RunTakers& take,
            const RunCallbacks& on_progress)
         : run_(started.scene.run),
           simulation_(std::move(started.simulation)),
@@ -182,7 +205,11 @@ class Course {
           on_progress_(on_progress),
           watch_(watch) {
         advanced_.surfaces = simulation_.surfaces();
-        if (!take_) simulation_.forget_sample();
+        if (!take_.sample) simulation_.forget_sample();
+        if (take_.collisions) {
+            simulation_.record_collisions(true);
+            step_.begin(first_step * run_.until);
+        }
         seconds_.prepare = watch.wall();
         if (on_progress_.started) on_progress_.started();
     }
@@ -214,9 +241,11 @@ class Course {
     }
 
   private:
+    static constexpr double first_step = 1e-6;  // of the run, when nothing is known of its rate
+
     void see_sample() {
         const Stopwatch watch;
-        if (take_)
+        if (take_.sample)
             take_sample();
         else
             see_parts();
@@ -227,7 +256,7 @@ class Course {
     void take_sample() {
         const Sample& sample = simulation_.sample();
         statistics_.see(sample, advanced_);
-        take_(simulation_.particles(), sample, advanced_.surfaces);
+        take_.sample(simulation_.particles(), sample, advanced_.surfaces);
     }
 
     void see_parts() {
@@ -250,12 +279,23 @@ class Course {
         for (advances_ = 0; now_ < time; ++advances_) {
             throw_if_interrupted();
             const Stopwatch watch;
-            now_ = std::min(time, reversals_.next_time());
+            const double before = now_;
+            now_ = step_.next(before, std::min(time, reversals_.next_time()));
             advanced_ = simulation_.advance_to(now_, [this](double now) { reach(now); });
             seconds_.simulate += watch.wall();
             reach(now_);
+            if (take_.collisions) hand_on(now_ - before);
             if (now_ == reversals_.next_time()) reversals_.look(advanced_);
         }
+    }
+
+    // The collisions of a step of this length.
+    void hand_on(double length) {
+        const Stopwatch watch;
+        if (!advanced_.collisions.empty())
+            take_.collisions(simulation_.particles(), advanced_.collisions);
+        step_.see(length, advanced_.collisions.size());
+        seconds_.samples += watch.wall();
     }
 
     RunSeconds seconds_;
@@ -264,7 +304,8 @@ class Course {
     RunStatistics statistics_;
     ReversalWatch reversals_;
     SurfaceWatch surfaces_;
-    const SampleTaker& take_;
+    StepLength step_;
+    const RunTakers& take_;
     Following following_;
     const RunCallbacks& on_progress_;
     const Stopwatch& watch_;
@@ -277,13 +318,12 @@ class Course {
 
 std::int64_t events_of(const CollisionCounts& counts) { return counts.particle + counts.wall; }
 
-RunReport run_physics(const Scene& scene, const SampleTaker& take,
-                      const RunCallbacks& on_progress) {
+RunReport run_physics(const Scene& scene, const RunTakers& take, const RunCallbacks& on_progress) {
     const Stopwatch watch;
     StartedScene started = start_scene(scene, on_progress.start);
     RunReport report;
     with_places_of_errors(started.scene,
-                          [&] { report = Course(started, take, watch, on_progress).run(); });
+                          [&] { report = Course(started, watch, take, on_progress).run(); });
     return report;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,16 @@ std::int64_t events_of(const CollisionCounts& counts);
 using SampleTaker =
     std::function<void(const Particles&, const Sample&, const std::vector<SurfaceState>& surfaces)>;
 
+/// Takes collisions in the order in which they happened, some thousand at a time; they are valid
+/// during the call only. A sample comes after all that happened up to its time.
+using CollisionTaker = std::function<void(const Particles&, std::span<const Collision>)>;
+
+/// What takes the results of a run as they come; either may be empty.
+struct RunTakers {
+    SampleTaker sample = {};
+    CollisionTaker collisions = {};
+};
+
 /// Called with the progress of a run; any may be empty.
 struct RunCallbacks {
     TrialCallback start = {};            ///< of the trials of the precision and the equilibration
@@ -72,8 +83,8 @@ struct RunCallbacks {
 
 /// Runs `scene` from time 0 to its end with a sample at every multiple of `run.sample_every` and at
 /// the end. Throws SceneError (the gas cannot be placed), Interrupted, and what `take` and the
-/// callbacks throw. May be called from several threads.
-RunReport run_physics(const Scene& scene, const SampleTaker& take = {},
+/// callbacks throw. May be called from several threads. What is taken changes nothing in the run.
+RunReport run_physics(const Scene& scene, const RunTakers& take = {},
                       const RunCallbacks& on_progress = {});
 
 }  // namespace carom

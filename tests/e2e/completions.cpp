@@ -75,7 +75,7 @@ void check_words(const Complete& complete) {
     CHECK(holds(complete("carom "), {"render", "still", "help", "completions"}));
     // fish 4 adds words that have the letters with others between them, as --from for --fo.
     CHECK(complete("carom render --for") == Words{"--force", "--format"});
-    CHECK(complete("carom render --format ") == Words{"gif", "mp4", "png", "webm"});
+    CHECK(complete("carom render --format ") == Words{"gif", "mp4", "pdf", "png", "webm"});
     CHECK(complete("carom render --quality ") == Words{"draft", "final", "standard"});
     CHECK(complete("carom still a.yaml --theme ") == Words{"dark", "light", "print"});
     CHECK(holds(complete("carom still --template "), {"lecture", "portrait"}));

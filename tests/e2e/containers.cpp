@@ -169,9 +169,10 @@ TEST_CASE("an ending that is none of a film is refused with those that are") {
     const TemporaryFolder folder;
     const Outcome outcome = render_small(folder.path(), "film.avi");
     CHECK(outcome.exit_code == 2);
-    CHECK(outcome.err ==
-          "carom: -o film.avi: a film ends in .mp4, .webm or .gif; a folder of PNG frames ends in "
-          "a slash\n");
+    CHECK(
+        outcome.err ==
+        "carom: -o film.avi: a film ends in .mp4, .webm, .gif or .pdf; a folder of PNG frames ends "
+        "in a slash\n");
     CHECK(folder.names().empty());
 }
 

@@ -171,7 +171,7 @@ TEST_CASE("a folder is for one scene, and a figure must be there to be chosen") 
     CHECK(figures(folder, {"scene.yaml", "-o", "f", "--formats", "svg"}).exit_code == 0);
     const Outcome shared = figures(folder, {"two.yaml", "-o", "f"});
     CHECK(shared.exit_code == 2);
-    CHECK(has(shared.err, "f: this folder holds the figures of scene.yaml"));
+    CHECK(has(shared.err, "f: this folder holds what was made of scene.yaml"));
     CHECK(has(figures(folder, {"scene.yaml", "other/scene.yaml"}).err,
               "the figures of two scenes would go into out/scene"));
     CHECK(figures(folder, {"scene.yaml", "two.yaml", "-o", "g", "--formats", "svg"}).exit_code ==

@@ -33,7 +33,7 @@ TEST_CASE("mandoc and groff find nothing wrong with the man pages") {
         CHECK(complaints(entry.path()) == "");
         ++pages;
     }
-    CHECK(pages == 13);
+    CHECK(pages == 14);
     const Outcome broken = run({"mandoc", "-T", "lint", "-W", "warning",
                                 folder.write("broken.1", ".TH X 1\n.SH NAME\n.XX\n").string()});
     CHECK(broken.exit_code != 0);
@@ -45,7 +45,7 @@ TEST_CASE("man shows each option with its meaning") {
     const Outcome shown = shell(
         "MANPATH=$PWD/man MANWIDTH=100 LC_ALL=C.UTF-8 man carom-render | col -b", folder.path());
     for (const std::string part :
-         {"carom render SCENE... [options]", "-o, --output FILM", "--format mp4|webm|gif|png",
+         {"carom render SCENE... [options]", "-o, --output FILM", "--format mp4|webm|gif|pdf|png",
           "carom render scenes/one-hot-particle.yaml", "set a value of the scene"}) {
         CAPTURE(part);
         CHECK(has(shown.out, part));

@@ -43,8 +43,10 @@ class Machine {
         folder_.write("installed", "");
         folder_.write("calls", "");
         if (!system.empty()) folder_.write("os-release", system);
-        for (const std::string tool : {"awk", "bash", "cat", "dirname", "env", "grep", "mkdir",
-                                       "readlink", "tail", "touch"}) {
+        for (const std::string file : {"tests/npm/package.json", "tests/npm/package-lock.json"})
+            folder_.write(file, contents(root / file));
+        for (const std::string tool : {"awk", "basename", "bash", "cat", "cp", "dirname", "env",
+                                       "grep", "mkdir", "readlink", "tail", "touch"}) {
             const Outcome found = shell("command -v " + tool);
             REQUIRE(found.exit_code == 0);
             fs::create_directories(folder_.path() / "bin");
@@ -277,12 +279,27 @@ TEST_CASE("of the table of dependencies each system gets its own column") {
         const Machine machine(bookworm, contents(root / "dependencies.txt"));
         machine.add_manager(managers[column]);
         machine.add_sudo();
+        machine.add("npm", "echo npm \"$@\" >>../../calls");  // it works in build/npm
         CHECK(machine.dev("setup full").exit_code == 0);
         std::string calls;
         for (const Cells& roles : {Cells{"build", "run", "test"}, Cells{"lint", "full"}}) {
             if (column == debian) calls += "sudo apt-get update -qq\n";
             calls += prefix[column] + names(column, roles) + "\n";
         }
+        calls += "npm ci --ignore-scripts --no-audit --no-fund\n";
+        CHECK(machine.calls() == calls);
+        CHECK(machine.dev("setup full").exit_code == 0);
         CHECK(machine.calls() == calls);
     }
+}
+
+TEST_CASE(
+    "where npm is not there, it is installed first, and its registry is no part of the list") {
+    const Machine machine(bookworm, contents(root / "dependencies.txt"));
+    machine.add_manager("apt-get");
+    machine.add_sudo();
+    CHECK(machine.dev("setup full").exit_code != 0);  // as the package does nothing here
+    CHECK(has(machine.calls(),
+              "install -y -qq --no-install-recommends" + names(debian, {"npm"}) + "\n"));
+    CHECK_FALSE(has(contents(root / "tests/npm/package-lock.json"), "resolved"));
 }

@@ -3,6 +3,7 @@
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
 #include "app/report/check_facts.h"
+#include "app/resources.h"
 #include "fuzz/fuzz.h"
 
 using namespace carom;

@@ -192,7 +192,7 @@ Command check_command() {
                &its.measures},
               {"--accessible", "refuse what keeps some viewers from the film (WCAG 2.1, level AA)",
                &its.accessible},
-              {"--format", "the cost of this format only", &its.format, film_formats()}},
+              {"--format", "the cost of this format only", &its.format, chunk_formats()}},
              scene_options(its),
              {limits_option(its)},
              picture_options(its),

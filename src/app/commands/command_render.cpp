@@ -13,8 +13,10 @@
 
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
+#include "app/commands/render_words.h"
 #include "app/cost/film_cost.h"
 #include "app/cost/film_shape.h"
+#include "app/depfile.h"
 #include "app/film/film_chunks.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
@@ -22,6 +24,7 @@
 #include "app/film/letters.h"
 #include "app/film/render.h"
 #include "app/output.h"
+#include "app/pages/film_page.h"
 #include "app/resources.h"
 #include "app/scratch_folder.h"
 #include "media/formats.h"
@@ -43,16 +46,33 @@ struct RenderArguments : SceneOptions {
     FilmDestination destination;
     FilmOptions film;      ///< without the path
     std::string max_size;  // empty: any
+    std::string page;      // the kind of the page that the film goes into; empty: none
+    std::string depfile;
     bool join = false;
     int chunk = 0;  // of a plan; 0: all that are missing
     bool force = false, allow_mixed = false;
 };
 
+// Where the film of a scene goes, or the page that holds it.
+fs::path output_of(const RenderArguments& arguments, const std::string& scene) {
+    const FilmDestination& its = arguments.destination;
+    if (arguments.page.empty()) return film_path(its, scene);
+    if (Output::is_standard_output(its.output)) return its.output;
+    return output_path(its.output, its.several, scene, {"." + arguments.page});
+}
+
+// What tells the format of the film there.
+fs::path film_at(const RenderArguments& arguments, const fs::path& output) {
+    if (arguments.page.empty()) return output;
+    const std::string& format = arguments.destination.format;
+    return "film." + (format.empty() ? "mp4" : format);
+}
+
 std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
     std::vector<fs::path> outputs;
     if (arguments.join) return {film_path(arguments.destination, arguments.scenes.front())};
     for (const std::string& scene : arguments.scenes) {
-        const fs::path path = film_path(arguments.destination, scene);
+        const fs::path path = output_of(arguments, scene);
         if (std::ranges::find(outputs, path) != outputs.end())
             throw UsageError(
                 fmt::format("two scenes would be written to {}; render them one by one with -o",
@@ -60,27 +80,6 @@ std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
         outputs.push_back(path);
     }
     return outputs;
-}
-
-std::string timings(const RenderReport& report) {
-    std::string text;
-    const auto row = [&](const char* stage, double seconds, const std::string& rate) {
-        text += fmt::format("  {:<10} {:>8.2f} s CPU   {}\n", stage, seconds, rate);
-    };
-    const auto events = static_cast<double>(events_of(report.collisions));
-    const double frames = report.frames;
-    row("simulate", report.simulate_seconds,
-        fmt::format("{:.3g} events/s in {}: {}",
-                    events * static_cast<double>(report.passes.size()) / report.simulate_seconds,
-                    counted(static_cast<int>(report.passes.size()), "run"),
-                    fmt::join(report.passes, "; ")));
-    row("draw", report.workers.draw,
-        fmt::format("{:.2f} ms a frame", 1e3 * report.workers.draw / frames));
-    row("encode", report.workers.encode,
-        fmt::format("{:.2f} ms a frame, conversion included",
-                    1e3 * report.workers.encode / frames));
-    return text + fmt::format("  {:<10} {:>8.2f} s       {:.1f} frames/s\n", "wall",
-                              report.wall_seconds, frames / report.wall_seconds);
 }
 
 // A scene to be rendered, and what a list of scenes says instead of it.
@@ -141,27 +140,57 @@ void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& sce
     if (arguments.is_classroom && seconds > most_classroom_seconds.value)
         throw UsageError(fmt::format("--join: the scenes together are a film of {:.6g} seconds; {}",
                                      seconds, to_text(most_classroom_seconds)));
-    if (format_of_film(film_path(arguments.destination, arguments.scenes.front())).previews > 0)
+    const OutputFormat& format =
+        format_of_film(film_path(arguments.destination, arguments.scenes.front()));
+    if (format.in_one_piece)
+        throw UsageError(
+            "--join: the pages of a PDF do not fade into one another; write a .mp4, a .webm or a "
+            "folder of frames");
+    if (format.previews > 0)
         throw UsageError(
             "--join: a GIF has its colours from one scene; write a .mp4, a .webm or a folder of "
             "frames");
 }
 
-std::string warning_of_cut_words(const RenderReport& report) {
-    if (report.cut.empty()) return "";
-    return fmt::format("carom: no room for all of {}; write less, or choose another template\n",
-                       printable(listed(report.cut)));
+// What does not go with a page, or with pages of a PDF.
+void refuse_page_options(const RenderArguments& arguments, const OutputFormat& format) {
+    if (!arguments.max_size.empty() && format.in_one_piece)
+        throw UsageError("--max-size: the pages of a PDF have no pixels, and no size is foreseen");
+    if (arguments.page.empty()) return;
+    if (arguments.join)
+        throw UsageError("--page: a page shows the film of one scene; leave --join out");
+    if (arguments.film.text)
+        throw UsageError("--page: the page holds the words of the film; leave --words out");
+    if (format.name != "mp4" && format.name != "webm")
+        throw UsageError(
+            fmt::format("--page: browsers play MP4 and WebM, and not {}; give "
+                        "--format mp4 or webm",
+                        upper_case(format.name)));
 }
 
-// What pages and mail take without trouble is soon passed by a format that holds every change of
-// every pixel.
-std::string warning(const OutputFormat& format, const RenderReport& report) {
-    const auto bytes = static_cast<double>(report.bytes);
-    if (format.large_bytes == 0.0 || bytes < format.large_bytes) return "";
-    return fmt::format(
-        "carom: {:.0f} MB is large for a {}; a smaller --size or --fps makes it "
-        "smaller, and a .webm takes a third of it\n",
-        1e-6 * bytes, upper_case(format.name));
+// What each film was made from, of which one may be made from several scenes.
+std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::path>& outputs,
+                       const std::vector<ListedScene>& listed_scenes,
+                       const std::vector<Scene>& scenes) {
+    if (arguments.depfile.empty()) return "";
+    if (Output::is_standard_output(arguments.destination.output))
+        throw UsageError(
+            "--depfile: the film has no file that a rule could be about; name one "
+            "with -o");
+    std::string text;
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        for (const std::string& file : files_of(scenes[i]))
+            if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+        if (arguments.join && i + 1 < scenes.size()) continue;
+        if (arguments.join && listed_scenes.front().name != arguments.scenes.front())
+            files.push_back(arguments.scenes.front());  // the set
+        std::string made = outputs[arguments.join ? 0 : i].string();
+        if (made.ends_with('/')) made.pop_back();
+        text += depfile_rule(std::vector{made}, files);
+        files.clear();
+    }
+    return text;
 }
 
 // Bytes that a film may have.
@@ -185,7 +214,7 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
         text += fmt::format("  {} by {}, {} frames a second, for --max-size {}\n",
                             scene.film.size.width, scene.film.size.height, scene.film.fps,
                             arguments.max_size);
-    if (arguments.timings) text += timings(report);
+    if (arguments.timings) text += timings_of(report);
     if (streamed) return say(text);
     fmt::print("{}", text);
 }
@@ -242,7 +271,7 @@ void render_film(const RenderArguments& arguments, const std::string& name,
                  const JoinedTitle& title = {}) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     FilmOptions options = arguments.film;
-    options.output = output;
+    options.output = film_at(arguments, output);
     options.threads = threads_of(arguments);
     const double most = most_bytes(arguments);
     std::vector<Scene> scenes = asked;
@@ -250,16 +279,20 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     // What was measured on a few frames may be a little less than the whole film.
     for (double aim = most;; aim *= 0.9) {
         if (std::isfinite(most)) scenes = fitted(arguments, asked, aim, options, progress);
-        report = Output::is_standard_output(arguments.destination.output)
-                     ? render_to_stream(scenes, title, options, most, progress)
-                     : render_all(scenes, title, options, progress);
+        if (!arguments.page.empty())
+            report = render_page(scenes.front(), options, output.string(), most, progress);
+        else if (Output::is_standard_output(arguments.destination.output))
+            report = render_to_stream(scenes, title, options, most, progress);
+        else
+            report = render_all(scenes, title, options, progress);
         if (static_cast<double>(report.bytes) <= most) break;
+        if (!arguments.page.empty()) continue;  // it was not written
         std::error_code error;
         fs::remove_all(report.path, error);  // it does not stay where none fits
     }
     print_report(arguments, scenes.front(), report);
     if (!arguments.quiet)
-        say(warning(format_of_film(output), report) + warning_of_cut_words(report));
+        say(warnings_of(report, format_of_film(options.output), !arguments.page.empty()));
 }
 
 // What a plan has fixed already, or would be the same for all its chunks.
@@ -267,7 +300,8 @@ void refuse_film_options(const RenderArguments& arguments) {
     const bool changes =
         !arguments.destination.output.empty() || !arguments.destination.format.empty() ||
         arguments.film.from || arguments.film.to || arguments.film.text || arguments.join ||
-        !arguments.max_size.empty() || arguments.is_classroom || !overrides_of(arguments).empty();
+        !arguments.max_size.empty() || arguments.is_classroom || !overrides_of(arguments).empty() ||
+        !arguments.page.empty() || !arguments.depfile.empty();
     if (changes)
         throw UsageError(
             "the chunks of a plan are drawn as it says; give what changes the film to carom plan, "
@@ -297,6 +331,22 @@ void render_chunks(const RenderArguments& arguments) {
     }
 }
 
+void render_loaded(const RenderArguments& arguments, const std::vector<Scene>& scenes,
+                   const std::vector<fs::path>& outputs, const JoinedTitle& title) {
+    if (arguments.join)
+        return render_film(arguments, arguments.scenes.front(), scenes, outputs.front(), title);
+    std::size_t rendered = 0;
+    try {
+        for (; rendered < scenes.size(); ++rendered)
+            render_film(arguments, arguments.scenes[rendered], {scenes[rendered]},
+                        outputs[rendered]);
+    } catch (const Interrupted&) {
+        if (rendered == 0) throw;
+        throw Interrupted(fmt::format("{} of {} films {} written", rendered, scenes.size(),
+                                      rendered == 1 ? "is" : "are"));
+    }
+}
+
 void render_scenes(RenderArguments& arguments) {
     if (std::ranges::any_of(arguments.scenes, is_plan)) return render_chunks(arguments);
     if (arguments.chunk > 0 || arguments.force || arguments.allow_mixed)
@@ -320,29 +370,26 @@ void render_scenes(RenderArguments& arguments) {
         require_letters(title.title + title.words, arguments.scenes.front());
         listed_scenes = scenes_of(set);
     }
+    refuse_page_options(arguments, format_of_film(film_at(arguments, outputs.front())));
     const std::vector<Scene> scenes = load_all(arguments, listed_scenes);
     if (arguments.join) refuse_join(arguments, scenes);
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-        refuse_unfit(scenes[i], arguments.film, format_of_film(outputs[arguments.join ? 0 : i]));
-    }
-    if (arguments.join)
-        return render_film(arguments, arguments.scenes.front(), scenes, outputs.front(), title);
-    std::size_t rendered = 0;
-    try {
-        for (; rendered < scenes.size(); ++rendered)
-            render_film(arguments, arguments.scenes[rendered], {scenes[rendered]},
-                        outputs[rendered]);
-    } catch (const Interrupted&) {
-        if (rendered == 0) throw;
-        throw Interrupted(fmt::format("{} of {} films {} written", rendered, scenes.size(),
-                                      rendered == 1 ? "is" : "are"));
-    }
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        refuse_unfit(scenes[i], arguments.film,
+                     format_of_film(film_at(arguments, outputs[arguments.join ? 0 : i])));
+    const std::string made_from = depfile_of(arguments, outputs, listed_scenes, scenes);
+    std::optional<Output> depfile;  // before the work
+    if (!arguments.depfile.empty()) depfile.emplace(arguments.depfile);
+    render_loaded(arguments, scenes, outputs, title);
+    if (!depfile) return;
+    depfile->write(made_from);
+    depfile->commit();
 }
 
 CommandText render_text() {
     return {{"carom render SCENE... [options]", "carom render PLAN/ [--chunk K] [options]"},
-            "Simulates the gas of each scene and writes a film of it: MP4, WebM, GIF, or single "
-            "frames as PNG. All scenes are read and checked before the first film begins. The same "
+            "Simulates the gas of each scene and writes a film of it: MP4, WebM, GIF, a PDF "
+            "with a page for each frame, or single frames as PNG. All scenes are read and checked "
+            "before the first film begins. The same "
             "scene and seed give the same film, byte for byte, on any number of cores.\n\nOf a "
             "plan that carom plan has made, it draws and encodes the chunks that are missing.",
             {{"carom render scenes/one-hot-particle.yaml", "writes out/one-hot-particle.mp4"},
@@ -363,15 +410,20 @@ Command render_command() {
         joined<Option>(
             {{{"scenes", "scene files, - for standard input; or the folder of a plan", &its.scenes},
               {"-o,--output FILM",
-               "the film (.mp4, .webm or .gif; - for standard output), an existing folder for "
-               "it, or a new folder with a slash for its frames as PNG (frames/); default: "
+               "the film (.mp4, .webm, .gif, or .pdf with a page for each frame; - for standard "
+               "output), an existing folder for it, or a new folder with a slash for its frames as "
+               "PNG (frames/); default: "
                "out/SCENE.mp4",
                &its.destination.output},
-              {"--format", "mp4, webm, gif, or png for single frames", &its.destination.format,
+              {"--format", "mp4, webm, gif, pdf, or png for single frames", &its.destination.format,
                film_formats()},
               {"--words",
                "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
                &its.film.text},
+              {"--page",
+               "html: write a page that holds the film, with its chapters, transcript and scene",
+               &its.page,
+               {"html"}},
               {"--join",
                "one film of all scenes, or of those of a figure set, each fading into the next",
                &its.join}},
@@ -383,7 +435,8 @@ Command render_command() {
              {{"--max-size BYTES",
                "make the picture smaller, or the frames fewer, until the film takes at most so "
                "much: 5MB, 800kB",
-               &its.max_size}},
+               &its.max_size},
+              depfile_option(its.depfile)},
              work_options(its)}),
         [arguments] { render_scenes(*arguments); }, render_text()};
 }

@@ -1,18 +1,23 @@
 // carom run: the physics alone, its statistics and its samples.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "app/chunks/build_facts.h"
 #include "app/command.h"
+#include "app/depfile.h"
 #include "app/output.h"
+#include "app/report/collisions_csv.h"
 #include "app/report/run_facts.h"
 #include "app/report/samples_csv.h"
+#include "app/report/samples_xyz.h"
 #include "app/report/surfaces_csv.h"
 #include "app/resources.h"
 #include "app/simulate.h"
@@ -29,13 +34,19 @@ namespace fs = std::filesystem;
 
 struct RunArguments : SceneOptions {
     std::string scene;
-    std::string json, csv, surfaces;  // paths, or - for standard output; empty: none
-    int chunk = 0;                    // of a sweep; 0: all that are missing
+    // Paths, or - for standard output; empty: none.
+    std::string json, csv, surfaces, xyz, events, depfile;
+    int chunk = 0;  // of a sweep; 0: all that are missing
     bool force = false, allow_mixed = false;
 
     // By their options.
-    std::array<std::pair<const char*, std::string>, 3> outputs() const {
-        return {{{"--json", json}, {"--csv", csv}, {"--surfaces", surfaces}}};
+    std::array<std::pair<const char*, std::string>, 6> outputs() const {
+        return {{{"--json", json},
+                 {"--csv", csv},
+                 {"--surfaces", surfaces},
+                 {"--xyz", xyz},
+                 {"--events", events},
+                 {"--depfile", depfile}}};
     }
 };
 
@@ -101,16 +112,99 @@ void print(const RunArguments& arguments, const std::string& text) {
     Output("-").write(text);
 }
 
-// When the work is interrupted, a table that went to a stream is there as far as it came.
-template <typename Work>
-auto reporting_incomplete(const std::optional<Output>& stream, const Work& work) {
-    try {
-        return work();
-    } catch (const Interrupted&) {
-        const std::string left = stream ? stream->left_behind() : "";
-        if (left.empty()) throw;
-        throw Interrupted(left);
+// What goes to an output, where it was asked for.
+template <typename Table>
+struct TableOutput {
+    std::optional<Output> output;
+    std::optional<Table> table;
+
+    // Before the work: it may not be allowed to write it.
+    template <typename Subject>
+    TableOutput(const std::string& path, const Subject& subject) {
+        if (!path.empty()) table.emplace(subject, output.emplace(path));
     }
+};
+
+// The outputs of a run, which appear together or not at all.
+class RunOutputs {
+  public:
+    RunOutputs(const RunArguments& arguments, const Gas& gas)
+        : samples_(arguments.csv, gas),
+          surfaces_(arguments.surfaces, gas.box),
+          trajectory_(arguments.xyz, gas),
+          collisions_(arguments.events, gas.box) {
+        if (!arguments.json.empty()) json_.emplace(arguments.json);
+        if (!arguments.depfile.empty()) depfile_.emplace(arguments.depfile);
+    }
+
+    RunTakers takers() {
+        RunTakers take;
+        if (samples_.table || surfaces_.table || trajectory_.table)
+            take.sample = [this](const Particles& particles, const Sample& sample,
+                                 const std::vector<SurfaceState>& states) {
+                if (samples_.table) samples_.table->add(particles, sample);
+                if (surfaces_.table) surfaces_.table->add(sample.time, states);
+                if (trajectory_.table) trajectory_.table->add(particles, sample);
+            };
+        if (collisions_.table)
+            take.collisions = [this](const Particles& particles,
+                                     std::span<const Collision> collisions) {
+                collisions_.table->add(particles, collisions);
+            };
+        return take;
+    }
+
+    // Hands what the tables still hold to their outputs.
+    void finish() {
+        if (samples_.table) samples_.table->finish();
+        if (trajectory_.table) trajectory_.table->finish();
+        if (collisions_.table) collisions_.table->finish();
+    }
+
+    // When the work is interrupted, tables that went to streams are there as far as they came.
+    std::string left_behind() {
+        std::vector<std::string> left;
+        for (const std::optional<Output>* output : tables())
+            if (*output && !(*output)->left_behind().empty())
+                left.push_back((*output)->left_behind());
+        return fmt::format("{}", fmt::join(left, "; "));
+    }
+
+    void commit(const std::string& json, const std::string& depfile) {
+        if (json_) json_->write(json);
+        if (depfile_) depfile_->write(depfile);
+        std::vector<PendingOutput*> all;
+        std::vector<std::optional<Output>*> outputs = tables();
+        outputs.insert(outputs.end(), {&json_, &depfile_});
+        for (std::optional<Output>* const output : outputs)
+            if (*output) all.push_back(&**output);
+        commit_together(all);
+    }
+
+  private:
+    std::vector<std::optional<Output>*> tables() {
+        return {&samples_.output, &surfaces_.output, &trajectory_.output, &collisions_.output};
+    }
+
+    TableOutput<SamplesCsv> samples_;
+    TableOutput<SurfacesCsv> surfaces_;
+    TableOutput<SamplesXyz> trajectory_;
+    TableOutput<CollisionsCsv> collisions_;
+    std::optional<Output> json_, depfile_;
+};
+
+// What the files that a run writes are made from; empty where it is not asked for.
+std::string depfile_of(const RunArguments& arguments, const Scene& scene) {
+    if (arguments.depfile.empty()) return "";
+    std::vector<std::string> made;
+    for (const auto& [flag, path] : arguments.outputs())
+        if (!path.empty() && path != arguments.depfile && !Output::is_standard_output(path))
+            made.push_back(path);
+    if (made.empty())
+        throw UsageError(
+            "--depfile: this run writes no other file, and the rule would be about none; add "
+            "--csv FILE or another output");
+    return depfile_rule(made, files_of(scene));
 }
 
 // What says what a run is and where its results go; a plan has them.
@@ -159,37 +253,25 @@ void run_scene(const RunArguments& arguments) {
     const Scene scene = load_scene(arguments.scene, resources_of(arguments),
                                    overrides_of(arguments), Wanted::physics);
     refuse_no_surfaces(arguments, scene);
-    std::optional<Output> json, csv, surfaces;
-    std::optional<SamplesCsv> table;
-    std::optional<SurfacesCsv> surface_table;
-    if (!arguments.json.empty()) json.emplace(arguments.json);
-    if (!arguments.csv.empty()) table.emplace(scene.gas, csv.emplace(arguments.csv));
-    if (!arguments.surfaces.empty())
-        surface_table.emplace(scene.gas.box, surfaces.emplace(arguments.surfaces));
-    SampleTaker take;
-    if (table || surface_table)
-        take = [&](const Particles& particles, const Sample& sample,
-                   const std::vector<SurfaceState>& states) {
-            if (table) table->add(particles, sample);
-            if (surface_table) surface_table->add(sample.time, states);
-        };
+    const std::string depfile = depfile_of(arguments, scene);
+    RunOutputs outputs(arguments, scene.gas);
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
-    const RunReport report = reporting_incomplete(csv, [&] {
-        const RunReport whole = run_physics(scene, take, shown_run(scene, progress));
+    RunReport report;
+    try {
+        report = run_physics(scene, outputs.takers(), shown_run(scene, progress));
         progress.finish();
-        if (table) table->finish();
-        return whole;
-    });
-    if (json) json->write(run_json(scene, report));
-    std::vector<PendingOutput*> outputs;
-    for (std::optional<Output>* const output : {&csv, &surfaces, &json})
-        if (*output) outputs.push_back(&**output);
-    commit_together(outputs);
+        outputs.finish();
+    } catch (const Interrupted&) {
+        const std::string left = outputs.left_behind();
+        if (left.empty()) throw;
+        throw Interrupted(left);
+    }
+    outputs.commit(arguments.json.empty() ? "" : run_json(scene, report), depfile);
     print(arguments, report_text(arguments, scene, report));
 }
 
 CommandText run_text() {
-    return {{"carom run SCENE [--json FILE] [--csv FILE] [--surfaces FILE] [options]",
+    return {{"carom run SCENE [--json FILE] [--csv FILE] [--xyz FILE] [--events FILE] [options]",
              "carom run SWEEP/ [--chunk K] [options]"},
             "Simulates without drawing, and prints a summary: collisions, energy, momentum, "
             "temperature, pressure, and how exact the run was. Samples are taken at time 0, at "
@@ -218,7 +300,14 @@ Command run_command() {
                "what walls, partitions and obstacles have done, a row for each sample and surface; "
                "- "
                "for standard output",
-               &its.surfaces}},
+               &its.surfaces},
+              {"--xyz FILE",
+               "all samples as a trajectory in the extended XYZ format, for OVITO and ASE; - for "
+               "standard output",
+               &its.xyz},
+              {"--events FILE", "every collision as CSV, a row for each; - for standard output",
+               &its.events},
+              depfile_option(its.depfile)},
              chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
              {limits_option(its)},

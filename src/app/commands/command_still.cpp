@@ -5,8 +5,10 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/command.h"
+#include "app/depfile.h"
 #include "app/film/letters.h"
 #include "app/film/render.h"
 #include "app/means.h"
@@ -22,7 +24,7 @@ namespace {
 
 struct StillArguments : SceneOptions {
     std::string scene;
-    std::string output, format;
+    std::string output, format, depfile;
     double at = 0.0;
     bool is_quick = false;
 };
@@ -50,6 +52,14 @@ void make_still(const StillArguments& arguments) {
         throw UsageError(
             fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));
     const std::filesystem::path output = still_path(arguments);
+    std::optional<Output> depfile;
+    if (!arguments.depfile.empty()) {
+        if (Output::is_standard_output(arguments.output))
+            throw UsageError(
+                "--depfile: the picture has no file that a rule could be about; name one with -o");
+        depfile.emplace(arguments.depfile)
+            .write(depfile_rule(std::vector{output.string()}, files_of(scene)));
+    }
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     const OutputFormat& format = output_format(output.extension().string().substr(1));
     std::optional<Output> stream;  // before the work
@@ -59,6 +69,7 @@ void make_still(const StillArguments& arguments) {
     const std::vector<std::uint8_t> bytes = picture.file();
     if (stream) return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     write_file(output, bytes);
+    if (depfile) depfile->commit();
     if (!arguments.quiet) fmt::print("{}\n", printable(output.string()));
 }
 
@@ -90,7 +101,8 @@ Command still_command() {
                               "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
                               "default: out/SCENE.png",
                               &its.output},
-                             {"--format", "png, svg or pdf", &its.format, still_formats()}},
+                             {"--format", "png, svg or pdf", &its.format, still_formats()},
+                             depfile_option(its.depfile)},
                             scene_options(its),
                             {limits_option(its)},
                             picture_options(its)}),

@@ -71,7 +71,7 @@ std::vector<Option> film_plan_options(SceneOptions& options, FilmPlanArguments& 
         {{{"--chunk-seconds S", "of films: as many chunks as take so long each, on one core",
            &arguments.chunk_seconds},
           {"--format", "of films: mp4, webm, gif, or png for single frames", &arguments.format,
-           film_formats()}},
+           chunk_formats()}},
          picture_options(options),
          film_options(options, arguments.film)});
 }

@@ -65,21 +65,22 @@ std::optional<Manifest> read_manifest(std::string_view text) {
 
 }  // namespace
 
-FigureFolder::FigureFolder(fs::path path, std::string of) : path_(std::move(path)) {
+FigureFolder::FigureFolder(fs::path path, std::string of, std::string manifest)
+    : path_(std::move(path)), manifest_name_(std::move(manifest)) {
     manifest_.of = of;
-    const fs::path file = path_ / manifest_name;
+    const fs::path file = path_ / manifest_name_;
     if (!is_there(file)) return;
     saved_ = read_file(file, most_manifest_bytes);
     auto known = read_manifest(saved_);
     if (!known)
         throw UsageError(
-            fmt::format("{}: this file is not the list that carom keeps of the figures in a "
-                        "folder; choose another folder, or move the file away",
+            fmt::format("{}: this file is not the list that carom keeps of what it wrote "
+                        "into a folder; choose another folder, or move the file away",
                         file.string()));
     if (known->of != of)
         throw UsageError(
-            fmt::format("{}: this folder holds the figures of {}; choose another one "
-                        "for those of {}",
+            fmt::format("{}: this folder holds what was made of {}; choose another one "
+                        "for {}",
                         path_.string(), known->of, of));
     manifest_ = std::move(*known);
 }
@@ -138,6 +139,7 @@ void FigureFolder::take_in(const fs::path& from, const std::string& file, const 
     announce(file, figure, content);
     save();
     std::error_code error;
+    fs::create_directories((path_ / file).parent_path(), error);
     fs::rename(from / file, path_ / file, error);
     if (error)
         throw_system_error(
@@ -150,10 +152,29 @@ void FigureFolder::remember(const std::string& figure, WrittenWords words) {
     manifest_.figures[figure] = std::move(words);
 }
 
+std::vector<std::string> FigureFolder::remove_all_but(const std::set<std::string>& kept,
+                                                      std::vector<std::string>& removed) {
+    std::vector<std::string> left;
+    const fs::path whole = fs::weakly_canonical(path_);
+    std::erase_if(manifest_.files, [&](const auto& known) {
+        const auto& [file, written] = known;
+        if (kept.contains(file)) return false;
+        if (!is_there(path_ / file)) return true;
+        // What the manifest says may be a stranger's.
+        const fs::path inside = fs::weakly_canonical(path_ / file).lexically_relative(whole);
+        std::error_code error;
+        const bool is_own = !inside.empty() && *inside.begin() != ".." &&
+                            fingerprint_of_file(path_ / file) == written.content;
+        (is_own && fs::remove(path_ / file, error) ? removed : left).push_back(file);
+        return true;
+    });
+    return left;
+}
+
 void FigureFolder::save() {
     std::string text = manifest_json(manifest_);
     if (text == saved_) return;
-    write_file(path_ / manifest_name, text);
+    write_file(path_ / manifest_name_, text);
     saved_ = std::move(text);
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,11 +44,10 @@ struct Manifest {
 
 class FigureFolder {
   public:
-    static constexpr std::string_view manifest_name = "figures.json";
-
-    /// Reads what is known of the folder, which need not exist. Throws UsageError when it holds
-    /// the figures of another scene or set, or a figures.json that is not carom's.
-    FigureFolder(std::filesystem::path path, std::string of);
+    /// Reads what is known of the folder, which need not exist, from the file `manifest` in it.
+    /// Throws UsageError when it holds what was made of another scene, set or folder, or when that
+    /// file is not carom's.
+    FigureFolder(std::filesystem::path path, std::string of, std::string manifest = "figures.json");
 
     const Manifest& manifest() const { return manifest_; }
 
@@ -67,6 +67,12 @@ class FigureFolder {
 
     void remember(const std::string& figure, WrittenWords words);
 
+    /// Removes the files that carom wrote and that are not among `kept`, and tells them. Gives
+    /// those that others have changed, or that lie outside of the folder: they are left, and no
+    /// longer known.
+    std::vector<std::string> remove_all_but(const std::set<std::string>& kept,
+                                            std::vector<std::string>& removed);
+
     /// Writes figures.json, if it says anything new.
     void save();
 
@@ -74,6 +80,7 @@ class FigureFolder {
     void announce(const std::string& file, const std::string& figure, const std::string& content);
 
     std::filesystem::path path_;
+    std::string manifest_name_;
     std::string saved_;
     Manifest manifest_;
 };

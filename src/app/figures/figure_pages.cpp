@@ -48,7 +48,7 @@ std::string picture_of(Files files, PageKind kind) {
 
 std::string inlined(const fs::path& picture) {
     const std::string type = picture.extension() == ".svg" ? "image/svg+xml" : "image/png";
-    return "data:" + type + ";base64," + base64(read_file(picture, most_picture_bytes));
+    return data_address(type, read_file(picture, most_picture_bytes));
 }
 
 PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, PageKind kind) {
@@ -71,7 +71,7 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
     fields.files = {{"picture", picture}, {"csv", file_of(figure.files, "csv")}};
     for (const std::string& format : figure_formats())
         fields.files[format] = file_of(figure.files, format);
-    if (kind == PageKind::html) fields.files["inline"] = inlined(set.folder / picture);
+    if (kind == PageKind::html) fields.inlined["inline"] = inlined(set.folder / picture);
     return fields;
 }
 

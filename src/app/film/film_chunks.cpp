@@ -345,7 +345,7 @@ RenderReport join_film(const PlanFolder& folder, const JoinOptions& asked, Progr
 std::string format_of_plan(const PlanFolder& folder) {
     auto format = folder.read_contents(
         [](const Json& contents) { return contents.at("film").at("format").get<std::string>(); });
-    const std::vector<std::string> formats = film_formats();
+    const std::vector<std::string> formats = chunk_formats();
     if (std::ranges::find(formats, format) == formats.end())
         throw UsageError(fmt::format("{}: no film has the format of this plan; plan again",
                                      folder.path().string()));

@@ -19,9 +19,13 @@ Quality quality_of(const std::string& name) {
 }  // namespace
 
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film) {
-    return {{"--from T", "simulated time at which the film begins", &film.from},
-            {"--to T", "simulated time at which the film ends", &film.to},
-            shortcut(options, "--fps N", "film.fps", "frames per second"),
+    return joined<Option>({{{"--from T", "simulated time at which the film begins", &film.from},
+                            {"--to T", "simulated time at which the film ends", &film.to}},
+                           film_shape_options(options, film)});
+}
+
+std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film) {
+    return {shortcut(options, "--fps N", "film.fps", "frames per second"),
             shortcut(options, "--seconds S", "film.seconds", "length of the film"),
             {"--quality",
              "draft, standard or final",

@@ -14,6 +14,9 @@ namespace carom {
 /// --from, --to, --fps, --seconds and --quality.
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film);
 
+/// The last three of these.
+std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film);
+
 /// Throws UsageError where --from and --to are not times of a scene, in order.
 void refuse_span(const FilmOptions& film, const Scene& scene);
 

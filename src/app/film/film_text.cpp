@@ -218,26 +218,39 @@ std::string description_of(const Moment& moment, const Scene& scene, const Frame
     return text + numbers_of(moment, scene);
 }
 
-std::string transcript_of(const Scene& scene, const std::vector<Moment>& moments,
-                          const FrameSpan& span, std::optional<double> joined_at) {
-    const double before = joined_at.value_or(0.0);
-    const double length = static_cast<double>(span.frames()) / scene.film.fps;
-    std::string text = scene.title + "\n";
-    if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
-    const Language language = scene.film.language;
-    const std::string span_text =
-        joined_at ? say(language, "From {} to {}.", clock_text(before), clock_text(before + length))
-                  : say(language, "A silent film of {}.", clock_text(length));
-    text += fmt::format("\n{}\n\n{}\n{}\n", span_text, sentence(scene.description),
-                        picture_text(scene));
+// What happens at each moment; a film that is part of another begins at `before` seconds of that.
+std::vector<Cue> passages_of(const Scene& scene, const std::vector<Moment>& moments,
+                             const FrameSpan& span, double before) {
+    std::vector<Cue> passages;
     for (const Moment& moment : moments) {
-        text += fmt::format("\n{}  ", clock_text(before + seconds_at(moment.frame, scene, span)));
-        text += happening(scene.film.language, moment);
+        const double start = before + seconds_at(moment.frame, scene, span);
+        std::string text = happening(scene.film.language, moment);
         if (!moment.caption.empty()) text += say(scene.film.language, "“{}”", moment.caption) + " ";
         if (moment.end_card.empty()) text += numbers_of(moment, scene);
         while (text.ends_with(' ')) text.pop_back();
-        text += "\n";
+        passages.push_back({start, start, text});
     }
+    return passages;
+}
+
+// "A silent film of 0:30.", or its place in another.
+std::string length_text(const Scene& scene, const FrameSpan& span,
+                        std::optional<double> joined_at) {
+    const double before = joined_at.value_or(0.0);
+    const double length = static_cast<double>(span.frames()) / scene.film.fps;
+    const Language language = scene.film.language;
+    if (!joined_at) return say(language, "A silent film of {}.", clock_text(length));
+    return say(language, "From {} to {}.", clock_text(before), clock_text(before + length));
+}
+
+std::string transcript_of(const Scene& scene, const std::string& length,
+                          const std::vector<Cue>& passages) {
+    std::string text = scene.title + "\n";
+    if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
+    text +=
+        fmt::format("\n{}\n\n{}\n{}\n", length, sentence(scene.description), picture_text(scene));
+    for (const Cue& passage : passages)
+        text += fmt::format("\n{}  {}\n", clock_text(passage.start), passage.words);
     return text;
 }
 
@@ -336,8 +349,15 @@ FilmText FilmTextMaker::text() const {
             cue.start += before;
             cue.end += before;
         }
-    return {captions.empty() ? "" : webvtt(captions), webvtt(chapters), webvtt(descriptions),
-            transcript_of(scene_, moments_, span_, joined_at_)};
+    const std::string length = length_text(scene_, span_, joined_at_);
+    std::vector<Cue> passages = passages_of(scene_, moments_, span_, before);
+    return {captions.empty() ? "" : webvtt(captions),
+            webvtt(chapters),
+            webvtt(descriptions),
+            transcript_of(scene_, length, passages),
+            chapters,
+            length + " " + picture_text(scene_),
+            passages};
 }
 
 bool has_captions(const Scene& scene) {

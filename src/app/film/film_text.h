@@ -22,6 +22,11 @@ namespace carom {
 struct Cue {
     double start = 0.0, end = 0.0;
     std::string words;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(start, end, words);
+    }
 };
 
 /// A file of timed words (WebVTT, W3C, https://www.w3.org/TR/webvtt1/). Cues without words or
@@ -35,9 +40,14 @@ struct FilmText {
     std::string descriptions;  ///< what is seen, and how the numbers stand when a chapter begins
     std::string transcript;    ///< all of these as plain text
 
+    // The same in parts, for pages.
+    std::vector<Cue> chapter_list = {};
+    std::string about = {};          ///< what the film is and what is seen in it
+    std::vector<Cue> passages = {};  ///< what happens, and how the numbers stand then
+
     template <class Archive>
     void archive(Archive& archive) {
-        archive(captions, chapters, descriptions, transcript);
+        archive(captions, chapters, descriptions, transcript, chapter_list, about, passages);
     }
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/means.h"
 #include "app/simulate.h"
+#include "draw/pages/pages.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
@@ -32,6 +33,23 @@ Canvas blank_still(const Scene& scene, double time, const OutputFormat& format) 
                   {scene.title, say(scene.film.language, "The frame at time {}. {}",
                                     localised(scene.film.language, fmt::format("{:.4g}", time)),
                                     scene.description)});
+}
+
+// Each frame as a page, one after the other.
+template <typename Play>
+WorkerSeconds draw_pages(const PanelSet& panels, const Play& play, Canvas& document,
+                         Progress& progress) {
+    WorkerSeconds seconds;
+    FramePainter painter(panels);
+    play([&](const FrameData& frame) {
+        throw_if_interrupted();
+        const Stopwatch watch;
+        painter.paint_on(document, frame);
+        end_page(document);
+        seconds.draw += watch.cpu();
+        progress.advance();
+    });
+    return seconds;
 }
 
 RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWriter& writer,
@@ -122,15 +140,23 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
                  RenderReport& report) {
     const std::unique_ptr<PanelSet> panels = plan.panels();
     progress.begin("rendering", static_cast<double>(plan.frames()));
-    SegmentWorkers workers(*panels, plan.segments, threads, writer, progress);
     CollisionCounts collisions;
-    plan.run.play(plan.frames_to_play(),
-                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                      collisions = advanced.counts;
-                      FrameData frame = panels->frame_data(tick, sample, advanced);
-                      if (tick.frame >= plan.span.first) workers.frame(std::move(frame));
-                  });
-    const WorkerSeconds seconds = workers.finish();
+    const auto play = [&](const auto& take) {
+        plan.run.play(plan.frames_to_play(),
+                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                          collisions = advanced.counts;
+                          FrameData frame = panels->frame_data(tick, sample, advanced);
+                          if (tick.frame >= plan.span.first) take(std::move(frame));
+                      });
+    };
+    WorkerSeconds seconds;
+    if (writer.document() != nullptr) {
+        seconds = draw_pages(*panels, play, *writer.document(), progress);
+    } else {
+        SegmentWorkers workers(*panels, plan.segments, threads, writer, progress);
+        play([&](FrameData frame) { workers.frame(std::move(frame)); });
+        seconds = workers.finish();
+    }
     const std::vector<std::string> cut = FramePainter(*panels).cut_words();
     report.cut.insert(report.cut.end(), cut.begin(), cut.end());
     progress.finish();

@@ -85,7 +85,8 @@ class Values {
     CompletedValue by_name(const std::string& name) const {
         CompletedValue value{name};
         if (name == "SCENE") value.files = CompletedFiles::scenes;
-        if (name == "PLAN" || name == "FOLDER") value.files = CompletedFiles::folders;
+        if (name == "PLAN" || name == "FOLDER" || name == "SITE")
+            value.files = CompletedFiles::folders;
         if (name == "FILM" || name == "PICTURE" || name == "FILE" || name == "PAGE")
             value.files = CompletedFiles::any;
         if (name == "PAGE") value.words = page_templates;

@@ -197,7 +197,8 @@ std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& fil
                                       std::int64_t particles, double collisions) {
     std::vector<FilmCost> costs;
     for (const OutputFormat& format : output_formats())
-        if (format.film && (film.format == nullptr || film.format == &format))
+        if (format.film && !format.in_one_piece &&
+            (film.format == nullptr || film.format == &format))
             costs.push_back(
                 estimated_cost(format, scene, film.options, frames, particles, collisions));
     return costs;

@@ -1,12 +1,11 @@
 // The samples of a run as a table of comma-separated values, written as they come.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
 #include <vector>
 
 #include "app/output.h"
+#include "app/report/row_buffer.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
 
@@ -24,15 +23,14 @@ class SamplesCsv {
     void add(const Particles& particles, const Sample& sample);
 
     /// Hands the last rows to the output.
-    void finish();
+    void finish() { rows_.finish(); }
 
   private:
     void name_rows(const Particles& particles);
 
     std::vector<std::string> species_;  ///< names as fields
-    Output& output_;
-    std::vector<std::string> labels_;  ///< of each particle, what stays the same: ",0,cold,1,0.5"
-    fmt::memory_buffer buffer_;
+    std::vector<std::string> labels_;   ///< of each particle, what stays the same: ",0,cold,1,0.5"
+    RowBuffer rows_;
 };
 
 }  // namespace carom

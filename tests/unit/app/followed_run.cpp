@@ -22,7 +22,7 @@ Scene scene_of(const std::string& box, const std::string& run) {
 
 // All of it but the time that it took.
 std::string report_of(const Scene& scene, const SampleTaker& take) {
-    RunReport report = run_physics(scene, take);
+    RunReport report = run_physics(scene, RunTakers{.sample = take});
     report.seconds = {};
     return run_json(scene, report);
 }

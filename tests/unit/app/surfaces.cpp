@@ -121,9 +121,10 @@ TEST_CASE("the table of surfaces has a row for each surface and sample") {
     const std::string path = (folder.path() / "surfaces.csv").string();
     Output output(path);
     SurfacesCsv table(scene.gas.box, output);
-    run_physics(scene,
-                [&](const Particles&, const Sample& sample,
-                    const std::vector<SurfaceState>& states) { table.add(sample.time, states); });
+    run_physics(scene, {.sample = [&](const Particles&, const Sample& sample,
+                                      const std::vector<SurfaceState>& states) {
+                    table.add(sample.time, states);
+                }});
     output.commit();
     const std::string text = test::contents(path);
     CHECK(text.starts_with(
@@ -141,9 +142,11 @@ TEST_CASE("a line has a left and a right end in reports, and no bottom and top")
     const std::string path = (folder.path() / "surfaces.csv").string();
     Output output(path);
     SurfacesCsv table(scene.gas.box, output);
-    const RunReport report = run_physics(
-        scene, [&](const Particles&, const Sample& sample,
-                   const std::vector<SurfaceState>& states) { table.add(sample.time, states); });
+    const RunReport report =
+        run_physics(scene, {.sample = [&](const Particles&, const Sample& sample,
+                                          const std::vector<SurfaceState>& states) {
+                        table.add(sample.time, states);
+                    }});
     output.commit();
     const Json surfaces = Json::parse(run_json(scene, report)).at("surfaces");
     REQUIRE(surfaces.size() == 2);

@@ -42,7 +42,7 @@ struct Parts {
 const std::map<std::string, Parts> parts_of_module{
     {"util", {{"memory", "pending", "util", "formula"}, {}}},
     {"draw",
-     {{"fonts", "raster", "draw", "formula"},
+     {{"fonts", "raster", "pages", "draw", "formula"},
       {"canvas.h", "color.h", "formula/ink.h", "geometry.h"}}},
     {"stats", {{"paths", "stats"}, {}}},
     {"physics",
@@ -59,8 +59,9 @@ const std::map<std::string, Parts> parts_of_module{
       {"archived.h", "callout.h", "chosen.h", "layout.h", "panel.h", "registry.h", "shared_panel.h",
        "table.h"}}},
     {"app",
-     {{"chunks", "sweep", "film", "cost", "figures", "report", "manual", "commands", "app"},
-      {"command.h", "json.h", "means.h", "output.h", "progress.h", "resources.h",
+     {{"chunks", "sweep", "film", "cost", "figures", "pages", "report", "manual", "commands",
+       "app"},
+      {"command.h", "depfile.h", "json.h", "means.h", "output.h", "progress.h", "resources.h",
        "scratch_folder.h", "simulate.h"}}},
 };
 

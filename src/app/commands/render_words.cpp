@@ -1,0 +1,67 @@
+#include "app/commands/render_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/film/film_request.h"
+#include "app/pages/film_page.h"
+#include "runs/run.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+std::string warning_of_cut_words(const RenderReport& report) {
+    if (report.cut.empty()) return "";
+    return fmt::format("carom: no room for all of {}; write less, or choose another template\n",
+                       printable(listed(report.cut)));
+}
+
+// What pages and mail take without trouble is soon passed by a format that holds every change of
+// every pixel.
+std::string warning(const OutputFormat& format, const RenderReport& report) {
+    const auto bytes = static_cast<double>(report.bytes);
+    if (format.large_bytes == 0.0 || bytes < format.large_bytes) return "";
+    return fmt::format(
+        "carom: {:.0f} MB is large for a {}; a smaller --size or --fps makes it "
+        "smaller, and a .webm takes a third of it\n",
+        1e-6 * bytes, upper_case(format.name));
+}
+
+std::string warning_of_page(const RenderReport& report) {
+    if (static_cast<double>(report.bytes) < most_inlined_bytes) return "";
+    return fmt::format(
+        "carom: not all browsers play a film of {:.0f} MB from inside a page; --max-size {:.0f}MB "
+        "makes it smaller\n",
+        1e-6 * static_cast<double>(report.bytes), 1e-6 * most_inlined_bytes);
+}
+
+}  // namespace
+
+std::string timings_of(const RenderReport& report) {
+    std::string text;
+    const auto row = [&](const char* stage, double seconds, const std::string& rate) {
+        text += fmt::format("  {:<10} {:>8.2f} s CPU   {}\n", stage, seconds, rate);
+    };
+    const auto events = static_cast<double>(events_of(report.collisions));
+    const double frames = report.frames;
+    row("simulate", report.simulate_seconds,
+        fmt::format("{:.3g} events/s in {}: {}",
+                    events * static_cast<double>(report.passes.size()) / report.simulate_seconds,
+                    counted(static_cast<int>(report.passes.size()), "run"),
+                    fmt::join(report.passes, "; ")));
+    row("draw", report.workers.draw,
+        fmt::format("{:.2f} ms a frame", 1e3 * report.workers.draw / frames));
+    row("encode", report.workers.encode,
+        fmt::format("{:.2f} ms a frame, conversion included",
+                    1e3 * report.workers.encode / frames));
+    return text + fmt::format("  {:<10} {:>8.2f} s       {:.1f} frames/s\n", "wall",
+                              report.wall_seconds, frames / report.wall_seconds);
+}
+
+std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page) {
+    return warning(format, report) + (in_page ? warning_of_page(report) : "") +
+           warning_of_cut_words(report);
+}
+
+}  // namespace carom

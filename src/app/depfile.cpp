@@ -1,0 +1,64 @@
+#include "app/depfile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/resources.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+
+std::string depfile_name(std::string_view path) {
+    std::string name;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+        const char letter = path[i];
+        if (letter == '\n' || letter == '\r')
+            throw UsageError(
+                fmt::format("--depfile: {} has a line break, and neither make nor ninja has a way "
+                            "to write it; rename the file",
+                            path));
+        if (letter == ' ' || letter == '\t' || letter == '#') {
+            // Backslashes before it would be taken for escapes.
+            for (std::size_t k = i; k > 0 && path[k - 1] == '\\'; --k) name += '\\';
+            name += '\\';
+        }
+        if (letter == ':') name += '\\';
+        if (letter == '$') name += '$';
+        name += letter;
+    }
+    return name;
+}
+
+std::vector<std::string> files_of(const Scene& scene) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& file) {
+        if (!file.empty() && std::ranges::find(files, file) == files.end()) files.push_back(file);
+    };
+    const SceneSource& source = scene.source;
+    if (source.path != "<stdin>") add(source.path);
+    const bool is_own = std::ranges::any_of(
+        source.files, [&](const auto& file) { return file.second == source.template_text; });
+    if (!is_own && !source.template_text.empty())
+        add((templates_folder() / "films" / (scene.film.template_name + ".yaml")).string());
+    for (const auto& [file, text] : source.files) add(file);
+    return files;
+}
+
+std::string depfile_rule(std::span<const std::string> outputs, std::span<const std::string> files) {
+    std::string rule;
+    for (const std::string& output : outputs)
+        rule += (rule.empty() ? "" : " ") + depfile_name(output);
+    rule += ":";
+    for (const std::string& file : files) rule += " \\\n  " + depfile_name(file);
+    rule += "\n";
+    return rule;
+}
+
+Option depfile_option(std::string& path) {
+    return {"--depfile FILE",
+            "also write the files that the output was made from, as make and ninja read them",
+            &path};
+}
+
+}  // namespace carom

@@ -1,0 +1,134 @@
+#include "app/pages/film_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "app/output.h"
+#include "app/resources.h"
+#include "app/scratch_folder.h"
+#include "media/base64.h"
+#include "util/atomic_file.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t most_file_of_page = std::int64_t{1} << 30;
+
+const Placeholders& placeholders_of_film() {
+    static const Placeholders names{
+        {"", {"title",        "subtitle",      "description", "language",   "carom",   "film",
+              "film_file",    "type",          "poster",      "width",      "height",  "captions",
+              "descriptions", "chapter_track", "scene",       "scene_file", "changed", "about",
+              "site",         "site_index",    "chapters",    "passages",   "changes"}},
+        {"chapters", {"at", "clock", "words"}},
+        {"passages", {"clock", "words"}},
+        {"changes", {"change"}}};
+    return names;
+}
+
+// As the page shows an address of it.
+void put(PageFields& fields, const std::string& name, const PageFile& file) {
+    if (file.inlined.empty())
+        fields.files[name] = file.name;
+    else
+        fields.inlined[name] = file.inlined;
+}
+
+std::string track(const std::string& words) {
+    return words.empty() ? "" : data_address("text/vtt", words);
+}
+
+std::vector<PageFields> listed_cues(const std::vector<Cue>& cues) {
+    std::vector<PageFields> list;
+    for (const Cue& cue : cues)
+        list.push_back({.words = {{"at", fmt::format("{:.3f}", cue.start)},
+                                  {"clock", clock_text(cue.start)},
+                                  {"words", cue.words}}});
+    return list;
+}
+
+std::string media_type(const fs::path& film) {
+    return film.extension() == ".webm" ? "video/webm" : "video/mp4";
+}
+
+}  // namespace
+
+Source document_template(const std::string& name) {
+    const fs::path path = templates_folder() / "pages" / name;
+    constexpr std::int64_t most = 1 << 20;
+    return {path.string(), read_file(path, most)};
+}
+
+std::string film_page(const Source& page, const FilmPage& its) {
+    const Scene& scene = its.scene;
+    PageFields fields;
+    fields.language = scene.film.language;
+    fields.words = {{"title", scene.title},
+                    {"subtitle", scene.subtitle},
+                    {"description", scene.description},
+                    {"language", std::string(word_of(fields.language))},
+                    {"carom", CAROM_VERSION},
+                    {"type", media_type(its.film.name)},
+                    {"film_file", as_utf8(fs::path(its.film.name).filename().string())},
+                    {"scene_file", as_utf8(fs::path(its.source.name).filename().string())},
+                    {"width", std::to_string(scene.film.size.width)},
+                    {"height", std::to_string(scene.film.size.height)},
+                    {"about", its.text.about},
+                    {"site", its.site},
+                    {"changed", scene.source.overrides.empty() ? "" : "changed"}};
+    put(fields, "film", its.film);
+    put(fields, "poster", its.poster);
+    put(fields, "scene", its.source);
+    fields.files["site_index"] = its.index;
+    fields.inlined["captions"] = track(its.text.captions);
+    fields.inlined["descriptions"] = track(its.text.descriptions);
+    fields.inlined["chapter_track"] = track(its.text.chapters);
+    fields.lists["chapters"] = listed_cues(its.text.chapter_list);
+    fields.lists["passages"] = listed_cues(its.text.passages);
+    std::vector<PageFields>& changes = fields.lists["changes"];
+    for (const std::string& change : scene.source.overrides)
+        changes.push_back({.words = {{"change", as_utf8(change)}}});
+    return filled_page(page, PageKind::html, fields, placeholders_of_film());
+}
+
+double time_of_poster(const Scene& scene, const FilmOptions& options) {
+    const double from = options.from.value_or(0.0), to = options.to.value_or(scene.run.until);
+    return from + poster_at * (to - from);
+}
+
+RenderReport render_page(const Scene& scene, FilmOptions options, const std::string& page,
+                         double most, Progress& progress) {
+    Output output(page);  // before the work: it may not be allowed to write it
+    const Source document = document_template("film.html");
+    const ScratchFolder folder;
+    options.output = folder.path() / options.output.filename();
+    options.text = true;
+    const FilmPlan plan = prepare(scene, options, progress);
+    RenderReport report = render(plan, options, progress);
+    report.path = page;
+    if (static_cast<double>(report.bytes) > most) return report;
+    const std::vector<std::uint8_t> poster =
+        draw_still(plan, time_of_poster(scene, options), output_format("png"), progress).file();
+    const std::string stem =
+        Output::is_standard_output(page) ? "film" : fs::path(page).stem().string();
+    const std::string film = stem + options.output.extension().string();
+    output.write(film_page(
+        document,
+        {.scene = plan.scene,
+         .text = plan.text,
+         .film = {film,
+                  data_address(media_type(film), read_file(options.output, most_file_of_page))},
+         .poster = {stem + ".png",
+                    data_address("image/png",
+                                 {reinterpret_cast<const char*>(poster.data()), poster.size()})},
+         .source = {stem + ".yaml", data_address("text/yaml", scene.source.text)}}));
+    output.commit();
+    return report;
+}
+
+}  // namespace carom

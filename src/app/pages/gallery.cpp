@@ -1,0 +1,334 @@
+#include "app/pages/gallery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <system_error>
+#include <utility>
+
+#include "app/figures/figure_folder.h"
+#include "app/film/film_request.h"
+#include "app/pages/film_page.h"
+#include "app/resources.h"
+#include "app/scratch_folder.h"
+#include "runs/json.h"
+#include "scene/reading/set_reading.h"
+#include "util/atomic_file.h"
+#include "util/diagnostics.h"
+#include "util/fingerprint.h"
+#include "util/interrupt.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int width_of_card = 640;  // pixels
+const std::string index_name = "index.html";
+
+// A scene of the folder.
+struct GalleryFile {
+    fs::path path;       // as it is read
+    std::string name;    // in the folder, without its ending: classics/freezing
+    std::string folder;  // in which it is there; empty: the folder itself
+};
+
+bool is_scene_name(const fs::path& path) {
+    const std::string ending = path.extension().string();
+    return (ending == ".yaml" || ending == ".yml") && !path.filename().string().starts_with('.');
+}
+
+bool is_inside(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path relative =
+        fs::weakly_canonical(path, error).lexically_relative(fs::weakly_canonical(folder, error));
+    return !relative.empty() && *relative.begin() != "..";
+}
+
+// Those of a folder and of the folders in it, but for what belongs to the site.
+std::vector<GalleryFile> files_in(const GalleryOptions& options) {
+    std::error_code error;
+    if (!fs::is_directory(options.folder, error))
+        throw UsageError(fmt::format("{}: expected a folder of scenes", options.folder.string()));
+    std::vector<GalleryFile> files;
+    fs::recursive_directory_iterator entry(options.folder, error), end;
+    for (; !error && entry != end; entry.increment(error)) {
+        const fs::path& path = entry->path();
+        if (entry->is_directory(error) &&
+            (path.filename().string().starts_with('.') || is_inside(path, options.site))) {
+            entry.disable_recursion_pending();
+            continue;
+        }
+        if (!entry->is_regular_file(error) || !is_scene_name(path)) continue;
+        if (!is_inside(path, options.folder))
+            throw UsageError(fmt::format(
+                "{}: this link leads out of the folder; copy the scene into it", path.string()));
+        if (is_figure_set(path)) continue;
+        const fs::path inside = path.lexically_relative(options.folder);
+        files.push_back(
+            {path, fs::path(inside).replace_extension().string(), inside.parent_path().string()});
+    }
+    if (error)
+        throw_system_error(
+            fmt::format("cannot read the folder {}: {}", options.folder.string(), error.message()),
+            error.value());
+    if (files.empty())
+        throw UsageError(
+            fmt::format("{}: there is no scene in this folder (a file that ends in "
+                        ".yaml)",
+                        options.folder.string()));
+    // Those of the folder itself come first.
+    std::ranges::sort(files, {},
+                      [](const GalleryFile& file) { return std::pair(file.folder, file.name); });
+    const auto same = std::ranges::adjacent_find(files, {}, &GalleryFile::name);
+    if (same != files.end())
+        throw UsageError(fmt::format("{} and {} would have one page; rename one of them",
+                                     same->path.string(), std::next(same)->path.string()));
+    return files;
+}
+
+// A scene and what becomes of it.
+struct GalleryItem {
+    GalleryFile file;
+    Scene scene;
+    std::string inputs;  // fingerprint of all that its files are made from
+
+    // By what they are.
+    std::map<std::string, std::string> files(const std::string& format) const {
+        const std::string stem = "films/" + file.name;
+        return {{"film", stem + "." + format},
+                {"poster", stem + ".poster.png"},
+                {"card", stem + ".card.png"},
+                {"page", stem + ".html"},
+                {"scene", stem + ".yaml"}};
+    }
+};
+
+std::string name_of_folder(const GalleryOptions& options) {
+    const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
+    return as_utf8(folder.filename().string());
+}
+
+std::string title_of(const GalleryOptions& options) {
+    return options.title.empty() ? name_of_folder(options) : options.title;
+}
+
+std::string inputs_of(const GalleryOptions& options, const Scene& scene, const Source& page) {
+    Json all{CAROM_VERSION,
+             scene.source.text,
+             scene.source.template_text,
+             options.format,
+             static_cast<int>(options.film.quality),
+             page.text,
+             title_of(options)};
+    for (const std::string& change : scene.source.overrides) all.push_back(change);
+    for (const auto& [name, text] : scene.source.files) all.push_back(text);
+    return fingerprint(text_of(all));
+}
+
+std::vector<GalleryItem> items_of(const GalleryOptions& options, const Source& page) {
+    const SceneResources resources = scene_resources();
+    const OutputFormat& format = output_format(options.format);
+    return all_made(files_in(options), [&](const GalleryFile& file) {
+        GalleryItem item{file, load_scene(file.path, resources, options.overrides), ""};
+        refuse_unfit(item.scene, options.film, format);
+        item.inputs = inputs_of(options, item.scene, page);
+        return item;
+    });
+}
+
+const Placeholders& placeholders_of_gallery() {
+    static const Placeholders names{{"", {"title", "language", "carom", "shown", "sections"}},
+                                    {"sections", {"number", "title", "films"}},
+                                    {"films",
+                                     {"title", "subtitle", "language", "words", "length", "page",
+                                      "film", "card", "width", "height"}}};
+    return names;
+}
+
+int height_of_card(const Film& film) {
+    return std::max(1, width_of_card * film.size.height / film.size.width);
+}
+
+// What the search looks through.
+std::string words_of(const GalleryItem& item) {
+    const Scene& scene = item.scene;
+    std::string words = fmt::format("{} {} {} {}", as_utf8(item.file.name), scene.title,
+                                    scene.subtitle, scene.description);
+    for (const Species& species : scene.gas.species) words += " " + species.name;
+    for (const PanelSpec& panel : scene.film.panels) words += " " + panel.kind;
+    return words;
+}
+
+PageFields card_of(const GalleryItem& item, const std::string& format) {
+    PageFields fields;
+    fields.words = {{"title", item.scene.title},
+                    {"subtitle", item.scene.subtitle},
+                    {"language", std::string(word_of(item.scene.film.language))},
+                    {"words", words_of(item)},
+                    {"length", clock_text(item.scene.film.seconds)},
+                    {"width", std::to_string(width_of_card)},
+                    {"height", std::to_string(height_of_card(item.scene.film))}};
+    fields.files = item.files(format);
+    return fields;
+}
+
+std::string index_page(const GalleryOptions& options, const std::vector<GalleryItem>& items,
+                       const Source& page) {
+    PageFields all;
+    all.language = items.front().scene.film.language;
+    all.words = {{"title", title_of(options)},
+                 {"language", std::string(word_of(all.language))},
+                 {"carom", CAROM_VERSION},
+                 {"shown", say(all.language, "{} of {} films", "#", items.size())}};
+    std::vector<PageFields>& sections = all.lists["sections"];
+    const std::string* folder = nullptr;
+    for (const GalleryItem& item : items) {
+        if (folder == nullptr || *folder != item.file.folder) {
+            folder = &item.file.folder;
+            sections.push_back({.words = {{"title", as_utf8(*folder)},
+                                          {"number", std::to_string(sections.size() + 1)}}});
+        }
+        sections.back().lists["films"].push_back(card_of(item, options.format));
+    }
+    return filled_page(page, PageKind::html, all, placeholders_of_gallery());
+}
+
+// From a page in films/, the address of the index.
+std::string way_to_index(const std::string& name) {
+    std::string way = "../";
+    for (const char letter : name)
+        if (letter == '/') way += "../";
+    return way + index_name;
+}
+
+class GalleryMaker {
+  public:
+    explicit GalleryMaker(const GalleryOptions& options)
+        : options_(options),
+          film_template_(document_template("film.html")),
+          index_template_(document_template("gallery.html")),
+          items_(items_of(options, film_template_)),
+          folder_(options.site, "the folder " + name_of_folder(options), "gallery.json") {}
+
+    GalleryReport make() {
+        const std::string index = index_page(options_, items_, index_template_);
+        refuse_foreign();
+        try {
+            for (const GalleryItem& item : items_) make_film(item);
+            folder_.write(std::vector<NewFile>{
+                {index_name, {index.begin(), index.end()}, "", fingerprint(index)}});
+            remove_others();
+        } catch (...) {
+            folder_.save();  // what is written is known, however the work ended
+            throw;
+        }
+        folder_.save();
+        return report_;
+    }
+
+  private:
+    bool is_current(const GalleryItem& item) const {
+        return !options_.force &&
+               std::ranges::all_of(item.files(options_.format), [&](const auto& file) {
+                   return folder_.is_current(file.second, item.inputs);
+               });
+    }
+
+    void refuse_foreign() {
+        std::vector<std::string> files{index_name};
+        for (const GalleryItem& item : items_)
+            if (!is_current(item))
+                for (const auto& [what, file] : item.files(options_.format)) files.push_back(file);
+        report_.replaced = folder_.foreign(files);
+        if (report_.replaced.empty() || options_.force) return;
+        throw UsageError(fmt::format(
+            "{}: carom did not write {} as {} now; nothing has been written. Choose another "
+            "folder, or replace {} with --force",
+            options_.site.string(), listed(report_.replaced),
+            report_.replaced.size() == 1 ? "it is" : "they are",
+            report_.replaced.size() == 1 ? "it" : "them"));
+    }
+
+    void make_film(const GalleryItem& item) {
+        if (is_current(item)) {
+            ++report_.up_to_date;
+            return;
+        }
+        throw_if_interrupted();
+        Progress progress(Progress::fitting_form(options_.quiet), as_utf8(item.file.name));
+        const ScratchFolder hidden(options_.site / ".film");
+        const auto files = item.files(options_.format);
+        FilmOptions options = options_.film;
+        options.output = hidden.path() / files.at("film");
+        options.text = true;
+        FilmPlan plan = prepare(item.scene, options, progress);
+        render(plan, options, progress);
+        write_page(item, plan, hidden.path());
+        write_pictures(plan, files, hidden.path(), progress);
+        for (const auto& [what, file] : files)
+            folder_.take_in(hidden.path(), file, "", item.inputs);
+        folder_.save();
+        ++report_.made;
+    }
+
+    // Names in the page are those beside it.
+    void write_page(const GalleryItem& item, const FilmPlan& plan, const fs::path& folder) const {
+        const auto files = item.files(options_.format);
+        const auto beside = [&](const char* what) {
+            return PageFile{fs::path(files.at(what)).filename().string(), ""};
+        };
+        write_file(folder / files.at("scene"), item.scene.source.text);
+        write_file(folder / files.at("page"),
+                   film_page(film_template_, {.scene = plan.scene,
+                                              .text = plan.text,
+                                              .film = beside("film"),
+                                              .poster = beside("poster"),
+                                              .source = beside("scene"),
+                                              .site = title_of(options_),
+                                              .index = way_to_index(item.file.name)}));
+    }
+
+    // The same frame twice: as large as the film, and for its card.
+    static void write_pictures(FilmPlan& plan, const std::map<std::string, std::string>& files,
+                               const fs::path& folder, Progress& progress) {
+        const double at = time_of_poster(plan.scene, {});
+        const OutputFormat& png = output_format("png");
+        write_file(folder / files.at("poster"), draw_still(plan, at, png, progress).file());
+        const PixelSize whole{plan.scene.film.size.width, plan.scene.film.size.height};
+        plan.scene.film.size.height = height_of_card(plan.scene.film);
+        plan.scene.film.size.width = width_of_card;
+        write_file(folder / files.at("card"), draw_still(plan, at, png, progress).file());
+        plan.scene.film.size.width = whole.width;
+        plan.scene.film.size.height = whole.height;
+    }
+
+    void remove_others() {
+        std::set<std::string> kept{index_name};
+        for (const GalleryItem& item : items_)
+            for (const auto& [what, file] : item.files(options_.format)) kept.insert(file);
+        report_.left = folder_.remove_all_but(kept, report_.removed);
+    }
+
+    const GalleryOptions& options_;
+    Source film_template_, index_template_;
+    std::vector<GalleryItem> items_;
+    FigureFolder folder_;
+    GalleryReport report_;
+};
+
+}  // namespace
+
+GalleryReport make_gallery(const GalleryOptions& options) {
+    std::error_code error;
+    if (fs::weakly_canonical(options.site, error) == fs::weakly_canonical(options.folder, error))
+        throw UsageError(
+            fmt::format("-o {}: this is the folder of the scenes; name another one for the site",
+                        options.site.string()));
+    return GalleryMaker(options).make();
+}
+
+}  // namespace carom

@@ -1,0 +1,73 @@
+#include "app/report/collisions_csv.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+#include "util/csv.h"
+
+namespace carom {
+namespace {
+
+std::string header(int dimension) {
+    std::string text = "time,particle,partner,surface";
+    const auto add = [&](std::string_view whose, std::string_view what, std::string_view when) {
+        for (const char axis : {'x', 'y'})
+            if (dimension == 2 || axis == 'x')
+                text += fmt::format(",{}{}{}{}", whose, what, axis, when);
+    };
+    for (const std::string_view whose : {"", "partner_"}) add(whose, "", "");
+    for (const std::string_view when : {"_before", "_after"})
+        for (const std::string_view whose : {"", "partner_"}) add(whose, "v", when);
+    add("impulse_", "", "");
+    return text + "\n";
+}
+
+}  // namespace
+
+Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision) {
+    const double inverse = particles.inverse_mass[collision.first];
+    if (inverse > 0.0) return (collision.first_before - collision.first_after) / inverse;
+    const double other =
+        collision.second.is_particle() ? particles.inverse_mass[collision.second.particle()] : 0.0;
+    if (other > 0.0) return (collision.second_after - collision.second_before) / other;
+    return Eigen::Array2d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+CollisionsCsv::CollisionsCsv(const Box& box, Output& output)
+    : dimension_(box.dimension), rows_(output) {
+    for (const std::string& name : box.surfaces.names()) surfaces_.push_back(csv_field(name));
+    output.write(header(dimension_));
+}
+
+void CollisionsCsv::add(const Eigen::Array2d& value) {
+    auto out = rows_.end();
+    for (Eigen::Index axis = 0; axis < dimension_; ++axis)
+        if (std::isnan(value[axis]))
+            *out = ',';
+        else
+            fmt::format_to(out, ",{:.17g}", value[axis]);
+}
+
+void CollisionsCsv::add(const Particles& particles, std::span<const Collision> collisions) {
+    auto out = rows_.end();
+    for (const Collision& its : collisions) {
+        if (its.second.is_particle())
+            fmt::format_to(out, "{},{},{},", csv_number(its.time), its.first,
+                           its.second.particle());
+        else
+            fmt::format_to(out, "{},{},,{}", csv_number(its.time), its.first,
+                           surfaces_[static_cast<std::size_t>(its.second.surface())]);
+        for (const Eigen::Array2d& value :
+             {its.first_position, its.second_position, its.first_before, its.second_before,
+              its.first_after, its.second_after, impulse_of(particles, its)})
+            add(value);
+        *out = '\n';
+        rows_.end_row();
+    }
+}
+
+}  // namespace carom

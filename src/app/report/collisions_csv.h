@@ -1,0 +1,44 @@
+// The collisions of a run as a table of comma-separated values, written as they come.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/output.h"
+#include "app/report/row_buffer.h"
+#include "physics/advance_result.h"
+#include "physics/gas.h"
+#include "physics/particles.h"
+
+namespace carom {
+
+/// A header, then a row for each collision, in order: its time; the particle, and the particle or
+/// the surface that it met (the other of these two fields is empty); where both were, of a surface
+/// the point of contact, in a periodic box of the partner's nearest image; the velocities of both
+/// before and after; the momentum that the partner received. On a line without the fields of y.
+/// Numbers have 17 significant digits; an impulse is empty where both masses are infinite.
+class CollisionsCsv {
+  public:
+    /// Writes the header to `output`, which must outlive the table.
+    CollisionsCsv(const Box& box, Output& output);
+
+    /// Adds collisions; all are of the same particles. Throws SystemError.
+    void add(const Particles& particles, std::span<const Collision> collisions);
+
+    /// Hands the last rows to the output.
+    void finish() { rows_.finish(); }
+
+  private:
+    void add(const Eigen::Array2d& value);
+
+    int dimension_;
+    std::vector<std::string> surfaces_;  ///< names as fields
+    RowBuffer rows_;
+};
+
+/// The momentum that the partner of a collision received from a particle: as much as that lost.
+/// Not finite where neither of both masses is.
+Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision);
+
+}  // namespace carom

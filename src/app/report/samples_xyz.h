@@ -1,0 +1,40 @@
+// The samples of a run as a trajectory in the extended XYZ format, which OVITO and ASE open.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/output.h"
+#include "app/report/row_buffer.h"
+#include "physics/gas.h"
+#include "physics/particles.h"
+
+namespace carom {
+
+/// Two lines for each sample, then one for each particle. The first is the number of particles,
+/// the second says what follows: Lattice (the box; what a plane or a line lacks has length 1),
+/// Properties, Time, pbc, and what the species are called. A particle has the symbol of a chemical
+/// element as its species, as ASE takes no other names: H for the first, He for the second, and
+/// so on; X beyond the elements. Positions and velocities have three components. Numbers have 17
+/// significant digits; an infinite mass is `inf`.
+class SamplesXyz {
+  public:
+    /// `output` must outlive it.
+    SamplesXyz(const Gas& gas, Output& output);
+
+    /// Adds a sample; all are of the same particles. Throws SystemError.
+    void add(const Particles& particles, const Sample& sample);
+
+    /// Hands the last lines to the output.
+    void finish() { rows_.finish(); }
+
+  private:
+    void name_lines(const Particles& particles);
+
+    std::string before_time_, after_time_;  ///< of the second line
+    std::vector<std::string> ends_;    ///< of each particle, what stays the same: radius, mass, …
+    std::vector<std::string> begins_;  ///< its species
+    RowBuffer rows_;
+};
+
+}  // namespace carom

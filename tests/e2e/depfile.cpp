@@ -1,0 +1,105 @@
+// --depfile: make and ninja read the rule, whatever the files are called.
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "e2e/program.h"
+#include "e2e/still_life.h"
+#include "support/process.h"
+
+using namespace carom::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+// The scene in that folder, with a template beside it.
+void write_scene(const TemporaryFolder& folder, const std::string& scene) {
+    std::string text = still_life;
+    text.replace(text.find("panels: []"), 10, "panels: [], template: own");
+    folder.write(scene, text);
+    folder.write((fs::path(scene).parent_path() / "own.yaml").string(),
+                 contents(root / "templates/films/minimal.yaml"));
+}
+
+}  // namespace
+
+TEST_CASE("a rule names the scene, its template, and the scene beside it") {
+    const TemporaryFolder folder;
+    write_scene(folder, "scene.yaml");
+    REQUIRE(run({program, "still", "scene.yaml", "-o", "a.png", "--quiet", "--depfile", "a.d"},
+                folder.path())
+                .exit_code == 0);
+    CHECK(contents(folder.path() / "a.d") == "a.png: \\\n  scene.yaml \\\n  own.yaml\n");
+    REQUIRE(run({program, "run", "scene.yaml", "--quiet", "--csv", "a.csv", "--xyz", "a.xyz",
+                 "--depfile", "b.d"},
+                folder.path())
+                .exit_code == 0);
+    CHECK(contents(folder.path() / "b.d") == "a.csv a.xyz: \\\n  scene.yaml \\\n  own.yaml\n");
+    REQUIRE(run({program, "render", "scene.yaml", "-o", "a.pdf", "--seconds", "0.2", "--quiet",
+                 "--depfile", "c.d"},
+                folder.path())
+                .exit_code == 0);
+    CHECK(contents(folder.path() / "c.d") == "a.pdf: \\\n  scene.yaml \\\n  own.yaml\n");
+}
+
+TEST_CASE("make and ninja make again what a changed file with any name was used for") {
+    for (const std::string name :
+         {"plain", "two words", "cash$money", "no#comment", "back\\slash", "a\\ b", "per:cent"}) {
+        CAPTURE(name);
+        const TemporaryFolder folder;
+        write_scene(folder, name + "/scene.yaml");
+        const std::string scene = name + "/scene.yaml";
+        const auto still = [&] {
+            return run({program, "still", scene, "-o", "a.png", "--quiet", "--depfile", "a.d"},
+                       folder.path());
+        };
+        REQUIRE(still().exit_code == 0);
+        folder.write("Makefile", "a.png:\n\ttouch made\n\ttouch a.png\n-include a.d\n");
+        folder.write(
+            "build.ninja",
+            "rule still\n  depfile = a.d\n  command = touch made a.png\nbuild a.png: still\n");
+        const auto makes = [&](const std::string& tool) {
+            fs::remove(folder.path() / "made");
+            const Outcome outcome = run({tool}, folder.path());
+            CAPTURE(outcome.out + outcome.err);
+            CHECK(outcome.exit_code == 0);
+            return fs::exists(folder.path() / "made");
+        };
+        const auto touch = [&](const std::string& file) {
+            REQUIRE(run({"touch", "-d", "next year", file}, folder.path()).exit_code == 0);
+        };
+        touch("a.png");
+        CHECK_FALSE(makes("make"));
+        makes("ninja");  // which keeps a log of its own, and has never made it before
+        REQUIRE(still().exit_code == 0);
+        touch("a.png");
+        for (const std::string& file : {scene, name + "/own.yaml"}) {
+            CAPTURE(file);
+            REQUIRE(run({"touch", "-d", "2 years", file}, folder.path()).exit_code == 0);
+            CHECK(makes("make"));
+            CHECK(makes("ninja"));
+            REQUIRE(run({"touch", "-d", "yesterday", file}, folder.path()).exit_code == 0);
+        }
+    }
+}
+
+TEST_CASE("a rule about nothing, and names that no rule can hold, are refused before the work") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", still_life);
+    folder.write("a\nb.yaml", still_life);
+    const auto said = [&](const std::vector<std::string>& arguments) {
+        std::vector<std::string> command{program};
+        command.insert(command.end(), arguments.begin(), arguments.end());
+        const Outcome outcome = run(command, folder.path());
+        CHECK(outcome.exit_code == 2);
+        return outcome.err;
+    };
+    CHECK(said({"run", "scene.yaml", "--depfile", "a.d"}) ==
+          "carom: --depfile: this run writes no other file, and the rule would be about none; add "
+          "--csv FILE or another output\n");
+    CHECK(has(said({"render", "scene.yaml", "-o", "-", "--depfile", "a.d"}), "name one with -o"));
+    CHECK(has(said({"still", "a\nb.yaml", "-o", "a.png", "--depfile", "a.d"}), "has a line break"));
+    CHECK(folder.names() == std::vector<std::string>{"a\nb.yaml", "scene.yaml"});
+}

@@ -1,7 +1,7 @@
 # carom_module(NAME [QUICK] USES targets... PRIVATE targets... PROGRAM files... UNITS "paths..."...): the static library of
 # src/NAME, without the files of PROGRAM.
 # USES is what its headers may show; PRIVATE stays inside its .cpp files.
-# QUICK: no inner loop of simulation or drawing is there, so that it is compiled with -O1, in two thirds of the time.
+# QUICK: no inner loop of simulation or drawing is there, so that it is compiled with -Og, in half of the time.
 # UNITS: without ccache (CAROM_UNITY) the files of several folders are compiled as one, in half of the time. Each of UNITS lists
 # folders of src/NAME (. is itself) and single files; a folder that is in none is a unit by itself. Names in the unnamed namespaces
 # of one unit must differ: where two files share a name that each of them is right to use, one is listed in another unit.
@@ -16,7 +16,7 @@ function(carom_module name)
     target_link_libraries(carom_${name} PUBLIC ${arg_USES} Threads::Threads
         PRIVATE $<BUILD_INTERFACE:carom_rules> ${arg_PRIVATE})
     if(arg_QUICK)
-        target_compile_options(carom_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+        target_compile_options(carom_${name} PRIVATE $<$<CONFIG:Release>:-Og>)
     endif()
     if(CAROM_UNITY)
         set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

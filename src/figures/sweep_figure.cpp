@@ -15,8 +15,8 @@
 #include "runs/sweep_summary.h"
 #include "scene/limits.h"
 #include "scene/yaml/node.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {

@@ -6,7 +6,7 @@
 
 #include "media/film_writer.h"
 #include "util/archive.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 namespace carom {
 namespace {

@@ -12,8 +12,8 @@
 #include "media/gif_palette.h"
 #include "media/libav.h"
 #include "util/archive.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 
 namespace carom {
 

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdarg>
@@ -41,10 +42,10 @@ void* load(const char* name, int version) {
     const std::string reason = words_of_loader();
     const std::string path = std::string(CAROM_LIBAV_FOLDER) + "/" + file;
     if (void* const found = dlopen(path.c_str(), flags)) return found;
-    throw SystemError(
-        fmt::format("cannot encode films: {}; install FFmpeg's libraries of the "
-                    "version that carom was built with",
-                    reason));
+    const bool is_there = access(path.c_str(), F_OK) == 0;
+    throw SystemError(fmt::format(
+        "cannot encode films: {}{}", reason,
+        is_there ? "" : "; install FFmpeg's libraries of the version that carom was built with"));
 }
 
 void* find(void* library, const char* name) {

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "media/film_writer.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 namespace carom {
 namespace {

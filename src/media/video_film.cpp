@@ -16,8 +16,8 @@
 #include "media/libav.h"
 #include "media/yuv.h"
 #include "util/archive.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 
 namespace carom {
 

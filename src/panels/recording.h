@@ -13,7 +13,7 @@
 
 #include "physics/simulation.h"
 #include "scene/time/timeline.h"
-#include "util/scratch_file.h"
+#include "util/files/scratch_file.h"
 
 namespace carom {
 

@@ -53,16 +53,28 @@ TEST_CASE("where a font cannot be opened, a picture has the same letters, or the
     CHECK(refused > 5);
 }
 
-TEST_CASE("a film whose fonts are too many open files is refused, with the file") {
-    const TemporaryFolder folder;
-    const Outcome outcome =
-        shell("ulimit -n 5; '" + program + "' render '" + library_scene("two-to-one") +
-                  "' --size 320x180 --seconds 1 -o film.mp4",
-              folder.path());
-    CAPTURE(outcome.err);
-    CHECK(outcome.exit_code == 1);
-    CHECK(outcome.err.starts_with("carom: cannot read the font /"));
-    CHECK(folder.names().empty());
+// How many files the shell has open differs from system to system.
+TEST_CASE("a film whose fonts or encoder are too many open files is refused, with the file") {
+    bool font = false, encoder = false;
+    for (int most = 8; most >= 3; --most) {
+        const TemporaryFolder folder;
+        const Outcome outcome =
+            shell("ulimit -n " + std::to_string(most) + "; exec '" + program + "' render '" +
+                      library_scene("two-to-one") + "' --size 320x180 --seconds 1 -o film.mp4",
+                  folder.path());
+        if (outcome.exit_code == 0) continue;
+        CAPTURE(most);
+        CAPTURE(outcome.err);
+        if (outcome.err.find("loading shared libraries") != std::string::npos)
+            break;  // carom's own
+        CHECK(outcome.exit_code == 1);
+        CHECK(outcome.err.ends_with("Too many open files\n"));
+        font |= outcome.err.starts_with("carom: cannot read the font /");
+        encoder |= outcome.err.starts_with("carom: cannot encode films: libav");
+        CHECK(folder.names().empty());
+    }
+    CHECK(font);
+    CHECK(encoder);
 }
 
 TEST_CASE("without memory or threads for text, carom says so before it begins an output") {

@@ -80,7 +80,7 @@ TEST_CASE("LaTeX takes the pages as frames of animate") {
     const TemporaryFolder folder;
     rendered(folder);
     folder.write("page.tex",
-                 "\\documentclass{article}\\usepackage{animate}\\begin{document}"
+                 "\\documentclass{article}\\usepackage{animate,graphicx}\\begin{document}"
                  "\\animategraphics[controls,width=8cm]{12}{film}{}{}\\end{document}\n");
     const Outcome set =
         run({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "page.tex"}, folder.path());

@@ -16,7 +16,7 @@
 #include "runs/sweep_summary.h"
 #include "support/resources.h"
 #include "util/archive.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 #include "util/fingerprint.h"
 
 using namespace carom;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 namespace carom::validation {
 

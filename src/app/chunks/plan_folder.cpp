@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "app/chunks/build_facts.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
 

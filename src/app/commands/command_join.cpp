@@ -12,9 +12,9 @@
 #include "app/commands/film_plans.h"
 #include "app/output.h"
 #include "app/sweep/sweep_plan.h"
-#include "util/atomic_file.h"
 #include "util/csv.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {

@@ -14,8 +14,8 @@
 #include "app/means.h"
 #include "app/output.h"
 #include "app/resources.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/interrupt.h"
 #include "util/text.h"
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "runs/json.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/fingerprint.h"
 
 namespace carom {

@@ -16,8 +16,8 @@
 #include "scene/limits.h"
 #include "scene/words.h"
 #include "scene/yaml/file_text.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "media/film_writer.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 namespace carom {
 

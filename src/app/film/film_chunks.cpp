@@ -14,8 +14,8 @@
 #include "media/formats.h"
 #include "scene/time/timeline.h"
 #include "util/archive.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
 

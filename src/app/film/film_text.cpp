@@ -17,7 +17,7 @@
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
 #include "stats/speed_classes.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 #include "util/formula/formula.h"
 #include "util/text.h"
 

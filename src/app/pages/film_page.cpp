@@ -9,7 +9,7 @@
 #include "app/resources.h"
 #include "app/scratch_folder.h"
 #include "media/base64.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {

@@ -15,8 +15,8 @@
 #include "app/scratch_folder.h"
 #include "runs/json.h"
 #include "scene/reading/set_reading.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -178,12 +178,13 @@ PageFields card_of(const GalleryItem& item, const std::string& format) {
 
 std::string index_page(const GalleryOptions& options, const std::vector<GalleryItem>& items,
                        const Source& page) {
+    const std::string counted = "#";  // the script of the page writes the number there
     PageFields all;
     all.language = items.front().scene.film.language;
     all.words = {{"title", title_of(options)},
                  {"language", std::string(word_of(all.language))},
                  {"carom", CAROM_VERSION},
-                 {"shown", say(all.language, "{} of {} films", "#", items.size())}};
+                 {"shown", say(all.language, "{} of {} films", counted, items.size())}};
     std::vector<PageFields>& sections = all.lists["sections"];
     const std::string* folder = nullptr;
     for (const GalleryItem& item : items) {

@@ -9,7 +9,7 @@
 #include "scene/reading/figure_reading.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 #include "util/text.h"
 
 namespace carom {

@@ -21,7 +21,7 @@
 #include "support/relative.h"
 #include "support/resources.h"
 #include "support/test_root.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 using namespace carom;
 using test::relative;

@@ -40,7 +40,7 @@ struct Parts {
 };
 
 const std::map<std::string, Parts> parts_of_module{
-    {"util", {{"memory", "pending", "util", "formula"}, {}}},
+    {"util", {{"memory", "pending", "util", "files", "formula"}, {}}},
     {"draw",
      {{"fonts", "raster", "pages", "draw", "formula"},
       {"canvas.h", "color.h", "formula/ink.h", "geometry.h"}}},

@@ -6,8 +6,8 @@
 #include "draw/canvas.h"
 #include "media/base64.h"
 #include "support/files.h"
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 
 using namespace carom;
 using test::TemporaryFolder;

@@ -11,7 +11,7 @@
 
 #include "support/film_tags.h"
 #include "support/numbered_film.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 using namespace carom;
 using namespace carom::test;

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "util/atomic_file.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
 #include "util/text.h"
 
 using namespace carom;

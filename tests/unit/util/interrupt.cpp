@@ -8,7 +8,7 @@
 #include <string>
 
 #include "support/files.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 using namespace carom;
 

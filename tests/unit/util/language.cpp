@@ -90,13 +90,15 @@ Scanned scan() {
             scan_call(source, static_cast<std::size_t>(match->position(2)), found);
     }
     const std::regex tag(R"(\{\{_([^}]*)\}\})");
-    for (const fs::directory_entry& entry :
-         fs::directory_iterator(test::checkout() / "templates" / "documents")) {
-        std::ifstream file(entry.path());
-        const std::string page(std::istreambuf_iterator<char>(file), {});
-        for (std::sregex_iterator match(page.begin(), page.end(), tag), end; match != end; ++match)
-            found.used.insert((*match)[1]);
-    }
+    for (const char* const folder : {"documents", "pages"})
+        for (const fs::directory_entry& entry :
+             fs::directory_iterator(test::checkout() / "templates" / folder)) {
+            std::ifstream file(entry.path());
+            const std::string page(std::istreambuf_iterator<char>(file), {});
+            for (std::sregex_iterator match(page.begin(), page.end(), tag), end; match != end;
+                 ++match)
+                found.used.insert((*match)[1]);
+        }
     return found;
 }
 

@@ -12,7 +12,7 @@
 #include <new>
 
 #include "support/files.h"
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 #include "util/interrupt.h"
 
 // The address space of a sanitizer has no useful limit.

@@ -1,4 +1,4 @@
-#include "util/scratch_file.h"
+#include "util/files/scratch_file.h"
 
 #include <doctest/doctest.h>
 

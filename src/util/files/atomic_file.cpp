@@ -1,4 +1,4 @@
-#include "util/atomic_file.h"
+#include "util/files/atomic_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

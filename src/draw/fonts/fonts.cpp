@@ -36,6 +36,13 @@ std::string file_of(FcPattern* pattern) {
     return reinterpret_cast<const char*>(file);
 }
 
+// carom draws no words lighter than regular. A variable font has a range of weights, not one.
+bool has_a_used_weight(FcPattern* pattern) {
+    double weight = 0.0;
+    return FcPatternGetDouble(pattern, FC_WEIGHT, 0, &weight) != FcResultMatch ||
+           weight >= FC_WEIGHT_REGULAR;
+}
+
 // The libraries do not tell why they could not read it: as the system says when it is opened again.
 [[noreturn]] void refuse(const std::string& file) {
     const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
@@ -88,14 +95,17 @@ struct Configurations {
         require_threads(threads_of_pango, [] {});
         g_log_set_writer_func(on_glib_message, nullptr, nullptr);
         machine.reset(FcInitLoadConfigAndFonts());
+        // Pango would read it once more.
+        if (machine && !FcConfigSetCurrent(machine.get())) fail();
         declared.reset(FcConfigCreate());
         const Pattern wanted{FcPatternCreate()};
-        const ObjectSet fields{FcObjectSetBuild(FC_FILE, nullptr)};
+        const ObjectSet fields{FcObjectSetBuild(FC_FILE, FC_WEIGHT, nullptr)};
         if (!machine || !declared || !wanted || !fields) fail();
         FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(font_family));
         const FontSet found{FcFontList(machine.get(), wanted.get(), fields.get())};
         if (!found) fail();
         for (int i = 0; i < found->nfont; ++i) {
+            if (!has_a_used_weight(found->fonts[i])) continue;  // each takes a millisecond to read
             const std::string file = file_of(found->fonts[i]);
             if (!FcConfigAppFontAddFile(declared.get(),
                                         reinterpret_cast<const FcChar8*>(file.c_str())))

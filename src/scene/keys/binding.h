@@ -26,7 +26,7 @@ namespace carom {
 template <typename T>
 struct Binding {
     Key key;
-    std::function<void(T&, const Node&, Reading&)> read;
+    SharedFunction<void(T&, const Node&, Reading&)> read;
     bool reads_default = false;  ///< whether the default is read where the key is not given
 
     /// The same field in what is derived from T.
@@ -100,8 +100,9 @@ Binding<T> bind_key(std::string name, Field T::*field, const Notation<V>& notati
                     std::string meaning) {
     Key key{.name = std::move(name), .meaning = std::move(meaning), .forms = notation.forms};
     key.default_value = binding::initial_text(notation, T{}.*field);
-    return {std::move(key), [field, notation](T& into, const Node& node, Reading& reading) {
-                if (auto value = notation.read(node, reading))
+    return {std::move(key),
+            [field, read = notation.read](T& into, const Node& node, Reading& reading) {
+                if (auto value = read(node, reading))
                     binding::assign(into.*field, std::move(*value));
             }};
 }
@@ -111,8 +112,8 @@ template <typename T, typename V, typename Fill>
 Binding<T> bind_with(std::string name, Fill fill, const Notation<V>& notation,
                      std::string meaning) {
     return {{.name = std::move(name), .meaning = std::move(meaning), .forms = notation.forms},
-            [fill, notation](T& into, const Node& node, Reading& reading) {
-                if (auto value = notation.read(node, reading)) fill(into, std::move(*value));
+            [fill, read = notation.read](T& into, const Node& node, Reading& reading) {
+                if (auto value = read(node, reading)) fill(into, std::move(*value));
             }};
 }
 

@@ -77,6 +77,11 @@ KeyTable<Distribution> distribution(Range range) {
 
 }  // namespace
 
+Held::Held(const void* what, void (*destroy)(const void*)) : what_(what, destroy) {}
+Held::Held(const Held& other) = default;
+Held& Held::operator=(const Held& other) = default;
+Held::~Held() = default;
+
 Notation<double> number(Range range) {
     return {{{.shape = Shape::number, .range = range}},
             [](const Node& node, Reading&) { return number_in(node); },

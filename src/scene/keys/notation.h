@@ -4,8 +4,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -29,6 +31,43 @@ struct Reading {
     const Run& run;
 };
 
+/// What copies share.
+class Held {
+  public:
+    Held(const void* what, void (*destroy)(const void*));
+    Held(const Held& other);
+    Held& operator=(const Held& other);
+    ~Held();
+    const void* get() const { return what_.get(); }
+
+  private:
+    std::shared_ptr<const void> what_;
+};
+
+/// A function whose copies share what it holds: notations are put together from many. Little is
+/// compiled for each, as there are hundreds.
+template <typename Signature>
+class SharedFunction;
+template <typename Result, typename... Arguments>
+class SharedFunction<Result(Arguments...)> {
+  public:
+    template <typename F>
+    requires(!std::same_as<F, SharedFunction>) SharedFunction(F function)
+        : held_(new F(std::move(function)),
+                [](const void* held) { delete static_cast<const F*>(held); }),
+          call_([](const void* held, Arguments... arguments) -> Result {
+              return (*static_cast<const F*>(held))(std::forward<Arguments>(arguments)...);
+          }) {}
+
+    Result operator()(Arguments... arguments) const {
+        return call_(held_.get(), std::forward<Arguments>(arguments)...);
+    }
+
+  private:
+    Held held_;
+    Result (*call_)(const void*, Arguments...);
+};
+
 /// How a value of type V is written.
 template <typename V>
 struct Notation {
@@ -36,10 +75,10 @@ struct Notation {
 
     /// The value of a node that has one of the forms; nothing if it has none of them, or if the
     /// value is wrong in itself, which is reported.
-    std::function<std::optional<V>(const Node&, Reading&)> read;
+    SharedFunction<std::optional<V>(const Node&, Reading&)> read;
 
     /// A value as a scene would write it; empty if it would be written as no single word or number.
-    std::function<std::string(const V&)> write = [](const V&) { return std::string{}; };
+    SharedFunction<std::string(const V&)> write = [](const V&) { return std::string{}; };
 
     /// The same where messages call its first form by a phrase.
     Notation called(std::string phrase) const {
@@ -104,12 +143,13 @@ Notation<std::string> word(const std::vector<std::string>& words);
 template <typename V, typename Convert>
 auto mapped(Notation<V> from, Convert convert) {
     using W = std::invoke_result_t<Convert, V>;
-    return Notation<W>{from.forms,
-                       [from, convert](const Node& node, Reading& reading) -> std::optional<W> {
-                           auto value = from.read(node, reading);
-                           if (!value) return std::nullopt;
-                           return std::optional<W>(std::in_place, convert(std::move(*value)));
-                       }};
+    return Notation<W>{
+        from.forms,
+        [read = from.read, convert](const Node& node, Reading& reading) -> std::optional<W> {
+            auto value = read(node, reading);
+            if (!value) return std::nullopt;
+            return std::optional<W>(std::in_place, convert(std::move(*value)));
+        }};
 }
 
 /// The value as another type that is made from it: an alternative of a variant, its only member, a
@@ -131,8 +171,8 @@ template <typename V, typename Parse>
 auto parsed(Notation<V> from, Parse parse) {
     using Result = std::invoke_result_t<Parse, V, const Node&, Reading&>;
     return Notation<typename Result::value_type>{
-        from.forms, [from, parse](const Node& node, Reading& reading) -> Result {
-            auto value = from.read(node, reading);
+        from.forms, [read = from.read, parse](const Node& node, Reading& reading) -> Result {
+            auto value = read(node, reading);
             if (!value) return std::nullopt;
             return parse(std::move(*value), node, reading);
         }};
@@ -156,13 +196,13 @@ Notation<V> either(Notation<V> first, Notation<V> second) {
     std::vector<Form> forms = first.forms;
     forms.insert(forms.end(), second.forms.begin(), second.forms.end());
     return {std::move(forms),
-            [first, second](const Node& node, Reading& reading) {
-                auto value = first.read(node, reading);
-                return value ? value : second.read(node, reading);
+            [first = first.read, second = second.read](const Node& node, Reading& reading) {
+                auto value = first(node, reading);
+                return value ? value : second(node, reading);
             },
-            [first, second](const V& value) {
-                const std::string written = first.write(value);
-                return written.empty() ? second.write(value) : written;
+            [first = first.write, second = second.write](const V& value) {
+                const std::string written = first(value);
+                return written.empty() ? second(value) : written;
             }};
 }
 
@@ -176,17 +216,17 @@ Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, Limit m
               .shortest = shortest,
               .most = most,
               .phrase = std::move(phrase)};
-    return {{std::move(form)},
-            [item](const Node& node, Reading& reading) -> std::optional<std::vector<V>> {
-                if (!node.is_list()) return std::nullopt;
-                std::vector<V> values;
-                values.reserve(node.items.size());
-                for (const Node& one : node.items)
-                    if (one.valid)
-                        if (auto value = item.read(one, reading))
-                            values.push_back(std::move(*value));
-                return values;
-            }};
+    return {
+        {std::move(form)},
+        [read = item.read](const Node& node, Reading& reading) -> std::optional<std::vector<V>> {
+            if (!node.is_list()) return std::nullopt;
+            std::vector<V> values;
+            values.reserve(node.items.size());
+            for (const Node& one : node.items)
+                if (one.valid)
+                    if (auto value = read(one, reading)) values.push_back(std::move(*value));
+            return values;
+        }};
 }
 
 /// One value or a list of several.

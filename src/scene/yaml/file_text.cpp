@@ -1,5 +1,6 @@
 #include "scene/yaml/file_text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <memory>
 #include <system_error>
@@ -23,15 +24,19 @@ std::string cause(int error) { return std::generic_category().message(error); }
 
 // Up to one byte over the limit, which the reader then refuses.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
-    std::string text(most_file_bytes.count() + 1, '\0');
-    std::size_t size = 0;
-    while (true) {
-        size += std::fread(text.data() + size, 1, text.size() - size, &file);
+    constexpr std::size_t block = 65'536;
+    const std::size_t most = most_file_bytes.count() + 1;
+    std::string text;
+    while (text.size() < most) {
+        const std::size_t size = text.size(), wanted = std::min(block, most - size);
+        text.resize(size + wanted);
+        const std::size_t got = std::fread(text.data() + size, 1, wanted, &file);
+        text.resize(size + got);
+        if (got == wanted) continue;
         if (std::ferror(&file) == 0 || errno != EINTR) break;
         throw_if_interrupted();  // a terminal or pipe that sends nothing must not hold Ctrl-C
         std::clearerr(&file);
     }
-    text.resize(size);
     if (std::ferror(&file) == 0) return text;
     errors.add(name, "cannot be read: " + cause(errno));
     return std::nullopt;

@@ -25,10 +25,12 @@ const std::map<std::string, std::set<std::string>> allowed_modules{
     {"scene", {"util", "physics"}},
     {"draw", {"util"}},
     {"panels", {"util", "physics", "stats", "scene", "draw"}},
-    {"media", {"util", "draw"}},
+    {"sound", {"util", "physics", "scene"}},
+    {"media", {"util", "draw", "sound"}},
     {"runs", {"util", "physics", "stats", "scene", "panels"}},
     {"figures", {"util", "physics", "stats", "scene", "draw", "panels", "runs"}},
-    {"app", {"util", "physics", "stats", "scene", "draw", "panels", "media", "runs", "figures"}},
+    {"app",
+     {"util", "physics", "stats", "scene", "draw", "panels", "sound", "media", "runs", "figures"}},
 };
 
 // The parts of a module that has folders, from the bottom up: a part includes only itself and parts

@@ -66,6 +66,15 @@ double mean_over_finite_masses(const Particles& particles, const Eigen::ArrayXd&
     return finite.select(energies, 0.0).sum() / static_cast<double>(finite.count());
 }
 
+Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision) {
+    const double inverse = particles.inverse_mass[collision.first];
+    if (inverse > 0.0) return (collision.first_before - collision.first_after) / inverse;
+    const double other =
+        collision.second.is_particle() ? particles.inverse_mass[collision.second.particle()] : 0.0;
+    if (other > 0.0) return (collision.second_after - collision.second_before) / other;
+    return Eigen::Array2d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
 Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample) {
     const Eigen::ArrayXd mass = 1.0 / particles.inverse_mass;
     Eigen::ArrayXd sum(sample.velocity.cols());

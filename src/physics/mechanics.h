@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "physics/advance_result.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
 
@@ -21,6 +22,10 @@ bool infinite_mass_moves(const Particles& particles, const Sample& sample);
 /// The mean of some energies, one for each particle, over the particles of finite mass: what cannot
 /// take part in an exchange of energy does not count. NaN if there are none.
 double mean_over_finite_masses(const Particles& particles, const Eigen::ArrayXd& energies);
+
+/// The momentum that the partner of a collision received from its first particle, as much as that
+/// lost; not a number where neither of both masses is finite.
+Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision);
 
 /// Total momentum, one component for each dimension; infinite with an infinite mass that moves.
 Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample);

@@ -4,9 +4,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string_view>
 
+#include "physics/mechanics.h"
 #include "util/csv.h"
 
 namespace carom {
@@ -27,15 +27,6 @@ std::string header(int dimension) {
 }
 
 }  // namespace
-
-Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision) {
-    const double inverse = particles.inverse_mass[collision.first];
-    if (inverse > 0.0) return (collision.first_before - collision.first_after) / inverse;
-    const double other =
-        collision.second.is_particle() ? particles.inverse_mass[collision.second.particle()] : 0.0;
-    if (other > 0.0) return (collision.second_after - collision.second_before) / other;
-    return Eigen::Array2d::Constant(std::numeric_limits<double>::quiet_NaN());
-}
 
 CollisionsCsv::CollisionsCsv(const Box& box, Output& output)
     : dimension_(box.dimension), rows_(output) {

@@ -37,8 +37,4 @@ class CollisionsCsv {
     RowBuffer rows_;
 };
 
-/// The momentum that the partner of a collision received from a particle: as much as that lost.
-/// Not finite where neither of both masses is.
-Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision);
-
 }  // namespace carom

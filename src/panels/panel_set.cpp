@@ -215,14 +215,18 @@ void PanelSet::fix_axes_of_both() {
 }
 
 Recording PanelSet::record(std::size_t run, Simulation start, std::vector<Tick> ticks,
-                           const Recording::Viewer& see, const Recording::Room& room, bool aside) {
-    const Recording::Wanted wanted{wants_collisions(), return_times(run, ticks), aside};
+                           const Recording::Viewer& see, const Recording::Room& room,
+                           Recording::Wanted wanted) {
+    wanted.collisions = wants_collisions();
+    wanted.return_times = return_times(run, ticks);
     Recording recording;
     with_places_of_errors(runs_[run]->scene, [&] {
         recording = Recording(
             std::move(start), std::move(ticks), wanted,
             [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                survey(run, tick, sample, advanced);
+                AdvanceResult surveyed = advanced;
+                if (!wanted.collisions) surveyed.collisions = {};  // as in the second pass
+                survey(run, tick, sample, surveyed);
                 see(tick, sample, advanced);
             },
             room);

@@ -59,16 +59,19 @@ class PanelSet {
     /// The first pass over a whole run, from a simulation at time 0; `see` sees each frame after
     /// the panels. Errors have their places in the scene file. `room` is for what is kept. With
     /// `aside` panels see it, and `see` does, on a thread of their own, while the run is simulated.
-    /// Throws SceneError, Interrupted.
+    /// With `all_collisions` `see` sees the collisions also where no panel wants them. Throws
+    /// SceneError, Interrupted.
     Recording record(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
-                     const Recording::Room& room = {}, bool aside = false) {
-        return record(own, std::move(start), std::move(ticks), see, room, aside);
+                     const Recording::Room& room = {}, bool aside = false,
+                     bool all_collisions = false) {
+        return record(own, std::move(start), std::move(ticks), see, room,
+                      {.first_collisions = all_collisions, .aside = aside});
     }
 
     /// The same for the run beside it.
     Recording record_beside(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
                             const Recording::Room& room = {}, bool aside = false) {
-        return record(other, std::move(start), std::move(ticks), see, room, aside);
+        return record(other, std::move(start), std::move(ticks), see, room, {.aside = aside});
     }
 
     /// The first pass over frames of a run with none beside it, of which nothing is kept; `see`
@@ -143,7 +146,8 @@ class PanelSet {
     void survey(std::size_t run, const Tick& tick, const Sample& sample,
                 const AdvanceResult& advanced);
     Recording record(std::size_t run, Simulation start, std::vector<Tick> ticks,
-                     const Recording::Viewer& see, const Recording::Room& room, bool aside);
+                     const Recording::Viewer& see, const Recording::Room& room,
+                     Recording::Wanted wanted);
     std::vector<double> return_times(std::size_t run, const std::vector<Tick>& ticks) const;
     void fix_axes_of_both();
     bool refreshes_readouts(const Tick& tick) const;

@@ -77,10 +77,12 @@ Recording::Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wa
     };
     Simulation first = *start_;
     first.measure_return(wanted.return_times);
+    const bool with_collisions = wanted.collisions || wanted.first_collisions;
     if (wanted.aside)
-        see_aside([&](const Viewer& send) { simulate(std::move(first), send); }, see_and_keep);
+        see_aside([&](const Viewer& send) { simulate(std::move(first), with_collisions, send); },
+                  see_and_keep);
     else
-        simulate(std::move(first), see_and_keep);
+        simulate(std::move(first), with_collisions, see_and_keep);
     if (kept) start_.reset();
 }
 
@@ -100,21 +102,22 @@ bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, const 
     const bool is_new = sample_count() == 0 || time_of_last_sample() != sample.time;
     Frame frame{sample_count() - (is_new ? 0 : 1), advanced, {}};
     frame.advanced.collisions = {};
+    const auto collisions = with_collisions_ ? advanced.collisions : std::span<const Collision>{};
     const std::size_t of_sample =
         is_new ? bytes_of_sample(sample.position.rows(), static_cast<int>(sample.position.cols()))
                : 0;
-    const std::size_t of_collisions = advanced.collisions.size_bytes();
+    const std::size_t of_collisions = collisions.size_bytes();
     bytes_ += sizeof(Frame) + advanced.surfaces.size() * sizeof(SurfaceState);
     if (!file_ && bytes_ + of_sample + of_collisions > room.memory && room.file > 0)
         file_ = std::make_shared<ScratchFile>(room.file);
     if (file_) {
         // What frames have beside samples and collisions stays in memory.
         if (bytes_ > room.memory + most_bytes_beside ||
-            !keep_in_file(sample, is_new, advanced.collisions, frame))
+            !keep_in_file(sample, is_new, collisions, frame))
             return false;
     } else {
         if (is_new) samples_.push_back(sample);
-        frame.collisions.assign(advanced.collisions.begin(), advanced.collisions.end());
+        frame.collisions.assign(collisions.begin(), collisions.end());
         bytes_ += of_sample + of_collisions;
     }
     frames_.push_back(std::move(frame));
@@ -154,8 +157,8 @@ void Recording::read_sample(std::size_t number, Sample& to) const {
                 room_of(to.velocity.data(), count));
 }
 
-void Recording::simulate(Simulation simulation, const Viewer& see) const {
-    simulation.record_collisions(with_collisions_);
+void Recording::simulate(Simulation simulation, bool with_collisions, const Viewer& see) const {
+    simulation.record_collisions(with_collisions);
     for (const Tick& tick : ticks_) {
         throw_if_interrupted();
         const AdvanceResult advanced = simulation.advance_to(tick.time);

@@ -38,6 +38,7 @@ class Recording {
     /// What is measured on the way, beyond the samples.
     struct Wanted {
         bool collisions = false;
+        bool first_collisions = false;          ///< in the first pass only
         std::vector<double> return_times = {};  ///< in the first pass only
         bool aside = false;  ///< the first pass is seen on a thread of its own, as it is simulated
     };
@@ -136,7 +137,7 @@ class Recording {
     double time_of_last_sample() const;
     void read_sample(std::size_t number, Sample& to) const;
     void forget();
-    void simulate(Simulation simulation, const Viewer& see) const;
+    void simulate(Simulation simulation, bool with_collisions, const Viewer& see) const;
     void keep_part(const Recording& whole, std::size_t first, std::size_t end);
     Recording in_memory() const;
 

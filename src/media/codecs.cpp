@@ -41,7 +41,8 @@ CodecOptions vp9_options(Quality quality) {
 
 }  // namespace
 
-const Codec h264{"libx264", "mp4", {"movflags", "faststart"}, false, h264_options};
-const Codec vp9{"libvpx-vp9", "webm", {"cues_to_front", "1"}, true, vp9_options};
+const Codec h264{"libx264", "mp4", {"movflags", "faststart"}, false, h264_options, {"aac", 96'000}};
+const Codec vp9{"libvpx-vp9", "webm",      {"cues_to_front", "1"},
+                true,         vp9_options, {"libopus", 64'000}};
 
 }  // namespace carom

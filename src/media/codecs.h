@@ -13,16 +13,23 @@ namespace carom {
 /// Options by libav's names.
 using CodecOptions = std::vector<std::pair<const char*, std::string>>;
 
+/// How the sound of a film is encoded.
+struct SoundCodec {
+    const char* encoder;  ///< libav's name of it
+    int bits_per_second;
+};
+
 struct Codec {
     const char* encoder;                              ///< libav's name of it
     const char* container;                            ///< libav's name of the file format
     std::pair<const char*, const char*> index_first;  ///< its option for that
     bool keeps_all_metadata;                          ///< texts by any name
     CodecOptions (*encoder_options)(Quality);
+    SoundCodec sound;
 };
 
-extern const Codec h264;  ///< in MP4
-extern const Codec vp9;   ///< in WebM
+extern const Codec h264;  ///< and AAC, in MP4
+extern const Codec vp9;   ///< and Opus, in WebM
 
 /// What every film shares, beside the length of its groups of pictures: nothing that depends on the
 /// number of cores or on the instruction set may change a byte.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +36,7 @@ struct VideoSettings {
     std::vector<std::pair<std::string, std::string>>
         metadata;  ///< title, description, comment, ... as libav names them
     std::vector<FilmChapter> chapters = {};  ///< in order; none: the film has no chapters
+    bool has_sound = false;                  ///< and add_sound() is called; not in every format
 };
 
 /// What becomes of one run of frames. It may refer to its FilmWriter.
@@ -68,14 +71,21 @@ class FilmWriter : public PendingOutput {
     /// of them (OutputFormat::previews).
     virtual void use_colors(const std::vector<std::uint32_t>&) {}
 
+    /// Adds sound from sample number `first` of the film on (sound/rate.h), behind all that was
+    /// added before: in order, and before the segments are joined that it belongs to. It is silent
+    /// in between, and from there to the end. Throws std::logic_error where the film has no sound.
+    virtual void add_sound(std::int64_t /*first*/, std::span<const std::int16_t> /*samples*/) {
+        throw std::logic_error("a film without sound");
+    }
+
     /// The segment that begins with frame number `first`, from 0. From any thread.
     virtual std::unique_ptr<FilmSegment> segment(int first) = 0;
     virtual std::int64_t bytes() const = 0;  ///< of all that was written, after settle
 };
 
-/// H.264 in MP4, and VP9 in WebM: the index first, at a constant rate. Each segment is encoded by a
-/// single-threaded encoder to a group of pictures that decodes on its own; they are joined by
-/// stream copy.
+/// H.264 and AAC in MP4, and VP9 and Opus in WebM: the index first, at a constant rate. Each
+/// segment is encoded by a single-threaded encoder to a group of pictures that decodes on its own;
+/// they are joined by stream copy.
 std::unique_ptr<FilmWriter> mp4_film(const std::filesystem::path& path,
                                      const VideoSettings& settings, int frames);
 std::unique_ptr<FilmWriter> webm_film(const std::filesystem::path& path,

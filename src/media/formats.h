@@ -37,6 +37,12 @@ struct FormatCost {
     double seconds_before(double pixels) const;
 };
 
+/// How films in a format have sound.
+struct FormatSound {
+    const char* codec;
+    double bytes;  ///< of a second
+};
+
 struct OutputFormat {
     std::string name;  ///< as --format has it; behind a dot the ending of its files
     bool stills = false, figures = false;
@@ -47,7 +53,8 @@ struct OutputFormat {
     int most_frames_per_second = 0;       ///< 0: any number
     double large_bytes = 0.0;             ///< from which a film is large for it; 0: never
     bool in_one_piece = false;  ///< a film in it is made by one process, and its cost is not told
-    int previews = 0;           ///< frames of the whole film from which its colours are chosen
+    std::optional<FormatSound> sound = {};  ///< none: its films are silent
+    int previews = 0;  ///< frames of the whole film from which its colours are chosen
     std::unique_ptr<FilmWriter> (*make_film)(const std::filesystem::path&, const VideoSettings&,
                                              int frames) = nullptr;
 };

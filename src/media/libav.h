@@ -11,6 +11,7 @@ extern "C" {
 #include <libavfilter/buffersink.h>
 #include <libavfilter/buffersrc.h>
 #include <libavformat/avformat.h>
+#include <libavutil/cpu.h>
 #include <libavutil/opt.h>
 }
 
@@ -25,6 +26,7 @@ extern "C" {
     EACH(av_dict_free)           \
     EACH(av_dict_get)            \
     EACH(av_dict_set)            \
+    EACH(av_force_cpu_flags)     \
     EACH(av_frame_alloc)         \
     EACH(av_frame_free)          \
     EACH(av_frame_get_buffer)    \

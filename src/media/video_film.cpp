@@ -1,4 +1,5 @@
-// Films as H.264 or VP9: libav's encoders, its writers of files, and the file itself.
+// Films as H.264 or VP9, with sound or without: libav's encoders, its writers of files, and the
+// file itself.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +15,9 @@
 #include "media/codecs.h"
 #include "media/film_writer.h"
 #include "media/libav.h"
+#include "media/sound_encoder.h"
 #include "media/yuv.h"
+#include "sound/rate.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
@@ -144,8 +147,10 @@ class VideoFilm : public FilmWriter {
     VideoFilm(const std::filesystem::path& path, VideoSettings settings, const Codec& codec)
         : settings_(std::move(settings)), codec_(codec), file_(path) {
         libav::listen();
+        if (settings_.has_sound) sound_.emplace(codec_.sound);
     }
 
+    void add_sound(std::int64_t first, std::span<const std::int16_t> samples) override;
     std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
     void settle() override;
     void commit() override;
@@ -179,6 +184,9 @@ class VideoFilm : public FilmWriter {
 
     void start(const Segment& segment);
     void append(Segment& segment);
+    void start_sound();
+    void write_sound_until(std::int64_t frame);
+    void write(AVPacket& packet, int stream, AVRational time_base);
     void check(int result) const;
 
     /// What an encoder of the film says of itself, for segments that were encoded elsewhere.
@@ -191,6 +199,7 @@ class VideoFilm : public FilmWriter {
 
     VideoSettings settings_;
     const Codec& codec_;
+    std::optional<SoundEncoder> sound_;
     AtomicFile file_;
     Owned<AVIOContext> io_;
     Owned<AVFormatContext> format_;
@@ -311,6 +320,7 @@ void VideoFilm::start(const Segment& segment) {
     stream->time_base = segment.time_base_;
     if (settings_.transparent) api().av_dict_set(&stream->metadata, "alpha_mode", "1", 0);
     stream->avg_frame_rate = {settings_.fps, 1};
+    if (sound_) start_sound();
     AVDictionary* options = nullptr;
     api().av_dict_set(&options, codec_.index_first.first, codec_.index_first.second, 0);
     const int result = api().avformat_write_header(format_.get(), &options);
@@ -325,24 +335,62 @@ void VideoFilm::append(Segment& segment) {
             fmt::format("cannot write {}: its segments were encoded with different parameters",
                         file_.path().string()));
 
-    const AVRational stream_time = format_->streams[0]->time_base;
     std::int64_t index = frames_;
     for (Owned<AVPacket>& packet : segment.packets_) {
-        packet->stream_index = 0;
+        write_sound_until(index);
         packet->pts += frames_;
         // At a constant rate the decoding time is the number in the file, whatever its segment.
         packet->dts = index++ - segment.reordering_;
         packet->duration = 1;
-        api().av_packet_rescale_ts(packet.get(), segment.time_base_, stream_time);
-        check(api().av_write_frame(format_.get(), packet.get()));
+        write(*packet, 0, segment.time_base_);
         packet.reset();
     }
     frames_ = index;
 }
 
+void VideoFilm::write(AVPacket& packet, int stream, AVRational time_base) {
+    packet.stream_index = stream;
+    api().av_packet_rescale_ts(&packet, time_base, format_->streams[stream]->time_base);
+    check(api().av_write_frame(format_.get(), &packet));
+}
+
+void VideoFilm::add_sound(std::int64_t first, std::span<const std::int16_t> samples) {
+    if (!sound_) throw std::logic_error("a film without sound");
+    sound_->fill(first);
+    sound_->add(samples);
+}
+
+void VideoFilm::start_sound() {
+    AVStream* const stream = api().avformat_new_stream(format_.get(), nullptr);
+    if (stream == nullptr) throw std::bad_alloc();
+    check(api().avcodec_parameters_copy(stream->codecpar, &sound_->parameters()));
+    stream->time_base = {1, sound_rate};
+}
+
+// Packets lie in the file in the order in which they are played. In WebM the times of Opus count
+// what a decoder drops at the start; before FFmpeg 6 libavformat does not add it, and shifts the
+// pictures instead.
+void VideoFilm::write_sound_until(std::int64_t frame) {
+    if (!sound_) return;
+    constexpr bool is_added = LIBAVFORMAT_VERSION_MAJOR >= 60;
+    const AVCodecParameters& its = sound_->parameters();
+    const bool is_missing = !is_added && its.codec_id == AV_CODEC_ID_OPUS;
+    const std::int64_t dropped = is_missing ? its.initial_padding : 0;
+    while (const Owned<AVPacket> packet = sound_->next(samples_before(frame, settings_.fps))) {
+        packet->pts += dropped;
+        packet->dts += dropped;
+        write(*packet, 1, {1, sound_rate});
+    }
+}
+
 void VideoFilm::settle() {
     assert(frames_ > 0);
     if (bytes_ > 0) return;
+    if (sound_) {
+        sound_->fill(samples_before(frames_, settings_.fps));
+        sound_->finish();
+        write_sound_until(std::numeric_limits<std::int32_t>::max());
+    }
     check(api().av_write_trailer(format_.get()));
     api().avio_flush(io_.get());
     check(0);

@@ -128,6 +128,7 @@ std::vector<Option> picture_options(SceneOptions& options) {
 
 Overrides overrides_of(const SceneOptions& options) {
     Overrides overrides = options.shortcuts;
+    if (options.no_sound) overrides.emplace_back("film.sound=none");
     for (const std::string& set : options.sets) {
         const std::size_t equals = set.find('=');
         if (equals == std::string::npos || equals == 0)

@@ -78,6 +78,7 @@ struct SceneOptions {
     bool quiet = false;
     bool timings = false;
     bool is_classroom = false;
+    bool no_sound = false;
 };
 
 /// An option that is a short way to write `--set key=value`.

@@ -55,6 +55,7 @@ inline constexpr Limit most_pairs_compared{20e6, "pairs compared in search of ov
 inline constexpr Limit most_frames{108'000, "frames of a film: an hour at 30 frames a second"};
 inline constexpr Limit most_frames_per_second{120, "frames in a second of film"};
 inline constexpr Limit most_seconds{86'400, "seconds of a film"};
+inline constexpr Limit most_sound_seconds{3'600, "seconds of a film with sound"};
 inline constexpr Limit most_trail_seconds{3'600, "seconds of a trail"};
 inline constexpr Limit smallest_side{64, "pixels on a side of a picture, at least"};
 inline constexpr Limit largest_side{8192, "pixels on a side of a picture"};

@@ -302,6 +302,16 @@ struct Beside : ComparedRun {
     std::string own_label;  ///< of the scene's own run
 };
 
+enum class SoundOf { collisions };
+
+/// The sound of a film: a click for each collision of its run.
+struct Sound {
+    SoundOf of = SoundOf::collisions;
+    double loudness = 0.3;                 ///< the largest sample, as a share of full scale
+    std::optional<double> reference = {};  ///< impulse of a collision that sounds at 880 Hz; none:
+                                           ///< as usual_impulse() (sound/film_sound.h)
+};
+
 struct Film {
     std::string template_name = "lecture";
     LayoutSpec layout;
@@ -329,6 +339,7 @@ struct Film {
     std::vector<CameraMove> camera;  ///< in order of time; none: the whole box throughout
     std::optional<Field> field;
     std::optional<Beside> beside;
+    std::optional<Sound> sound;             ///< none: the film is silent
     Language language = Language::english;  ///< of carom's own words; a scene's stay as they are
 };
 

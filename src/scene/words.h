@@ -72,6 +72,10 @@ inline constexpr auto enum_words<FieldOf> =
                                       {FieldOf::concentration, "concentration"}});
 
 template <>
+inline constexpr auto enum_words<SoundOf> = std::to_array<EnumWord<SoundOf>>({{SoundOf::collisions,
+                                                                               "collisions"}});
+
+template <>
 inline constexpr auto enum_words<Component> = std::to_array<EnumWord<Component>>(
     {{Component::x, "x"}, {Component::y, "y"}, {Component::both, "both"}});
 

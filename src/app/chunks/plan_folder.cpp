@@ -97,8 +97,9 @@ bool is_of_plan(const fs::path& path) {
     const auto is_one_of = [&](const std::vector<std::string>& endings) {
         return std::ranges::find(endings, extension) != endings.end();
     };
-    return name == "plan.json" || name == "film.plan" || name == "sweep.plan" || name == "starts" ||
-           name == "chunks" || name == "summary.json" || name.starts_with(".") ||
+    return name == "plan.json" || name == "film.plan" || name == "film.sound" ||
+           name == "sweep.plan" || name == "starts" || name == "chunks" || name == "summary.json" ||
+           name.starts_with(".") ||
            (path.parent_path().filename() == "starts" && is_one_of({".start"})) ||
            (path.parent_path().filename() == "chunks" && is_one_of({".chunk", ".runs", ".json"}));
 }

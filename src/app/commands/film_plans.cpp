@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/commands/render_words.h"
 #include "app/film/film_chunks.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
@@ -97,6 +98,7 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
             plan_film(loaded[i], film, division, folder, arguments.force, progress);
         if (options.quiet) continue;
         Output("-").write(report_of(folder, report));
+        if (loaded[i].film.sound && !format.sound) say(warning_of_silence(format));
         if (!report.cut.empty())
             say(fmt::format(
                 "carom: no room for all of {}; write less, or choose another template\n",

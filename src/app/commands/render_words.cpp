@@ -59,9 +59,16 @@ std::string timings_of(const RenderReport& report) {
                               report.wall_seconds, frames / report.wall_seconds);
 }
 
+std::string warning_of_silence(const OutputFormat& format) {
+    return fmt::format(
+        "carom: the film is silent, as {} has no sound; write a .mp4 or a .webm, or say "
+        "--no-sound\n",
+        upper_case(format.name));
+}
+
 std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page) {
-    return warning(format, report) + (in_page ? warning_of_page(report) : "") +
-           warning_of_cut_words(report);
+    return (report.lacks_sound ? warning_of_silence(format) : "") + warning(format, report) +
+           (in_page ? warning_of_page(report) : "") + warning_of_cut_words(report);
 }
 
 }  // namespace carom

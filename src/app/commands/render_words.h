@@ -11,7 +11,11 @@ namespace carom {
 /// The seconds of each stage, and what they were spent on.
 std::string timings_of(const RenderReport& report);
 
-/// What may disappoint: its size for its format or `in_page`, words that are cut. Empty: nothing.
+/// Of a scene with sound whose film is in a format without.
+std::string warning_of_silence(const OutputFormat& format);
+
+/// What may disappoint: no sound, its size for its format or `in_page`, words that are cut. Empty:
+/// nothing.
 std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page);
 
 }  // namespace carom

@@ -9,6 +9,10 @@ constexpr double events_per_second = 1e6;
 
 }  // namespace
 
+double bytes_of_sound(const Scene& scene, const OutputFormat& format, int frames) {
+    return has_sound(scene, format) ? format.sound->bytes * frames / scene.film.fps : 0.0;
+}
+
 FilmCost estimated_cost(const OutputFormat& output, const Scene& scene, const FilmOptions& options,
                         int frames, std::int64_t particles, double collisions) {
     const FormatCost& format = *output.film;
@@ -18,7 +22,8 @@ FilmCost estimated_cost(const OutputFormat& output, const Scene& scene, const Fi
     return {output.name,
             collisions / events_per_second + format.seconds_before(pixels) +
                 frames * format.frame_seconds(disks, pixels, options.quality) / options.threads,
-            frames * format.frame_bytes(disks, pixels, options.quality),
+            frames * format.frame_bytes(disks, pixels, options.quality) +
+                bytes_of_sound(scene, output, frames),
             static_cast<double>(memory_of_film(scene, output, particles, options.threads))};
 }
 

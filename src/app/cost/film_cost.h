@@ -18,6 +18,9 @@ struct FilmCost {
     double memory = 0.0;   ///< bytes, at most, whatever the quality
 };
 
+/// Of the sound of so many frames, if there is one.
+double bytes_of_sound(const Scene& scene, const OutputFormat& format, int frames);
+
 /// An estimate for a film of so many frames at a quality, of so many particles in each of its runs,
 /// in which so many collisions are calculated: interpolated from films that were measured
 /// (docs/encoding.md), on a machine like the one they were made on. Does not know how far

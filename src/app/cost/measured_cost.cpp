@@ -109,6 +109,7 @@ FilmCost measured_cost(const Scene& scene, const FilmOptions& options, Progress&
     FrameSampler sampler(plan, *writer, progress);
     FilmCost cost = sampler.measure();
     cost.format = format.name;
+    cost.bytes += bytes_of_sound(scene, format, plan.frames());
     cost.seconds = prepared_seconds + sampler.played_seconds() + cost.seconds / options.threads;
     cost.memory =
         static_cast<double>(memory_of_film(scene, format, plan.particles.count(), options.threads));

@@ -13,6 +13,7 @@
 #include "app/scratch_folder.h"
 #include "media/formats.h"
 #include "scene/time/timeline.h"
+#include "sound/rate.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
@@ -25,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* plan_file = "film.plan";
+constexpr const char* sound_file = "film.sound";
 
 Json nullable(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
@@ -204,6 +206,23 @@ FilmPlan read_plan(const PlanFolder& folder, FilmOptions& options) {
     return read_shared(folder.read(plan_file), (folder.path() / plan_file).string(), options);
 }
 
+// Apart from what chunks need.
+std::string sound_bytes(std::vector<std::int16_t>& samples) {
+    Archive archive;
+    archive(samples);
+    return archive.finished();
+}
+
+std::vector<std::int16_t> read_sound(const PlanFolder& folder, const FilmPlan& plan) {
+    Archive archive(folder.read(sound_file), (folder.path() / sound_file).string());
+    std::vector<std::int16_t> samples;
+    archive(samples);
+    archive.expect_end();
+    if (std::cmp_not_equal(samples.size(), samples_before(plan.frames(), plan.scene.film.fps)))
+        archive.refuse("it has another length than the film");
+    return samples;
+}
+
 // As a plan of its own.
 FilmPlan plan_of_chunk(const PlanFolder& folder, const FilmPlan& whole, const PlannedChunk& chunk) {
     FilmPlan plan = whole;
@@ -292,6 +311,7 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     StartWriter starts(plan, *format.film, options.quality, writer, progress);
     starts.write(chunks);
     writer.write(plan_file, shared_bytes(plan, options));
+    if (!plan.sound.empty()) writer.write(sound_file, sound_bytes(plan.sound));
     report.cut = starts.cut_words();  // draws, which may fail
     writer.commit({PlanKind::film, request, facts_of(plan, format)}, chunks);
     report.chunks = static_cast<int>(chunks.size());
@@ -333,9 +353,11 @@ RenderReport join_film(const PlanFolder& folder, const JoinOptions& asked, Progr
     report.path = asked.output;
     const std::unique_ptr<FilmWriter> writer = film_writer(plan, options);
     if (!plan.colors.empty()) writer->use_colors(plan.colors);
+    const bool is_heard = has_sound(plan.scene, format_of_film(asked.output));
+    if (is_heard) writer->add_sound(0, read_sound(folder, plan));
     join_chunks(folder, plan, *writer, progress);
     if (asked.poster) write_poster(folder, plan, poster_path(asked.output), progress);
-    commit_with_text(*writer, asked.text ? &plan.text : nullptr, asked.output);
+    commit_with_text(*writer, plan.text, files_wanted(asked.text, is_heard), asked.output);
     report.frames = plan.frames();
     report.bytes = writer->bytes();
     report.wall_seconds = watch.wall();

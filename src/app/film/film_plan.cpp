@@ -12,6 +12,7 @@
 #include "panels/precision.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
+#include "sound/film_sound.h"
 #include "util/text.h"
 
 namespace carom {
@@ -43,11 +44,13 @@ std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Pro
 }
 
 // What is simulated once serves all, where it is kept.
-std::vector<std::string> passes_for(const Scene& asked, bool kept, bool text, bool colors) {
+std::vector<std::string> passes_for(const Scene& asked, bool kept, bool text, bool sound,
+                                    bool colors) {
     std::vector<std::string> passes;
     if (!asked.run.bits) passes.emplace_back("precision");
     std::vector<std::string> first{"axes"};
     if (text) first.emplace_back("words");
+    if (sound) first.emplace_back("sound");
     std::vector<std::string> later;
     if (colors) later.emplace_back("colours");
     later.emplace_back("pictures");
@@ -195,7 +198,13 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     constexpr Eigen::Index enough = 2000;
     const bool aside = options.threads > 1 && plan.particles.count() >= enough;
     std::optional<FilmTextMaker> text;
-    if (options.text) text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at);
+    std::optional<FilmSound> sound;
+    if (has_sound(plan.scene, format_of_film(options.output)))
+        sound.emplace(plan.scene.film, ticks, plan.particles, start.energy_account(),
+                      plan.span.first, plan.span.end);
+    if (options.text || sound)
+        text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at,
+                     sound.has_value());
     progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
     if (other)
         plan.beside->run = panels.record_beside(
@@ -206,9 +215,11 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
         std::move(start), std::move(ticks),
         [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
             if (text) text->see(tick, sample, advanced);
+            if (sound) sound->see(tick, advanced);
             progress.advance();
         },
-        room, aside);
+        room, aside, sound.has_value());
+    if (sound) plan.sound = sound->samples();
     panels.fix_axes();
     Archive axes;
     panels.archive(axes);
@@ -217,8 +228,12 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     const int previews = format_of_film(options.output).previews;
     if (previews > 0) plan.colors = chosen_colors(plan, previews, progress);
     const bool is_kept = plan.run.is_kept() && (!plan.beside || plan.beside->run.is_kept());
-    plan.passes = passes_for(asked, is_kept, options.text, previews > 0);
+    plan.passes = passes_for(asked, is_kept, options.text, !plan.sound.empty(), previews > 0);
     return plan;
+}
+
+bool has_sound(const Scene& scene, const OutputFormat& format) {
+    return scene.film.sound && format.sound;
 }
 
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
@@ -240,15 +255,20 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     const double encoded = std::min(1.0 * frames, 2.0 * workers * segments[1]) * frame_bytes;
     const double kept = std::min(most_kept + frames * of_filed_frame,
                                  frames * (of_frame + of_kept_particle * disks));
+    const double sound =
+        has_sound(scene, format)
+            ? frames / scene.film.fps * (sizeof(std::int16_t) * sound_rate + format.sound->bytes)
+            : 0.0;
     const double previews = 4.0 * pixels * std::min(format.previews, frames);
     return static_cast<std::int64_t>(of_program + of_particle * disks + kept + 2.0 * encoded +
-                                     previews + workers * format.film->memory_per_pixel * pixels);
+                                     sound + previews +
+                                     workers * format.film->memory_per_pixel * pixels);
 }
 
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {
     const bool kept = Recording::fits(static_cast<std::size_t>(frame_count(scene.film)), particles,
                                       scene.gas.box.dimension);
-    return passes_for(scene, kept, false, false);
+    return passes_for(scene, kept, false, false, false);
 }
 
 std::string shared_bytes(FilmPlan& plan, FilmOptions& options) {

@@ -50,6 +50,7 @@ struct FilmPlan {
     std::string progress;  ///< how far the panels are at the first frame of `run`; empty: at their
                            ///< beginning
     std::string axes;      ///< what the first pass has fixed of each panel
+    std::vector<std::int16_t> sound;    ///< of the span; none: it is silent
     std::vector<std::uint32_t> colors;  ///< 0xffRRGGBB, where the format has few
     FilmText text;                      ///< where it is wanted
     std::vector<std::string> passes;    ///< what the run was simulated for, each time that it was
@@ -72,6 +73,9 @@ struct FilmPlan {
 FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progress,
                  const std::function<void(const FilmPlan&)>& when_placed = {});
 
+/// Whether the film of a scene has sound in a format.
+bool has_sound(const Scene& scene, const OutputFormat& format);
+
 /// What a film will be simulated for, as far as is known before: of so many particles.
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
 
@@ -80,8 +84,8 @@ std::vector<std::string> expected_passes(const Scene& scene, std::int64_t partic
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
                             int threads);
 
-/// What all parts of a film share, and what is wanted of it, as bytes: all but the frames of its
-/// runs.
+/// What all parts of a film share, and what is wanted of it, as bytes: all but its sound and the
+/// frames of its runs.
 std::string shared_bytes(FilmPlan& plan, FilmOptions& options);
 
 /// Reads them back, into `options` too; `name` stands for the bytes in messages. Throws SystemError

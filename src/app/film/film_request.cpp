@@ -27,6 +27,11 @@ std::vector<Option> film_options(SceneOptions& options, FilmOptions& film) {
 std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film) {
     return {shortcut(options, "--fps N", "film.fps", "frames per second"),
             shortcut(options, "--seconds S", "film.seconds", "length of the film"),
+            {"--no-sound",
+             "no sound, whatever the scene says: film.sound=none",
+             &options.no_sound,
+             {},
+             "film.sound"},
             {"--quality",
              "draft, standard or final",
              [&film](const std::string& name) { film.quality = quality_of(name); },

@@ -11,10 +11,10 @@
 
 namespace carom {
 
-/// --from, --to, --fps, --seconds and --quality.
+/// --from, --to, --fps, --seconds, --no-sound and --quality.
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film);
 
-/// The last three of these.
+/// The last four of these.
 std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film);
 
 /// Throws UsageError where --from and --to are not times of a scene, in order.

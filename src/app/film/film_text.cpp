@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/film/film_notes.h"
@@ -23,6 +24,9 @@
 
 namespace carom {
 namespace {
+
+// After which a sound is captioned again.
+constexpr double silent_seconds = 3.0;
 
 double seconds_at(int frame, const Scene& scene, const FrameSpan& span) {
     return static_cast<double>(frame - span.first) / scene.film.fps;
@@ -160,7 +164,7 @@ std::string on_one_line(std::string words) {
 }
 
 // What is beside the gas.
-std::string picture_text(const Scene& scene) {
+std::string picture_text(const Scene& scene, bool has_sound) {
     const Language language = scene.film.language;
     std::vector<std::string> panels;
     for (const PanelSpec& panel : scene.film.panels)
@@ -172,6 +176,10 @@ std::string picture_text(const Scene& scene) {
         if (panel.kind == "text")
             text += " " + say(language, "The panel “{}” says: “{}”", name_of_panel(language, panel),
                               on_one_line(formula::spoken_text(language, panel.words)));
+    if (has_sound)
+        text +=
+            " " + say(language,
+                      "Each collision sounds as a click, the higher the larger its impulse is.");
     const bool is_described = scene.description == describe(scene);
     for (const std::string& words : words_of_surfaces(language, scene.gas))
         if (!is_described) text += " " + words + ".";
@@ -206,12 +214,13 @@ std::string heading(const Moment& moment, const Scene& scene) {
     return time_of(moment, scene);
 }
 
-std::string description_of(const Moment& moment, const Scene& scene, const FrameSpan& span) {
+std::string description_of(const Moment& moment, const Scene& scene, const FrameSpan& span,
+                           bool has_sound) {
     std::string text;
     if (moment.frame == span.first) {
         text = sentence(scene.title) + " ";
         if (!scene.subtitle.empty()) text += sentence(scene.subtitle) + " ";
-        text += sentence(scene.description) + " " + picture_text(scene) + " ";
+        text += sentence(scene.description) + " " + picture_text(scene, has_sound) + " ";
     }
     text += happening(scene.film.language, moment);
     if (!moment.end_card.empty()) return text;
@@ -234,24 +243,33 @@ std::vector<Cue> passages_of(const Scene& scene, const std::vector<Moment>& mome
 }
 
 // "A silent film of 0:30.", or its place in another.
-std::string length_text(const Scene& scene, const FrameSpan& span,
-                        std::optional<double> joined_at) {
+std::string length_text(const Scene& scene, const FrameSpan& span, std::optional<double> joined_at,
+                        bool has_sound) {
     const double before = joined_at.value_or(0.0);
     const double length = static_cast<double>(span.frames()) / scene.film.fps;
     const Language language = scene.film.language;
-    if (!joined_at) return say(language, "A silent film of {}.", clock_text(length));
+    if (!joined_at)
+        return has_sound ? say(language, "A film of {} with sound.", clock_text(length))
+                         : say(language, "A silent film of {}.", clock_text(length));
     return say(language, "From {} to {}.", clock_text(before), clock_text(before + length));
 }
 
-std::string transcript_of(const Scene& scene, const std::string& length,
+std::string transcript_of(const Scene& scene, const std::string& length, bool has_sound,
                           const std::vector<Cue>& passages) {
     std::string text = scene.title + "\n";
     if (!scene.subtitle.empty()) text += scene.subtitle + "\n";
-    text +=
-        fmt::format("\n{}\n\n{}\n{}\n", length, sentence(scene.description), picture_text(scene));
+    text += fmt::format("\n{}\n\n{}\n{}\n", length, sentence(scene.description),
+                        picture_text(scene, has_sound));
     for (const Cue& passage : passages)
         text += fmt::format("\n{}  {}\n", clock_text(passage.start), passage.words);
     return text;
+}
+
+// Clicks from `first` to `last`, in a film up to `end`.
+Cue sound_caption(double first, double last, double end, Language language) {
+    constexpr double least = 2.0, most = 5.0;  // seconds that it stays
+    return {first, std::min(end, std::clamp(last, first + least, first + most)),
+            say(language, "[clicks: one for each collision, higher where the impulse is larger]")};
 }
 
 std::string stamp(double seconds) {
@@ -294,14 +312,27 @@ std::string webvtt(const std::vector<Cue>& cues) {
 
 FilmTextMaker::FilmTextMaker(const Scene& scene, const FrameSpan& span,
                              const std::vector<Tick>& ticks, const Particles& particles,
-                             std::optional<double> joined_at)
+                             std::optional<double> joined_at, bool has_sound)
     : scene_(scene),
       span_(span),
       particles_(particles),
       joined_at_(joined_at),
+      has_sound_(has_sound),
       moments_(moments_of(scene, span, ticks)) {}
 
+// Collisions before a frame sound in the one before.
+void FilmTextMaker::hear(const Tick& tick, const CollisionCounts& counts) {
+    const std::int64_t so_far = counts.particle + counts.wall;
+    const bool is_heard = so_far > std::exchange(collisions_, so_far);
+    const FrameSpan its{tick.frame - 1, tick.frame};
+    if (!is_heard || its.first < span_.first || its.end > span_.end) return;
+    const int apart = static_cast<int>(silent_seconds * scene_.film.fps);
+    if (heard_.empty() || its.first - heard_.back().end >= apart) heard_.push_back(its);
+    heard_.back().end = its.end;
+}
+
 void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+    if (has_sound_) hear(tick, advanced.counts);
     if (next_ == moments_.size() || moments_[next_].frame != tick.frame) return;
     Moment& moment = moments_[next_++];
     const Eigen::ArrayXd speed = speeds(sample);
@@ -332,11 +363,17 @@ FilmText FilmTextMaker::text() const {
     for (const Moment& moment : moments_)
         if (!moment.end_card.empty())
             captions.push_back({seconds_at(moment.frame, scene_, span_), end, moment.end_card});
+    for (const FrameSpan& heard : heard_)
+        captions.push_back(sound_caption(seconds_at(heard.first, scene_, span_),
+                                         seconds_at(heard.end, scene_, span_), end,
+                                         scene_.film.language));
+    std::ranges::stable_sort(captions, {}, &Cue::start);
     for (std::size_t i = 0; i < moments_.size(); ++i) {
         const double start = seconds_at(moments_[i].frame, scene_, span_);
         const bool last = i + 1 == moments_.size();
         const double next = last ? end : seconds_at(moments_[i + 1].frame, scene_, span_);
-        descriptions.push_back({start, next, description_of(moments_[i], scene_, span_)});
+        descriptions.push_back(
+            {start, next, description_of(moments_[i], scene_, span_, has_sound_)});
         if ((moments_[i].ends || is_note(moments_[i])) && !chapters.empty())
             chapters.back().end = next;
         else
@@ -349,35 +386,36 @@ FilmText FilmTextMaker::text() const {
             cue.start += before;
             cue.end += before;
         }
-    const std::string length = length_text(scene_, span_, joined_at_);
+    const std::string length = length_text(scene_, span_, joined_at_, has_sound_);
     std::vector<Cue> passages = passages_of(scene_, moments_, span_, before);
-    return {captions.empty() ? "" : webvtt(captions),
+    return {captions.empty() && !has_sound_ ? "" : webvtt(captions),
             webvtt(chapters),
             webvtt(descriptions),
-            transcript_of(scene_, length, passages),
+            transcript_of(scene_, length, has_sound_, passages),
             chapters,
-            length + " " + picture_text(scene_),
+            length + " " + picture_text(scene_, has_sound_),
             passages};
 }
 
 bool has_captions(const Scene& scene) {
-    return !caption_schedule(scene).empty() || !scene.film.end_card.empty();
+    return !caption_schedule(scene).empty() || !scene.film.end_card.empty() || scene.film.sound;
 }
 
-void commit_with_text(PendingOutput& film, const FilmText* text,
+void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wanted,
                       const std::filesystem::path& path) {
     std::vector<PendingOutput*> outputs{&film};
-    if (text == nullptr) return commit_together(outputs);
+    if (wanted == TextFiles::none) return commit_together(outputs);
     std::filesystem::path stem = path;
     if (!stem.has_filename())
         stem = stem.parent_path();  // frames/
     else
         stem.replace_extension();
     std::vector<std::unique_ptr<AtomicFile>> files;
-    for (const auto& [what, words] : {std::pair{"captions", &text->captions},
-                                      {"chapters", &text->chapters},
-                                      {"descriptions", &text->descriptions},
-                                      {"transcript", &text->transcript}}) {
+    for (const auto& [what, words] : {std::pair{"captions", &text.captions},
+                                      {"chapters", &text.chapters},
+                                      {"descriptions", &text.descriptions},
+                                      {"transcript", &text.transcript}}) {
+        if (wanted == TextFiles::captions && words != &text.captions) continue;
         const std::string file = stem.string() + text_endings.at(what);
         if (words->empty() && !std::filesystem::exists(file)) continue;  // none of an earlier film
         outputs.push_back(files.emplace_back(std::make_unique<AtomicFile>(file)).get());

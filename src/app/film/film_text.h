@@ -35,7 +35,7 @@ std::string webvtt(const std::vector<Cue>& cues);
 
 /// Whole files. Times count from the first frame of the span.
 struct FilmText {
-    std::string captions;      ///< what stands under the gas; empty if nothing does
+    std::string captions;      ///< what stands under the gas, and what is heard; empty: neither
     std::string chapters;      ///< from event to event, or quarters of a film that has none
     std::string descriptions;  ///< what is seen, and how the numbers stand when a chapter begins
     std::string transcript;    ///< all of these as plain text
@@ -74,9 +74,11 @@ struct Moment {
 class FilmTextMaker {
   public:
     /// `span` is of `ticks`, the scene's timeline; all but these outlive it. A film that is a part
-    /// of another begins at `joined_at` seconds of that, and is one chapter there.
+    /// of another begins at `joined_at` seconds of that, and is one chapter there. With
+    /// `has_sound` collisions are heard.
     FilmTextMaker(const Scene& scene, const FrameSpan& span, const std::vector<Tick>& ticks,
-                  const Particles& particles, std::optional<double> joined_at = {});
+                  const Particles& particles, std::optional<double> joined_at = {},
+                  bool has_sound = false);
 
     /// Every frame of the timeline in order.
     void see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
@@ -88,9 +90,14 @@ class FilmTextMaker {
     const Scene& scene_;
     FrameSpan span_;
     const Particles& particles_;
+    void hear(const Tick& tick, const CollisionCounts& counts);
+
     std::optional<double> joined_at_;
-    std::vector<Moment> moments_;  ///< in order
-    std::size_t next_ = 0;         ///< to be seen
+    bool has_sound_;
+    std::int64_t collisions_ = 0;   ///< so far, with those with walls
+    std::vector<FrameSpan> heard_;  ///< frames in which something is, apart
+    std::vector<Moment> moments_;   ///< in order
+    std::size_t next_ = 0;          ///< to be seen
 };
 
 /// What their files are called, by what they hold: the film's name without its extension, and this.
@@ -100,13 +107,22 @@ inline const std::map<std::string, std::string> text_endings = {
     {"descriptions", ".descriptions.vtt"},
     {"transcript", ".transcript.txt"}};
 
-/// Whether the film of a scene has captions.
+/// Whether the film of a scene has captions, in a format that has sound.
 bool has_captions(const Scene& scene);
 
-/// Gives the film at `path` its name, together with the files of its text, if there is one, beside
+/// Which files of its text stand beside a film: what is heard needs captions.
+enum class TextFiles { none, captions, all };
+
+inline TextFiles files_wanted(bool text, bool has_sound) {
+    if (text) return TextFiles::all;
+    return has_sound ? TextFiles::captions : TextFiles::none;
+}
+
+/// Gives the film at `path` its name, together with the files of its text that are wanted, beside
 /// it: film.captions.vtt, film.chapters.vtt, film.descriptions.vtt and film.transcript.txt (beside
 /// a folder of frames, with its name). All or none appear. A film without captions has no file of
 /// them, but an earlier one is emptied. Throws SystemError.
-void commit_with_text(PendingOutput& film, const FilmText* text, const std::filesystem::path& path);
+void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wanted,
+                      const std::filesystem::path& path);
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include "draw/text.h"
 #include "panels/layout.h"
 #include "scene/time/timeline.h"
+#include "sound/rate.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
 #include "util/text.h"
@@ -47,6 +48,9 @@ class FadingSegment : public FilmSegment {
 class PartWriter : public FilmWriter {
   public:
     PartWriter(FilmWriter& whole, JoinedPart part) : whole_(whole), part_(std::move(part)) {}
+    void add_sound(std::int64_t first, std::span<const std::int16_t> samples) override {
+        whole_.add_sound(samples_before(part_.first, part_.film.fps) + first, samples);
+    }
     std::unique_ptr<FilmSegment> segment(int first) override {
         return std::make_unique<FadingSegment>(whole_.segment(part_.first + first), part_, first);
     }
@@ -98,14 +102,19 @@ void append(std::string& all, const std::string& more) {
 
 // What the whole film is.
 std::string transcript_head(const std::vector<Scene>& scenes, const JoinedTitle& title,
-                            const std::vector<JoinedPart>& parts) {
+                            const std::vector<JoinedPart>& parts, const OutputFormat& format) {
     const JoinedPart& last = parts.back();
     const double seconds = double(last.first + last.frames) / last.film.fps;
     std::string text;
     if (!title.title.empty()) text = title.title + "\n\n";
     if (!title.words.empty()) text += title.words + "\n\n";
-    text += say(scenes.front().film.language,
-                "A silent film of {}, in {} parts:", clock_text(seconds), parts.size()) +
+    const bool is_heard =
+        std::ranges::any_of(scenes, [&](const Scene& scene) { return has_sound(scene, format); });
+    const Language language = scenes.front().film.language;
+    text += (is_heard ? say(language, "A film of {} with sound, in {} parts:", clock_text(seconds),
+                            parts.size())
+                      : say(language, "A silent film of {}, in {} parts:", clock_text(seconds),
+                            parts.size())) +
             "\n";
     for (std::size_t i = 0; i < parts.size(); ++i)
         text += fmt::format("\n{}  {}", clock_text(double(parts[i].first) / last.film.fps),
@@ -141,6 +150,8 @@ std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
     all.scene.seed = scenes.front().seed;
     all.scene.source.overrides = scenes.front().source.overrides;
     all.scene.film = scenes.front().film;
+    for (const Scene& scene : scenes)
+        if (scene.film.sound) all.scene.film.sound = scene.film.sound;
     all.span = {0, parts.back().first + parts.back().frames};
     return film_writer(all, options, std::move(chapters));
 }
@@ -209,7 +220,8 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& 
     std::unique_ptr<FilmWriter> writer;
     RenderReport report;
     FilmText text;
-    text.transcript = transcript_head(scenes, title, parts);
+    text.transcript = transcript_head(scenes, title, parts, format_of_film(options.output));
+    bool hears = false;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         FilmOptions own = options;
         own.joined_at = static_cast<double>(parts[i].first) / scenes[i].film.fps;
@@ -219,6 +231,9 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& 
             if (has_card) write_title(*writer, card, title);
         }
         const auto part = writer_of_part(*writer, parts[i]);
+        if (!plan.sound.empty()) part->add_sound(0, plan.sound);
+        report.lacks_sound = report.lacks_sound || (scenes[i].film.sound && plan.sound.empty());
+        hears = hears || !plan.sound.empty();
         draw_frames(plan, options.threads, *part, progress, report);
         append(text, plan.text);
     }
@@ -226,7 +241,7 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& 
     throw_if_interrupted();
     report.path = options.output;
     report.simulate_seconds = watch.cpu();
-    commit_with_text(*writer, options.text ? &text : nullptr, options.output);
+    commit_with_text(*writer, text, files_wanted(options.text, hears), options.output);
     report.bytes = writer->bytes();
     report.wall_seconds = watch.wall();
     return report;

@@ -57,10 +57,13 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
     RenderReport report;
     report.path = options.output;
     if (!plan.colors.empty()) writer.use_colors(plan.colors);
+    if (!plan.sound.empty()) writer.add_sound(0, plan.sound);
+    report.lacks_sound = plan.scene.film.sound && plan.sound.empty();
     draw_frames(plan, options.threads, writer, progress, report);
     throw_if_interrupted();
     report.simulate_seconds = watch.cpu();
-    commit_with_text(writer, options.text ? &plan.text : nullptr, options.output);
+    commit_with_text(writer, plan.text, files_wanted(options.text, !plan.sound.empty()),
+                     options.output);
     report.bytes = writer.bytes();
     report.wall_seconds = watch.wall();
     return report;
@@ -188,7 +191,8 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                         .metadata = {{"title", scene.title},
                                      {"description", scene.description},
                                      {"comment", recipe(scene, options)}},
-                        .chapters = std::move(chapters)},
+                        .chapters = std::move(chapters),
+                        .has_sound = has_sound(scene, format_of_film(options.output))},
                        plan.frames());
 }
 

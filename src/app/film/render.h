@@ -25,6 +25,7 @@ struct RenderReport {
     CollisionCounts collisions;
     std::vector<std::string> passes;  ///< what the run was simulated for
     std::vector<std::string> cut;     ///< as FramePainter::cut_words()
+    bool lacks_sound = false;         ///< that the scene has, as its format has none
     double wall_seconds = 0.0;
     double simulate_seconds = 0.0;  ///< CPU, all passes and the panels, but for a first pass that
                                     ///< panels see on a thread of their own

@@ -211,6 +211,26 @@ Facts measured_rows(const std::optional<FilmCost>& measured, const FilmOptions& 
                                           word_of(options.quality)))};
 }
 
+// "a click for each collision, at most 0.3 of full scale, captioned; AAC in mp4, Opus in webm".
+Facts sound_rows(const Film& film) {
+    if (!film.sound) return {};
+    std::vector<std::string> codecs;
+    for (const OutputFormat& format : output_formats())
+        if (format.sound)
+            codecs.push_back(fmt::format("{} in {}", format.sound->codec, format.name));
+    return {shown("sound", fmt::format("a click for each collision, at most {} of full scale, with "
+                                       "captions; {}, none in others",
+                                       film.sound->loudness, fmt::join(codecs, ", ")))};
+}
+
+Json sound_value(const Film& film) {
+    if (!film.sound) return {};
+    const std::optional<double>& reference = film.sound->reference;
+    return {{"of", word_of(film.sound->of)},
+            {"loudness", film.sound->loudness},
+            {"reference", reference ? Json(*reference) : Json()}};
+}
+
 // Of a run with so many collisions, equilibration included.
 Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t particles,
                  double collisions) {
@@ -227,6 +247,7 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t pa
                {"seconds", frames == frame_count(film) ? film.seconds : seconds},
                {"fps", film.fps},
                {"size", Json::array({film.size.width, film.size.height})},
+               {"sound", sound_value(film)},
                {"passes", passes},
                {"rough", rough_costs(costs, options.threads)}};
     if (checked.measured) {
@@ -244,6 +265,7 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t pa
                             fmt::join(passes, "; "))),
           shown("rough cost", rough_words(costs, options))},
          measured_rows(checked.measured, options),
+         sound_rows(film),
          {shown("memory", memory_words(costs, options.threads))}});
     if (film.beside)
         facts.push_back({"beside", Json::array({film.beside->own_label, film.beside->label}),

@@ -79,6 +79,34 @@ Notation<SlowSpan> slow_notation() {
                      .required()}});
 }
 
+Binding<Film> sound_key() {
+    const KeyTable<Sound> table{
+        .name = "`sound`",
+        .keys = {
+            bind_key("of", &Sound::of, one_of<SoundOf>(),
+                     "What is heard: all collisions, those with walls and other surfaces too."),
+            bind_key("loudness", &Sound::loudness, number({0.01, {1.0}}),
+                     "The largest sample, as a share of full scale. Where clicks come so "
+                     "close that they would be louder together, all are softer."),
+            bind_key("reference", &Sound::reference, number(positive),
+                     "The impulse of a collision that sounds at 880 Hz. Twice the impulse is "
+                     "an octave higher; pitches lie between 220 and 7040 Hz.")
+                .default_text("the momentum of a particle of the mean mass and the mean "
+                              "kinetic energy at the start")}};
+    using Written = std::optional<Sound>;
+    const auto none = mapped(one_of<bool>({{"none", false}}), [](bool) { return Written{}; });
+    const auto usual = mapped(one_of<SoundOf>(), [](SoundOf of) { return Written{{.of = of}}; });
+    const auto whole = mapped(mapping(table, "{of: collisions, loudness: 0.3}"),
+                              [](const Sound& sound) { return Written{sound}; });
+    return bind_with<Film>(
+               "sound", [](Film& film, const Written& sound) { film.sound = sound; },
+               either(either(none, usual), whole),
+               "A soft click for each collision when the film shows it, higher where the impulse "
+               "is larger: AAC in MP4, Opus in WebM; other formats are silent. Of two runs side by "
+               "side the scene's own is heard.")
+        .default_value("none");
+}
+
 // How long the film is, and of what pictures.
 std::vector<Binding<FilmDraft>> picture_keys() {
     return {
@@ -157,8 +185,9 @@ std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
         bind_key("callouts", &FilmDraft::written_callouts, callouts_notation(),
                  "Words that point to a particle, or to a place in a plot, for a while.")
             .default_text("none")};
+    const std::vector beside{beside_key()}, sound{sound_key()};
     return joined<FilmDraft>(picture_keys(), gas_keys(kinds), frame_keys(kinds), overlay_keys(),
-                             callouts, std::vector{beside_key()});
+                             callouts, beside, sound);
 }
 
 const std::vector<Choice> film_choices{{{"seconds", "pace"}}};
@@ -287,6 +316,13 @@ void check_pauses(const Film& film, const std::vector<Placed<Pause>>& pauses, co
                            most));
 }
 
+void check_sound(const Film& film, const Node& node, Errors& errors) {
+    const Node* sound = given(node, "sound");
+    if (!film.sound || sound == nullptr || film.seconds <= most_sound_seconds.value) return;
+    errors.add(*sound, fmt::format("a film of {:.6g} seconds is too long for sound", film.seconds),
+               to_text(most_sound_seconds));
+}
+
 // Each part of the run between reversals needs a frame for its end.
 void check_legs(const Film& film, const Run& run, const Node& root, Errors& errors) {
     const int legs = branch_count(run);
@@ -383,6 +419,7 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
                                                card_seconds(film) + pause_seconds(film));
     if (film.seconds > 0.0 && check_frames(film, node, nodes.root, reading.errors)) {
         check_pauses(film, pauses, node, reading.errors);
+        check_sound(film, node, reading.errors);
         check_legs(film, run, nodes.root, reading.errors);
         if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
     }

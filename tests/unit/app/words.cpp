@@ -21,10 +21,10 @@ Scene row_of_beads(const std::string& more) {
         more);
 }
 
-FilmText words_of_span(const Scene& scene, const FrameSpan& span) {
+FilmText words_of_span(const Scene& scene, const FrameSpan& span, bool has_sound = false) {
     const Simulation start(scene.gas, scene.run);
     const std::vector<Tick> ticks = timeline(scene);
-    FilmTextMaker maker(scene, span, ticks, start.particles());
+    FilmTextMaker maker(scene, span, ticks, start.particles(), {}, has_sound);
     const Recording run(start, ticks, {},
                         [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
                             maker.see(tick, sample, advanced);
@@ -49,6 +49,26 @@ TEST_CASE("cues are WebVTT") {
           "WEBVTT\n"
           "\n00:00:00.000 --> 00:00:01.500\na &lt; b &amp; c --&gt; d\ne\n"
           "\n01:01:01.235 --> 10:00:00.000\nlong\n");
+}
+
+TEST_CASE("what is heard has captions, again after a silence, and is no silent film") {
+    // One bead of ten meets the next each second, up to time 8.5; the wall and back is beyond.
+    const Scene scene = row_of_beads(
+        "run: {until: 8.5, events: [{at: 4.5, pause: 4}]}\n"
+        "film: {seconds: 24, fps: 10, sound: collisions}\n");
+    const FilmText words = words_of_span(scene, {0, frame_count(scene.film)}, true);
+    std::size_t captions = 0;
+    for (std::size_t at = 0;
+         (at = words.captions.find("[clicks: one for each", at)) != std::string::npos; ++at)
+        ++captions;
+    CHECK(captions == 2);
+    CHECK(contains(words.transcript, "A film of 0:24 with sound.\n"));
+    CHECK(contains(words.transcript, "Each collision sounds as a click, the higher the larger"));
+    CHECK(contains(words.descriptions, "Each collision sounds as a click"));
+    CHECK(has_captions(scene));
+    // The same film in a format without.
+    CHECK(words_of(scene).captions.empty());
+    CHECK(contains(words_of(scene).transcript, "A silent film of 0:24."));
 }
 
 TEST_CASE("a film without events has its words by quarters, with the numbers of the gas") {

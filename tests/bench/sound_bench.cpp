@@ -1,0 +1,58 @@
+// What the sound of a film costs: the CPU time of whole films with sound against the same films
+// without, of few collisions and of many.
+// --quick: one run of each instead of three.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "app/film/render.h"
+#include "app/progress.h"
+#include "app/resources.h"
+#include "bench/measured.h"
+#include "scene/load.h"
+#include "support/files.h"
+
+using namespace carom;
+
+namespace {
+
+// Of packing fraction 0.3; a second of film has about 9 collisions of each disk.
+Scene scene_of(int disks, const char* sound) {
+    const double width = std::sqrt(disks * 0.785398 / 0.3 * 4.0 / 3.0);
+    return load_scene_text(
+        fmt::format("title: A gas\nbox: {{size: [{}, {}]}}\ngas: [{{count: {}, radius: 0.5, "
+                    "temperature: 1}}]\nrun: {{until: 50}}\nfilm: {{seconds: 10, sound: {}}}\n",
+                    width, 0.75 * width, disks, sound),
+        "bench", scene_resources());
+}
+
+double cpu_seconds_of(const Scene& scene) {
+    const test::TemporaryFolder folder;
+    Progress silent(Progress::Form::silent, "");
+    const double begin = test::cpu_seconds();
+    render(scene, {.output = folder.path() / "film.mp4", .threads = 1}, silent);
+    return test::cpu_seconds() - begin;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int runs = argc > 1 && std::strcmp(argv[1], "--quick") == 0 ? 1 : 3;
+    constexpr double most = 1.1;
+    bool good = true;
+    for (const int disks : {10, 1000, 10'000}) {
+        double with = std::numeric_limits<double>::infinity(), without = with;
+        for (int i = 0; i < runs; ++i) {
+            without = std::min(without, cpu_seconds_of(scene_of(disks, "none")));
+            with = std::min(with, cpu_seconds_of(scene_of(disks, "collisions")));
+        }
+        fmt::print(
+            "{:>6} disks: a film takes {:.2f} s of CPU, with sound {:.3f} times (at most {})\n",
+            disks, without, with / without, most);
+        good &= with <= most * without;
+    }
+    return good ? 0 : 1;
+}

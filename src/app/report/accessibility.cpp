@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "panels/gas/gas_colors.h"
 #include "panels/layout.h"
 #include "physics/placement/draws.h"
 #include "scene/describe.h"
@@ -46,39 +47,77 @@ std::optional<Diagnostic> missing_description(const Scene& scene) {
                    "say in a sentence or two what happens and what it shows");
 }
 
-// Whether two species look different in grey.
-bool differ_without_color(const Scene& scene, const std::vector<double>& radius, std::size_t i,
-                          std::size_t k) {
-    const SpeciesLook &one = scene.looks[i], &other = scene.looks[k];
-    constexpr double ratio = 1.25;
-    const double larger = std::max(radius[i], radius[k]), smaller = std::min(radius[i], radius[k]);
-    return one.label != other.label || one.fill != other.fill || one.trail != other.trail ||
-           larger >= ratio * smaller;
+// How a species looks in grey.
+struct GreyLook {
+    double radius = 0.0;  // the mean
+    bool is_ring = false, is_followed = false;
+    std::optional<double> number;  // on each of its disks, where it is the same on all
+};
+
+// Pixels of a unit of length, nearly: between box and slot there may be walls and arrows.
+double pixels_of_length(const Scene& scene) {
+    const Rect place = Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas);
+    const Eigen::ArrayXd& box = scene.gas.box.size;
+    return std::min(place.width / box[0], box.size() == 2 ? place.height / box[1] : 1e300);
 }
 
-std::vector<double> mean_radii(const Scene& scene, const Particles& particles) {
-    std::vector<double> sum(scene.gas.species.size(), 0.0);
-    for (Eigen::Index i = 0; i < particles.count(); ++i)
-        sum[static_cast<std::size_t>(particles.species[i])] += particles.radius[i];
-    for (std::size_t k = 0; k < sum.size(); ++k)
-        sum[k] /= static_cast<double>(std::max<std::int64_t>(1, scene.gas.species[k].count));
-    return sum;
+// A single particle among many is drawn as if it had a trail.
+bool is_followed(const Scene& scene, std::size_t k, Eigen::Index particles) {
+    if (const std::optional<double>& own = scene.looks[k].trail) return *own > 0.0;
+    if (std::ranges::any_of(scene.film.trails.of, [&](const Chosen& chosen) {
+            return !chosen.particle && (!chosen.species || *chosen.species == k);
+        }))
+        return true;
+    return scene.gas.species[k].count == 1 && particles > (scene.gas.box.dimension == 2 ? 10 : 4);
+}
+
+std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles) {
+    std::vector<GreyLook> all(scene.gas.species.size());
+    const double unit = Grid(scene.film.layout, scene.film.size).unit();
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        GreyLook& its = all[static_cast<std::size_t>(particles.species[i])];
+        if (scene.film.labels == Labels::mass) its.number = particles.inverse_mass[i];
+        if (scene.film.labels == Labels::index) its.number = static_cast<double>(i);
+        its.radius += particles.radius[i];
+    }
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const auto count =
+            static_cast<double>(std::max<std::int64_t>(1, scene.gas.species[k].count));
+        all[k].radius /= count;
+        const double shown = all[k].radius * pixels_of_length(scene);
+        const bool has_room = scene.gas.box.dimension == 1 || shown > 2.0 * ring_line(shown, unit);
+        all[k].is_ring = !scene.looks[k].fill && has_room;
+        all[k].is_followed = is_followed(scene, k, particles.count());
+        // Smaller disks have no room for it, and many have many.
+        if (count > 1.0 || (scene.gas.box.dimension == 2 && shown < unit)) all[k].number.reset();
+    }
+    return all;
+}
+
+bool differ(const GreyLook& one, const GreyLook& other) {
+    constexpr double ratio = 1.25;
+    return one.is_ring != other.is_ring || one.is_followed != other.is_followed ||
+           (one.number && other.number && *one.number != *other.number) ||
+           std::max(one.radius, other.radius) >= ratio * std::min(one.radius, other.radius);
 }
 
 std::vector<Diagnostic> told_by_color_alone(const Scene& scene, const Particles& particles) {
     std::vector<Diagnostic> found;
-    if (scene.film.color_by != ColorBy::species || scene.film.theme == ThemeName::print)
-        return found;
-    const std::vector<double> radius = mean_radii(scene, particles);
-    for (std::size_t k = 1; k < scene.looks.size(); ++k)
+    if (scene.film.theme == ThemeName::print) return found;
+    const std::vector<GreyLook> looks = grey_looks(scene, particles);
+    const auto is_colored = [&](std::size_t k) {
+        return scene.film.color_by == ColorBy::species || scene.looks[k].color.has_value();
+    };
+    for (std::size_t k = 1; k < looks.size(); ++k)
         for (std::size_t i = 0; i < k; ++i)
-            if (!differ_without_color(scene, radius, i, k)) {
+            if ((is_colored(i) || is_colored(k)) && !differ(looks[i], looks[k])) {
                 found.push_back(
                     barrier(scene.species_spans[k],
                             fmt::format("WCAG 1.4.1: `{}` and `{}` are told apart by colour alone",
                                         printable(scene.gas.species[i].name),
                                         printable(scene.gas.species[k].name)),
-                            "give one a `label`, or draw it as rings with `fill: false`"));
+                            "draw one of them as rings with `fill: false`, where disks are large "
+                            "enough for rings, or a quarter larger"));
                 break;
             }
     return found;

@@ -101,6 +101,10 @@ void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double r
     }
 }
 
+double ring_line(double radius, double unit) {
+    return std::clamp(0.4 * radius, 1.5, std::max(1.5, 0.13 * unit));
+}
+
 // Every disk of every frame asks whether there are infinite masses: they are looked for once.
 GasColors::GasColors(const PanelContext& context)
     : context_(context),
@@ -203,7 +207,7 @@ bool GasColors::is_told_infinite(Eigen::Index particle) const {
 struct GasColors::Entry {
     Color color;
     std::string name;
-    bool is_hatched = false;
+    bool is_hatched = false, is_ring = false;
 };
 
 // The colours with a name each; species only where the film or their own colour tells them apart.
@@ -222,7 +226,8 @@ std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
     if (tells_infinite()) all.push_back({colors[infinite_shade], say(language, "infinite"), true});
     for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
         if (by == ColorBy::species || has_own_color(k))
-            all.push_back({colors[first_species + k], context_.scene.gas.species[k].name});
+            all.push_back({colors[first_species + k], context_.scene.gas.species[k].name, false,
+                           !context_.scene.looks[k].fill});
     return all;
 }
 
@@ -291,6 +296,25 @@ void GasColors::draw_wheel(Canvas& canvas, const DrawContext& dc) const {
     }
 }
 
+// A disk as it is drawn in the box.
+void GasColors::draw_swatch(Canvas& canvas, const DrawContext& dc, Point center,
+                            const Entry& entry) {
+    const double u = dc.unit, outer = 0.45 * u;
+    if (entry.is_hatched) {
+        canvas.fill_circle(center, 0.62 * u, entry.color);
+        draw_hatching(canvas, dc, center, 0.62 * u);
+        return;
+    }
+    const Color edge = edge_of(entry.color, dc.theme);
+    if (entry.is_ring) {
+        const double line = ring_line(outer, u);
+        canvas.stroke_circle(center, outer - 0.5 * line, line, edge);
+        return;
+    }
+    canvas.fill_circle(center, outer, edge);
+    canvas.fill_circle(center, 0.38 * u, entry.color);
+}
+
 // From the baseline `y` on, as many as there is room for; where the next one would be.
 double GasColors::draw_entries(Canvas& canvas, const DrawContext& dc, double y) const {
     const double u = dc.unit;
@@ -316,11 +340,7 @@ double GasColors::draw_entries(Canvas& canvas, const DrawContext& dc, double y) 
                       say(context_.language(), "and {} more", all.size() - k), label_style(dc));
             break;
         }
-        const Point swatch{dc.area.x + 0.5 * u, y - 0.35 * u};
-        const double radius = entry.is_hatched ? 0.62 * u : 0.38 * u;
-        if (!entry.is_hatched) canvas.fill_circle(swatch, 0.45 * u, edge_of(entry.color, dc.theme));
-        canvas.fill_circle(swatch, radius, entry.color);
-        if (entry.is_hatched) draw_hatching(canvas, dc, swatch, radius);
+        draw_swatch(canvas, dc, {dc.area.x + 0.5 * u, y - 0.35 * u}, entry);
         for (std::size_t line = 0; line < lines.size(); ++line)
             draw_text(canvas,
                       {dc.area.x + offset.x, y + offset.y + 1.4 * u * static_cast<double>(line)},

@@ -23,6 +23,10 @@ Color kind_in(const Scene& scene, std::size_t index, const Theme& theme);
 /// are.
 void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double radius);
 
+/// The line of a disk that is drawn as a ring, in pixels as its radius and the unit: thinner in a
+/// small one, so that its hole is seen. The disk is filled where it has no room for two lines.
+double ring_line(double radius, double unit);
+
 class GasColors {
   public:
     explicit GasColors(const PanelContext& context);
@@ -77,6 +81,8 @@ class GasColors {
     bool has_bar() const;
     struct Entry;
     std::vector<Entry> entries(const Theme& theme) const;
+    static void draw_swatch(Canvas& canvas, const DrawContext& dc, Point center,
+                            const Entry& entry);
     double draw_entries(Canvas& canvas, const DrawContext& dc, double y) const;
     void draw_wheel(Canvas& canvas, const DrawContext& dc) const;
 

@@ -16,7 +16,6 @@
 namespace carom {
 namespace {
 
-constexpr double ring_line = 0.13;      // units
 constexpr double followed_line = 0.14;  // units: around disks with a trail, and others
 constexpr double rim_line = 0.09;       // of disks that would fade into the ground
 constexpr double least_radius = 1.2;    // pixels: smaller disks are no longer round
@@ -288,7 +287,6 @@ void GasPanel::Drawing::draw_disks() const {
     const auto dimmed = [&](std::uint32_t color, Eigen::Index i) {
         return gas.light.empty() ? color : rgb_of(gas.seen(rgb(color), i, dc.theme.ground));
     };
-    const double line = std::max(1.5, ring_line * dc.unit);
     const double rim = std::max(2.0, rim_line * dc.unit);
     const auto add = [&](Eigen::Index i) {
         const auto shown = static_cast<float>(std::max(least_radius, radius[i] * scale));
@@ -296,7 +294,7 @@ void GasPanel::Drawing::draw_disks() const {
         const bool is_filled = panel.is_filled(i);
         double inside = 0.0;
         if (!is_filled || edge != color)
-            inside = inside_ring(static_cast<double>(shown), is_filled ? rim : line);
+            inside = inside_ring(double{shown}, is_filled ? rim : ring_line(shown, dc.unit));
         for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
             add_disk(disks, at, shown, edge, inside, is_filled ? color : ground);
         });

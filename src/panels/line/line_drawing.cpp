@@ -13,9 +13,8 @@
 namespace carom {
 namespace {
 
-constexpr double rods_from = 2.0;   // units of radius: longer beads are drawn as rods
-constexpr double rods_fill = 0.15;  // of the line, from which beads of true length are rods
-constexpr double ring_line = 0.13;
+constexpr double rods_from = 2.0;      // units of radius: longer beads are drawn as rods
+constexpr double rods_fill = 0.15;     // of the line, from which beads of true length are rods
 constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
 constexpr double arrows_apart = 0.9;   // units, from those to the right to those to the left
 constexpr double arrows_height = 2.0;  // units, that they take from the world lines
@@ -28,7 +27,7 @@ void draw_rod(Canvas& canvas, const DrawContext& dc, Point center, double radius
                    2.0 * radius - 0.08 * u, 2.0 * rod_half_height * u};
     const Color edge = edge_of(color, dc.theme);
     canvas.fill(rod, edge);
-    const double line = std::max(1.5, ring_line * u);
+    const double line = ring_line(rod_half_height * u, u);
     if (!filled || to_pixel(edge) != to_pixel(color))
         canvas.fill({rod.x + line, rod.y + line, rod.width - 2.0 * line, rod.height - 2.0 * line},
                     filled ? color : dc.theme.page);
@@ -295,14 +294,13 @@ void LinePanel::Drawing::draw_reversals() const {
 }
 
 void LinePanel::Drawing::draw_beads() const {
-    const double line = std::max(1.5, ring_line * u);
     std::vector<Disk> disks;
     const auto add = [&](const Point& at, double radius, Color color) {
         disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                          static_cast<float>(radius), to_pixel(color) & 0xFFFFFF});
     };
     for (Eigen::Index i = 0; i < count(); ++i) {
-        const double radius = shown_radius(i);
+        const double radius = shown_radius(i), line = ring_line(radius, u);
         const Color edge = edge_of(color(i), dc.theme);
         const Color inside = panel.is_filled(i) ? color(i) : dc.theme.page;
         for (const Point& at : seen_at(place(i), radius)) {

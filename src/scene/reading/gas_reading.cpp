@@ -156,8 +156,8 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
         bind_key("fill", &SpeciesLook::fill, flag(),
                  "Whether disks and beads are filled; rings if not."),
         bind_key("label", &SpeciesLook::label, text(0, most_name_letters),
-                 "A word drawn beside the particles.")
-            .default_text("none"),
+                 "A word drawn beside a single particle, at the start of the film.")
+            .default_text("its name"),
         bind_key("trail", &SpeciesLook::trail, number({0.0, most_trail_seconds}),
                  "How long a trail the particles leave, in seconds of film.")
             .default_text("by the film")};

@@ -11,6 +11,7 @@
 #include "draw/palette.h"
 #include "panels/frame.h"
 #include "panels/gas/bead_words.h"
+#include "panels/gas/gas_colors.h"
 #include "support/first_frame.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
@@ -66,16 +67,32 @@ TEST_CASE("a ring has the outer edge of its disk, and nothing inside") {
     const double radius = 8.0 * full.scale();
     const double line =
         std::max(1.5, 0.13 * Grid(ring.scene.film.layout, ring.scene.film.size).unit());
-    const int key =
-        Picture(scene_of("{count: 1, radius: 0.001, position: [20, 20], color: \"#ff0000\"}",
-                         "color_by: species"))
+    const auto key_of = [](const std::string& fill) {
+        return Picture(scene_of("{count: 1, radius: 0.001, position: [20, 20], color: \"#ff0000\"" +
+                                    fill + "}",
+                                "color_by: species"))
             .count(0xFF0000);
+    };
+    const int key = key_of(""), ring_key = key_of(", fill: false");
+    CHECK(ring_key > 0);
+    CHECK(ring_key < 0.6 * key);  // a ring there too
     // The rim is blended: of a line of w pixels about w - 1 are wholly covered.
     CHECK(full.count(0xFF0000) - key ==
           doctest::Approx(std::numbers::pi * radius * radius).epsilon(0.02));
     const double circumference = 2.0 * std::numbers::pi * radius;
-    CHECK(ring.count(0xFF0000) - key < circumference * line);
-    CHECK(ring.count(0xFF0000) - key > 0.15 * circumference * line);
+    CHECK(ring.count(0xFF0000) - ring_key < circumference * line);
+    CHECK(ring.count(0xFF0000) - ring_key > 0.15 * circumference * line);
+}
+
+TEST_CASE("small rings have thin lines, those of less than six pixels are dots") {
+    for (const double unit : {12.0, 24.0, 48.0}) {
+        CHECK(ring_line(1e3, unit) == 0.13 * unit);
+        for (const double radius : {4.0, 5.0, 7.0, 12.0}) {
+            CHECK(radius > 2.0 * ring_line(radius, unit));
+            CHECK(ring_line(radius, unit) >= 1.5);
+        }
+        CHECK(3.0 <= 2.0 * ring_line(3.0, unit));
+    }
 }
 
 TEST_CASE("words stand on disks that have room for them, and on no others") {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "app/resources.h"
 #include "util/diagnostics.h"
@@ -53,6 +54,32 @@ std::string depfile_rule(std::span<const std::string> outputs, std::span<const s
     for (const std::string& file : files) rule += " \\\n  " + depfile_name(file);
     rule += "\n";
     return rule;
+}
+
+FolderRules::FolderRules(const std::string& depfile) {
+    if (!depfile.empty()) depfile_.emplace(depfile);
+}
+
+void FolderRules::add(const std::filesystem::path& output, const std::vector<std::string>& files) {
+    if (!depfile_) return;
+    std::string rules = depfile_rule(std::vector{output.string()}, files);
+    for (const std::string& file : files) rules += depfile_name(file) + ":\n";
+    depfile_->write(rules);
+    outputs_.push_back(output);
+}
+
+void FolderRules::commit() {
+    if (!depfile_) return;
+    for (const std::filesystem::path& output : outputs_) {
+        std::error_code error;
+        std::filesystem::last_write_time(output, std::filesystem::file_time_type::clock::now(),
+                                         error);
+        if (error)
+            throw_system_error(
+                fmt::format("cannot set the time of {}: {}", output.string(), error.message()),
+                error.value());
+    }
+    depfile_->commit();
 }
 
 Option depfile_option(std::string& path) {

@@ -9,6 +9,8 @@
 #include <array>
 #include <cstdlib>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "bench/measured.h"
 
@@ -47,6 +49,27 @@ Cost cost_of(const Work& work) {
     if (wait4(child, &status, 0, &usage) != child || status != 0 || !is_read) std::abort();
     cost.bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
     return cost;
+}
+
+/// Of a program with these arguments, which must succeed.
+inline Cost cost_of_program(std::vector<std::string> command) {
+    std::vector<char*> arguments;
+    for (std::string& word : command) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const pid_t child = fork();
+    if (child < 0) std::abort();
+    if (child == 0) {
+        execv(arguments.front(), arguments.data());
+        _exit(127);
+    }
+    int status = 0;
+    rusage usage{};
+    if (wait4(child, &status, 0, &usage) != child || status != 0) std::abort();
+    const auto seconds = [](const timeval& time) {
+        return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    };
+    return {seconds(usage.ru_utime) + seconds(usage.ru_stime),
+            1024.0 * static_cast<double>(usage.ru_maxrss)};
 }
 
 }  // namespace carom::test

@@ -3,6 +3,7 @@
 //   node pages.cjs film PAGE.html [PICTURE.png]      a page of one film
 //   node pages.cjs gallery SITE/index.html [PICTURE.png]   a site
 //   node pages.cjs pictures PAGE.html FOLDER         screenshots at three widths, light and dark
+//   node pages.cjs picture PAGE.html PICTURE.png WIDTH HEIGHT   one screenshot
 //
 // NODE_PATH leads to playwright-core and axe-core.
 'use strict';
@@ -185,12 +186,22 @@ async function pictures(browser, url, folder) {
   return {};
 }
 
+async function picture(browser, url, file, width, height) {
+  const page = await browser.newPage({ viewport: { width: Number(width), height: Number(height) } });
+  await page.goto(url);
+  await page.waitForLoadState('networkidle');
+  await page.waitForTimeout(2000);  // until players have faded in what they show
+  await page.screenshot({ path: file });
+  return {};
+}
+
 (async () => {
-  const [mode, file, more] = process.argv.slice(2);
+  const [mode, file, more, width, height] = process.argv.slice(2);
   const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: flags });
   try {
     const url = /^https?:/.test(file) ? file : pathToFileURL(path.resolve(file)).href;
     if (mode === 'pictures') return console.log(JSON.stringify(await pictures(browser, url, more)));
+    if (mode === 'picture') return console.log(JSON.stringify(await picture(browser, url, more, width, height)));
     const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
     const bad = watched(page);
     const answer = await (mode === 'film' ? film(page, url) : gallery(page, url));

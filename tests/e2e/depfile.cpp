@@ -85,6 +85,59 @@ TEST_CASE("make and ninja make again what a changed file with any name was used 
     }
 }
 
+TEST_CASE(
+    "rules of folders name all that figures and sites are made from, and hold after a deletion") {
+    const TemporaryFolder folder;
+    const std::string gas =
+        "box: {size: [20, 15]}\ngas: [{count: 9, speed: 2}]\nrun: {until: 3}\n"
+        "film: {seconds: 0.4, fps: 5, size: [320, 180], panels: []}\n";
+    folder.write("scenes/one.yaml", "title: One\n" + gas + "figures: [{name: one, kind: gas}]\n");
+    folder.write("scenes/more/two.yaml", "title: Two\n" + gas);
+    folder.write("set.yaml",
+                 "title: Both\nscenes: [{scene: scenes/one.yaml}]\ncomparisons:\n"
+                 "  - name: both\n    kind: temperature\n    caption: Two.\n    scenes:\n"
+                 "      - {scene: scenes/one.yaml, label: a}\n"
+                 "      - {scene: scenes/more/two.yaml, label: b}\n");
+    folder.write("own.md", "{{title}}\n");
+    folder.write("Makefile",
+                 "site/index.html:\n\t" + program +
+                     " gallery scenes -o site --depfile site.d\n"
+                     "set/captions.json:\n\t" +
+                     program +
+                     " figures set.yaml -o set --formats svg --page own.md --depfile set.d\n"
+                     "-include site.d set.d\n");
+    const auto makes = [&](const std::string& target) {
+        const Outcome outcome = run({"make", target}, folder.path());
+        CAPTURE(outcome.out + outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return !has(outcome.out, "is up to date");
+    };
+    const std::string site = "site/index.html", set = "set/captions.json";
+    for (const std::string& target : {site, set}) CHECK(makes(target));
+    const std::string rules = contents(folder.path() / "set.d");
+    CHECK(rules.starts_with("set/captions.json: \\\n  set.yaml \\\n  scenes/one.yaml"));
+    for (const std::string file : {" own.md", " scenes/more/two.yaml", "/lecture.yaml"})
+        CHECK(has(rules, file));
+    for (const std::string& target : {site, set}) CHECK_FALSE(makes(target));
+    // A file that is newer, though nothing in it has changed, is made from once.
+    const auto touch = [&](const std::string& file) {
+        fs::last_write_time(folder.path() / file, fs::file_time_type::clock::now());
+    };
+    for (const std::string& target : {site, set}) {
+        touch("scenes/more/two.yaml");
+        CHECK(makes(target));
+        CHECK_FALSE(makes(target));
+    }
+    // A scene that is new, and one that is gone.
+    folder.write("scenes/more/three.yaml", "title: Three\n" + gas);
+    CHECK(makes(site));
+    CHECK(fs::exists(folder.path() / "site/films/more/three.html"));
+    fs::remove(folder.path() / "scenes/more/three.yaml");
+    CHECK(makes(site));
+    CHECK_FALSE(fs::exists(folder.path() / "site/films/more/three.html"));
+    CHECK_FALSE(makes(site));
+}
+
 TEST_CASE("a rule about nothing, and names that no rule can hold, are refused before the work") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", still_life);

@@ -64,9 +64,12 @@ TEST_CASE("a site has a card and a page for each scene, and plays in a browser f
     CHECK(answer["foundAgain"] == 1);
     CHECK(answer["saidNone"] == "No film has all these words.");
     CHECK(answer["all"] == 3);
-    for (const std::string page : {"films/one.html", "films/classics/old one.html"}) {
+    for (const std::string page :
+         {"films/one.html", "films/two.html", "films/classics/old one.html"}) {
+        CAPTURE(page);
         const json film = browsed("film", site / page);
         check_film(film);
+        CHECK(film["captions"]["cues"].size() == 1);
         CHECK(film["captions"]["shown"] == json{"A first word"});
         CHECK(film["downloads"][0]["address"].get<std::string>().ends_with(".yaml"));
     }

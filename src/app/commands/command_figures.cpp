@@ -7,10 +7,12 @@
 #include <set>
 
 #include "app/command.h"
+#include "app/depfile.h"
 #include "app/figures/figure_set.h"
 #include "app/figures/set_loading.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "figures/sweep_figure.h"
 #include "media/formats.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -26,6 +28,7 @@ struct FiguresArguments : SceneOptions {
     std::string output;
     std::vector<std::string> formats;
     std::vector<std::string> pages;
+    std::string depfile;
     SetOptions options;
 };
 
@@ -94,6 +97,25 @@ void warn(const FigureSet& set, const SetReport& report) {
                         report.gone.size() == 1 ? "it is" : "they are"));
 }
 
+// What the figures and pages of the set in the file `name` are made from.
+std::vector<std::string> files_of(const FigureSet& set, const std::string& name) {
+    std::vector<std::string> files;
+    const auto add = [&](const std::string& file) {
+        if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+    };
+    if (name != standard_input) add(name);
+    for (const SetPart& part : set.parts) {
+        std::ranges::for_each(files_of(part.scene), add);
+        for (const FigureSpec& figure : part.scene.figures) {
+            for (const ComparedRun& run : figure.compare)
+                if (run.scene) std::ranges::for_each(files_of(*run.scene), add);
+            if (figure.panel.sweep.from) add(path_of_joined(part.scene, figure).string());
+        }
+    }
+    for (const PageTemplate& page : set.pages) add(page.source.name);
+    return files;
+}
+
 constexpr const char* finished = "figures that were finished stay, and are not made again";
 
 void make_all(const FiguresArguments& arguments) {
@@ -103,12 +125,16 @@ void make_all(const FiguresArguments& arguments) {
     options.threads = threads_of(arguments);
     options.quiet = arguments.quiet;
     const std::vector<FigureSet> sets = sets_of(arguments);
+    FolderRules rules(arguments.depfile);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+        rules.add(sets[i].folder / captions_name, files_of(sets[i], arguments.scenes[i]));
     try {
         for (const FigureSet& set : sets) {
             const SetReport report = make_figures(set, options);
             warn(set, report);
             if (!arguments.quiet) print_report(set, report);
         }
+        rules.commit();
     } catch (const Interrupted&) {
         throw Interrupted(finished);
     } catch (const TemporaryError& error) {
@@ -208,7 +234,8 @@ Command figure_command() {
                   {"-o,--output FOLDER", "output folder; default: out/SCENE-KIND", &its.output},
                   formats_option(its),
                   {"--force", "draw it again, and replace files that carom did not write",
-                   &its.options.force}},
+                   &its.options.force},
+                  depfile_option(its.depfile)},
                  {limits_option(its)},
                  drawing_options(its)}),
             [arguments] {
@@ -234,6 +261,7 @@ Command figures_command() {
                CommaSeparated{&its.options.only}},
               {"--force", "draw all again, and replace files that carom did not write",
                &its.options.force},
+              depfile_option(its.depfile),
               {"--page PAGE,...",
                "write a page that shows them: markdown, html, latex, or a template of your own "
                "(.md, .html, .tex); several separated by commas",

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/depfile.h"
 #include "app/film/film_request.h"
 #include "app/output.h"
 #include "app/pages/gallery.h"
@@ -95,7 +96,8 @@ Command gallery_command() {
                    &its.gallery.title},
                   {"--format", "mp4 or webm", &its.gallery.format, {"mp4", "webm"}},
                   {"--force", "make all films again, and replace files that carom did not write",
-                   &its.gallery.force}},
+                   &its.gallery.force},
+                  depfile_option(its.gallery.depfile)},
                  scene_options(its),
                  picture_options(its),
                  film_shape_options(its, its.gallery.film),

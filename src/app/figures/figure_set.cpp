@@ -25,8 +25,6 @@
 namespace carom {
 namespace {
 
-const std::string captions_name = "captions.json";
-
 struct PlannedFigure {
     const SetPart* part;
     const FigureSpec* spec;

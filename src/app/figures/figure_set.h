@@ -12,6 +12,9 @@
 
 namespace carom {
 
+/// The file in a folder of figures that is always there: what is said of each.
+inline const std::string captions_name = "captions.json";
+
 /// A scene with those of its figures that are shown, in this order.
 struct SetPart {
     Scene scene;

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/depfile.h"
 #include "app/figures/figure_folder.h"
 #include "app/film/film_request.h"
 #include "app/pages/film_page.h"
@@ -218,6 +219,8 @@ class GalleryMaker {
     GalleryReport make() {
         const std::string index = index_page(options_, items_, index_template_);
         refuse_foreign();
+        FolderRules rules(options_.depfile);
+        rules.add(options_.site / index_name, files_read());
         try {
             for (const GalleryItem& item : items_) make_film(item);
             folder_.write(std::vector<NewFile>{
@@ -228,10 +231,23 @@ class GalleryMaker {
             throw;
         }
         folder_.save();
+        rules.commit();
         return report_;
     }
 
   private:
+    // With the folders: a scene that is new changes the time of its folder.
+    std::vector<std::string> files_read() const {
+        std::vector<std::string> files;
+        const auto add = [&](const std::string& file) {
+            if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+        };
+        for (const GalleryItem& item : items_) add(item.file.path.parent_path().string());
+        for (const GalleryItem& item : items_) std::ranges::for_each(files_of(item.scene), add);
+        for (const Source& page : {film_template_, index_template_}) add(page.name);
+        return files;
+    }
+
     bool is_current(const GalleryItem& item) const {
         return !options_.force &&
                std::ranges::all_of(item.files(options_.format), [&](const auto& file) {

@@ -18,8 +18,9 @@ struct GalleryOptions {
     std::string format = "mp4";
     FilmOptions film = {};  ///< the quality and the threads
     Overrides overrides = {};
-    bool force = false;  ///< make all again, and replace what others have written
-    bool quiet = false;  ///< no progress
+    bool force = false;        ///< make all again, and replace what others have written
+    bool quiet = false;        ///< no progress
+    std::string depfile = {};  ///< path of a rule about index.html; empty: none
 };
 
 /// What was done.

@@ -1,0 +1,83 @@
+// What the files of `carom run` cost beside the bare run, as CPU time of the program: a trajectory
+// (--xyz) with a sample for each collision that a particle has, and a row for every collision
+// (--events). And the memory of the program at its peak, which a run of four times the length must
+// not raise.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "bench/process_cost.h"
+
+using namespace carom;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Numbers with all their digits: 14 in a row of --events, 7 in one of --xyz.
+constexpr double most_xyz = 3.0, most_events = 9.0;
+constexpr double most_growth = 1.02;  // pages of the heap come and go
+constexpr double length = 100.0;
+
+class RunFiles {
+  public:
+    RunFiles() : folder_(fs::temp_directory_path() / "carom-run-files-XXXXXX") {
+        std::string name = folder_.string();
+        if (mkdtemp(name.data()) == nullptr) std::abort();
+        folder_ = name;
+        // Packing fraction 0.3; about one collision a particle in each unit of time.
+        std::ofstream(folder_ / "scene.yaml")
+            << "title: A gas\nbox: {size: [84, 63]}\n"
+               "gas: [{count: 2000, radius: 0.5, temperature: 1}]\n"
+               "run: {until: 100, sample_every: 1}\n";
+    }
+    ~RunFiles() {
+        std::error_code error;
+        fs::remove_all(folder_, error);
+    }
+
+    // `option`: that of the file; empty: none is written.
+    test::Cost cost(const std::string& option, double until, int rounds) const {
+        const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "carom";
+        std::vector<std::string> command{
+            program.string(), "run",   (folder_ / "scene.yaml").string(),
+            "--quiet",        "--set", fmt::format("run.until={}", until)};
+        if (!option.empty()) command.insert(command.end(), {option, file().string()});
+        test::Cost best;
+        for (int k = 0; k < rounds; ++k) best.keep_better(test::cost_of_program(command));
+        return best;
+    }
+
+    double megabytes() const { return 1e-6 * static_cast<double>(fs::file_size(file())); }
+
+  private:
+    fs::path file() const { return folder_ / "file"; }
+
+    fs::path folder_;
+};
+
+bool is_cheap(const RunFiles& files, const std::string& option, double most, int rounds) {
+    const test::Cost bare = files.cost("", length, rounds);
+    const test::Cost its = files.cost(option, length, rounds);
+    const double written = files.megabytes();
+    const test::Cost longer = files.cost(option, 4.0 * length, 1);
+    const double ratio = its.seconds / bare.seconds, growth = longer.bytes / its.bytes;
+    fmt::print(
+        "{:<9} {:6.2f} s for {:4.0f} MB, {:5.2f} times the bare run (at most {}); {:4.0f} MB of "
+        "memory, {:.3f} times as much for four times the length (at most {})\n",
+        option, its.seconds, written, ratio, most, 1e-6 * its.bytes, growth, most_growth);
+    return ratio <= most && growth <= most_growth;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int rounds = argc > 1 && std::string(argv[1]) == "--quick" ? 1 : 5;
+    const RunFiles files;
+    bool good = is_cheap(files, "--xyz", most_xyz, rounds);
+    good = is_cheap(files, "--events", most_events, rounds) && good;
+    return good ? 0 : 1;
+}

@@ -102,6 +102,7 @@ async function film(page, url) {
   await page.keyboard.press('Space');
   await page.waitForFunction(() => document.getElementById('film').currentTime > 0.2, null, { timeout: 20000 }).catch(() => {});
   answer.played = await time(page);
+  answer.heard = await page.evaluate(() => document.getElementById('film').webkitAudioDecodedByteCount);
   await page.evaluate(() => document.getElementById('film').pause());
   answer.downloads = await page.evaluate(() => Array.from(document.querySelectorAll('a[download]'), link =>
     ({ name: link.download, address: link.getAttribute('href').slice(0, 60) })));

@@ -67,6 +67,28 @@ TEST_CASE("a page holds its film, chapters, captions, transcript and scene, and 
     CHECK(answer["scene"] == scene);
     CHECK(answer["wide"] == 0);
     CHECK(answer["saved"]["name"] == "scene.mp4");
+    CHECK(answer["heard"] == 0);
+}
+
+TEST_CASE("a page plays the sound of its film, and its captions name it") {
+    for (const std::string format : {"mp4", "webm"}) {
+        CAPTURE(format);
+        const TemporaryFolder folder;
+        folder.write("scene.yaml", scene);
+        const Outcome outcome =
+            page_of(folder, "scene.yaml", {"--set", "film.sound=collisions", "--format", format});
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        const fs::path page = folder.path() / "out/scene.html";
+        CHECK(has(contents(page), "A film of 0:16 with sound"));
+        if (!can_browse()) return;
+        const json answer = browsed("film", page);
+        check_film(answer);
+        CHECK(answer["heard"] > 0);
+        const std::string first = answer["captions"]["shown"].at(0);
+        CAPTURE(first);
+        CHECK(has(first, "click"));
+    }
 }
 
 TEST_CASE("a WebM plays from its page, and a page goes to standard output") {

@@ -3,12 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <system_error>
 
 #include "app/resources.h"
 #include "util/diagnostics.h"
 
 namespace carom {
+namespace {
+
+std::vector<std::string> each_once(std::span<const std::string> files) {
+    std::vector<std::string> found;
+    std::set<std::string_view> seen;
+    for (const std::string& file : files)
+        if (seen.insert(file).second) found.push_back(file);
+    return found;
+}
+
+}  // namespace
 
 std::string depfile_name(std::string_view path) {
     std::string name;
@@ -33,16 +45,14 @@ std::string depfile_name(std::string_view path) {
 
 std::vector<std::string> files_of(const Scene& scene) {
     std::vector<std::string> files;
-    const auto add = [&](const std::string& file) {
-        if (!file.empty() && std::ranges::find(files, file) == files.end()) files.push_back(file);
-    };
     const SceneSource& source = scene.source;
-    if (source.path != "<stdin>") add(source.path);
+    if (!source.path.empty() && source.path != "<stdin>") files.push_back(source.path);
     const bool is_own = std::ranges::any_of(
         source.files, [&](const auto& file) { return file.second == source.template_text; });
     if (!is_own && !source.template_text.empty())
-        add((templates_folder() / "films" / (scene.film.template_name + ".yaml")).string());
-    for (const auto& [file, text] : source.files) add(file);
+        files.push_back(
+            (templates_folder() / "films" / (scene.film.template_name + ".yaml")).string());
+    for (const auto& [file, text] : source.files) files.push_back(file);
     return files;
 }
 
@@ -51,7 +61,7 @@ std::string depfile_rule(std::span<const std::string> outputs, std::span<const s
     for (const std::string& output : outputs)
         rule += (rule.empty() ? "" : " ") + depfile_name(output);
     rule += ":";
-    for (const std::string& file : files) rule += " \\\n  " + depfile_name(file);
+    for (const std::string& file : each_once(files)) rule += " \\\n  " + depfile_name(file);
     rule += "\n";
     return rule;
 }
@@ -63,7 +73,7 @@ FolderRules::FolderRules(const std::string& depfile) {
 void FolderRules::add(const std::filesystem::path& output, const std::vector<std::string>& files) {
     if (!depfile_) return;
     std::string rules = depfile_rule(std::vector{output.string()}, files);
-    for (const std::string& file : files) rules += depfile_name(file) + ":\n";
+    for (const std::string& file : each_once(files)) rules += depfile_name(file) + ":\n";
     depfile_->write(rules);
     outputs_.push_back(output);
 }

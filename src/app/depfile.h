@@ -22,7 +22,7 @@ std::string depfile_name(std::string_view path);
 /// film, and the scenes that it names.
 std::vector<std::string> files_of(const Scene& scene);
 
-/// A rule that says what the outputs are made from.
+/// A rule that says what the outputs are made from. A file that comes again is written once.
 std::string depfile_rule(std::span<const std::string> outputs, std::span<const std::string> files);
 
 /// The depfile of folders whose files are made anew only where they have changed. One file in a

@@ -28,15 +28,23 @@ std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
     return lists;
 }
 
-std::optional<double> asked_trail(const PanelContext& context, Eigen::Index particle) {
-    const auto species = static_cast<std::size_t>(context.particles.species[particle]);
-    if (const std::optional<double>& own = context.scene.looks[species].trail) return own;
-    const Trails& trails = context.scene.film.trails;
+std::optional<double> asked_trail(const Scene& scene, const Particles& particles,
+                                  Eigen::Index particle) {
+    const auto species = static_cast<std::size_t>(particles.species[particle]);
+    if (const std::optional<double>& own = scene.looks[species].trail) return own;
+    const Trails& trails = scene.film.trails;
     const bool among = std::ranges::any_of(trails.of, [&](const Chosen& chosen) {
         if (chosen.particle) return *chosen.particle == particle;
         return !chosen.species || *chosen.species == species;
     });
     return among ? std::optional(trails.seconds) : std::nullopt;
+}
+
+bool is_single_among_many(const Scene& scene, const Particles& particles, Eigen::Index particle) {
+    constexpr Eigen::Index few_disks = 10, few_beads = 4;
+    const auto species = static_cast<std::size_t>(particles.species[particle]);
+    return scene.gas.species[species].count == 1 &&
+           particles.count() > (scene.gas.box.dimension == 2 ? few_disks : few_beads);
 }
 
 namespace {

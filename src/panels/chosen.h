@@ -20,7 +20,11 @@ std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
 
 /// How long a trail the scene asks for, in seconds of film, by the particle's species or else for
 /// the film; nothing where it does not say.
-std::optional<double> asked_trail(const PanelContext& context, Eigen::Index particle);
+std::optional<double> asked_trail(const Scene& scene, const Particles& particles,
+                                  Eigen::Index particle);
+
+/// Whether this is the only particle of its species, among many others: what a film is about.
+bool is_single_among_many(const Scene& scene, const Particles& particles, Eigen::Index particle);
 
 /// "all", the species' name, "particle 3"; in English for a table.
 std::string name_of(const Scene& scene, const Chosen& chosen);

@@ -100,9 +100,7 @@ void warn(const FigureSet& set, const SetReport& report) {
 // What the figures and pages of the set in the file `name` are made from.
 std::vector<std::string> files_of(const FigureSet& set, const std::string& name) {
     std::vector<std::string> files;
-    const auto add = [&](const std::string& file) {
-        if (std::ranges::find(files, file) == files.end()) files.push_back(file);
-    };
+    const auto add = [&](const std::string& file) { files.push_back(file); };
     if (name != standard_input) add(name);
     for (const SetPart& part : set.parts) {
         std::ranges::for_each(files_of(part.scene), add);

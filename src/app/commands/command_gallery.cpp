@@ -50,9 +50,8 @@ void make_site(GalleryArguments& arguments) {
             fmt::format("-o {}: a site is several files; name a folder", arguments.output));
     GalleryOptions& options = arguments.gallery;
     options.folder = arguments.folder;
-    const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
-    options.site =
-        arguments.output.empty() ? "out" / folder.filename() : fs::path(arguments.output);
+    options.site = arguments.output.empty() ? fs::path("out") / name_of_folder(options.folder)
+                                            : fs::path(arguments.output);
     options.overrides = overrides_of(arguments);
     options.film.threads = threads_of(arguments);
     options.quiet = arguments.quiet;

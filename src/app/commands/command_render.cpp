@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -180,8 +181,7 @@ std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::p
     std::string text;
     std::vector<std::string> files;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-        for (const std::string& file : files_of(scenes[i]))
-            if (std::ranges::find(files, file) == files.end()) files.push_back(file);
+        std::ranges::copy(files_of(scenes[i]), std::back_inserter(files));
         if (arguments.join && i + 1 < scenes.size()) continue;
         if (arguments.join && listed_scenes.front().name != arguments.scenes.front())
             files.push_back(arguments.scenes.front());  // the set

@@ -264,7 +264,7 @@ class Maker {
         const FilmPlan plan = prepare(part.scene, options, progress);
         render(plan, options, progress);
         Canvas poster =
-            draw_still(plan, poster_at * part.scene.run.until, output_format("png"), progress);
+            draw_still(plan, time_of_poster(part.scene), output_format("png"), progress);
         write_file(hidden.path() / files.at("poster"), poster.file());
         for (const auto& [what, file] : files)
             folder_.take_in(hidden.path(), file, "", inputs_of(part.scene, film_));

@@ -264,7 +264,7 @@ fs::path poster_path(const fs::path& film) {
 
 void write_poster(const PlanFolder& folder, const FilmPlan& whole, const fs::path& path,
                   Progress& progress) {
-    const double at = poster_at * whole.scene.run.until;
+    const double at = time_of_poster(whole.scene);
     const int frame = std::clamp(frame_nearest_to(timeline(whole.scene), at), whole.span.first,
                                  whole.span.end - 1);
     for (const PlannedChunk& chunk : folder.chunks())

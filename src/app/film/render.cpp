@@ -211,6 +211,12 @@ RenderReport render(const FilmPlan& plan, const FilmOptions& options, Progress& 
     return write_film(plan, options, *film_writer(plan, options), progress, {});
 }
 
+double time_of_poster(const Scene& scene, const FilmOptions& options) {
+    constexpr double share = 0.3;  // of the film's part of the run
+    const double from = options.from.value_or(0.0), to = options.to.value_or(scene.run.until);
+    return from + share * (to - from);
+}
+
 Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputFormat& format) {
     FramePainter painter(panels);
     Canvas canvas = blank_still(panels.scene(), frame.tick.time, format);

@@ -49,8 +49,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
 std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options,
                                         std::vector<FilmChapter> chapters = {});
 
-/// When in a run the picture is taken that stands for its film, as a share of the run.
-inline constexpr double poster_at = 0.3;
+/// The simulated time of the picture that stands for a film.
+double time_of_poster(const Scene& scene, const FilmOptions& options = {});
 
 /// A frame as a picture, in a format of stills.
 Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputFormat& format);

@@ -96,11 +96,6 @@ std::string film_page(const Source& page, const FilmPage& its) {
     return filled_page(page, PageKind::html, fields, placeholders_of_film());
 }
 
-double time_of_poster(const Scene& scene, const FilmOptions& options) {
-    const double from = options.from.value_or(0.0), to = options.to.value_or(scene.run.until);
-    return from + poster_at * (to - from);
-}
-
 RenderReport render_page(const Scene& scene, FilmOptions options, const std::string& page,
                          double most, Progress& progress) {
     Output output(page);  // before the work: it may not be allowed to write it

@@ -43,7 +43,4 @@ inline constexpr double most_inlined_bytes = 24e6;
 RenderReport render_page(const Scene& scene, FilmOptions options, const std::string& page,
                          double most, Progress& progress);
 
-/// The simulated time of the picture that stands for a film.
-double time_of_poster(const Scene& scene, const FilmOptions& options);
-
 }  // namespace carom

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <system_error>
@@ -108,13 +109,8 @@ struct GalleryItem {
     }
 };
 
-std::string name_of_folder(const GalleryOptions& options) {
-    const fs::path folder = fs::absolute(options.folder / "").lexically_normal().parent_path();
-    return as_utf8(folder.filename().string());
-}
-
 std::string title_of(const GalleryOptions& options) {
-    return options.title.empty() ? name_of_folder(options) : options.title;
+    return options.title.empty() ? as_utf8(name_of_folder(options.folder)) : options.title;
 }
 
 std::string inputs_of(const GalleryOptions& options, const Scene& scene, const Source& page) {
@@ -214,7 +210,8 @@ class GalleryMaker {
           film_template_(document_template("film.html")),
           index_template_(document_template("gallery.html")),
           items_(items_of(options, film_template_)),
-          folder_(options.site, "the folder " + name_of_folder(options), "gallery.json") {}
+          folder_(options.site, "the folder " + as_utf8(name_of_folder(options.folder)),
+                  "gallery.json") {}
 
     GalleryReport make() {
         const std::string index = index_page(options_, items_, index_template_);
@@ -239,12 +236,11 @@ class GalleryMaker {
     // With the folders: a scene that is new changes the time of its folder.
     std::vector<std::string> files_read() const {
         std::vector<std::string> files;
-        const auto add = [&](const std::string& file) {
-            if (std::ranges::find(files, file) == files.end()) files.push_back(file);
-        };
-        for (const GalleryItem& item : items_) add(item.file.path.parent_path().string());
-        for (const GalleryItem& item : items_) std::ranges::for_each(files_of(item.scene), add);
-        for (const Source& page : {film_template_, index_template_}) add(page.name);
+        for (const GalleryItem& item : items_)
+            files.push_back(item.file.path.parent_path().string());
+        for (const GalleryItem& item : items_)
+            std::ranges::copy(files_of(item.scene), std::back_inserter(files));
+        for (const Source* page : {&film_template_, &index_template_}) files.push_back(page->name);
         return files;
     }
 
@@ -285,7 +281,7 @@ class GalleryMaker {
         FilmPlan plan = prepare(item.scene, options, progress);
         render(plan, options, progress);
         write_page(item, plan, hidden.path());
-        write_pictures(plan, files, hidden.path(), progress);
+        write_pictures(std::move(plan), files, hidden.path(), progress);
         for (const auto& [what, file] : files)
             folder_.take_in(hidden.path(), file, "", item.inputs);
         folder_.save();
@@ -309,18 +305,14 @@ class GalleryMaker {
                                               .index = way_to_index(item.file.name)}));
     }
 
-    // The same frame twice: as large as the film, and for its card.
-    static void write_pictures(FilmPlan& plan, const std::map<std::string, std::string>& files,
+    // The same frame twice: as large as the film, and for its card. The last use of the plan.
+    static void write_pictures(FilmPlan plan, const std::map<std::string, std::string>& files,
                                const fs::path& folder, Progress& progress) {
-        const double at = time_of_poster(plan.scene, {});
+        const double at = time_of_poster(plan.scene);
         const OutputFormat& png = output_format("png");
         write_file(folder / files.at("poster"), draw_still(plan, at, png, progress).file());
-        const PixelSize whole{plan.scene.film.size.width, plan.scene.film.size.height};
-        plan.scene.film.size.height = height_of_card(plan.scene.film);
-        plan.scene.film.size.width = width_of_card;
+        plan.scene.film.size = {width_of_card, height_of_card(plan.scene.film)};
         write_file(folder / files.at("card"), draw_still(plan, at, png, progress).file());
-        plan.scene.film.size.width = whole.width;
-        plan.scene.film.size.height = whole.height;
     }
 
     void remove_others() {
@@ -338,6 +330,10 @@ class GalleryMaker {
 };
 
 }  // namespace
+
+std::string name_of_folder(const fs::path& folder) {
+    return fs::absolute(folder / "").lexically_normal().parent_path().filename().string();
+}
 
 GalleryReport make_gallery(const GalleryOptions& options) {
     std::error_code error;

@@ -31,6 +31,9 @@ struct GalleryReport {
     std::vector<std::string> left;      ///< of these those that others have changed
 };
 
+/// The name of a folder, however its path is written: "." has one too.
+std::string name_of_folder(const std::filesystem::path& folder);
+
 /// Makes the site: index.html, and for each scene its page, film, pictures and text under films/,
 /// in folders as the scenes are. Figure sets are left out. Throws before anything is written
 /// UsageError (no scenes, two of one name, a link that leads out of the folder, files of others in

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "panels/chosen.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/layout.h"
 #include "physics/placement/draws.h"
@@ -50,7 +51,8 @@ std::optional<Diagnostic> missing_description(const Scene& scene) {
 // How a species looks in grey.
 struct GreyLook {
     double radius = 0.0;  // the mean
-    bool is_ring = false, is_followed = false;
+    bool is_ring = false;
+    bool is_followed = true;       // each of its particles has a trail or a rim
     std::optional<double> number;  // on each of its disks, where it is the same on all
 };
 
@@ -58,17 +60,7 @@ struct GreyLook {
 double pixels_of_length(const Scene& scene) {
     const Rect place = Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas);
     const Eigen::ArrayXd& box = scene.gas.box.size;
-    return std::min(place.width / box[0], box.size() == 2 ? place.height / box[1] : 1e300);
-}
-
-// A single particle among many is drawn as if it had a trail.
-bool is_followed(const Scene& scene, std::size_t k, Eigen::Index particles) {
-    if (const std::optional<double>& own = scene.looks[k].trail) return *own > 0.0;
-    if (std::ranges::any_of(scene.film.trails.of, [&](const Chosen& chosen) {
-            return !chosen.particle && (!chosen.species || *chosen.species == k);
-        }))
-        return true;
-    return scene.gas.species[k].count == 1 && particles > (scene.gas.box.dimension == 2 ? 10 : 4);
+    return std::min(place.width / box[0], box.size() == 2 ? place.height / box[1] : INFINITY);
 }
 
 std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles) {
@@ -79,6 +71,8 @@ std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles)
         if (scene.film.labels == Labels::mass) its.number = particles.inverse_mass[i];
         if (scene.film.labels == Labels::index) its.number = static_cast<double>(i);
         its.radius += particles.radius[i];
+        const std::optional<double> trail = asked_trail(scene, particles, i);
+        its.is_followed &= trail ? *trail > 0.0 : is_single_among_many(scene, particles, i);
     }
     for (std::size_t k = 0; k < all.size(); ++k) {
         const auto count =
@@ -87,7 +81,6 @@ std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles)
         const double shown = all[k].radius * pixels_of_length(scene);
         const bool has_room = scene.gas.box.dimension == 1 || shown > 2.0 * ring_line(shown, unit);
         all[k].is_ring = !scene.looks[k].fill && has_room;
-        all[k].is_followed = is_followed(scene, k, particles.count());
         // Smaller disks have no room for it, and many have many.
         if (count > 1.0 || (scene.gas.box.dimension == 2 && shown < unit)) all[k].number.reset();
     }

@@ -59,15 +59,12 @@ void GasPanel::archive(Archive& archive) {
     archive(colors_, arrows_, flashes_, surfaces_, camera_, callouts_, field_);
 }
 
-// Those that should have a trail, and a single particle among many, which is what the film is
-// about.
+// Those that should have a trail, and what the film is about.
 void GasPanel::choose_particles() {
     for (Eigen::Index i = 0; i < context_.particles.count(); ++i) {
-        const auto species = static_cast<std::size_t>(context_.particles.species[i]);
-        const bool single =
-            context_.scene.gas.species[species].count == 1 && context_.particles.count() > 10;
-        const double trail =
-            asked_trail(context_, i).value_or(single ? default_trail_seconds : 0.0);
+        const bool single = is_single_among_many(context_.scene, context_.particles, i);
+        const double trail = asked_trail(context_.scene, context_.particles, i)
+                                 .value_or(single ? default_trail_seconds : 0.0);
         trail_of_.push_back(trail > 0.0 ? static_cast<std::ptrdiff_t>(followed_.size()) : -1);
         if (trail > 0.0) followed_.push_back({i, trail});
     }

@@ -15,9 +15,8 @@ constexpr double finest = 1.0 / 2000.0;  // of the memory: bends closer than thi
 }  // namespace
 
 bool stands_out(const PanelContext& context, Eigen::Index i) {
-    const auto species = static_cast<std::size_t>(context.particles.species[i]);
-    return asked_trail(context, i).value_or(0.0) > 0.0 ||
-           (context.scene.gas.species[species].count == 1 && context.particles.count() > 4);
+    return asked_trail(context.scene, context.particles, i).value_or(0.0) > 0.0 ||
+           is_single_among_many(context.scene, context.particles, i);
 }
 
 WorldLines::WorldLines(const PanelContext& context, const LineMap& map, const GasColors& colors,

@@ -31,7 +31,7 @@ struct Reading {
     const Run& run;
 };
 
-/// What copies share.
+/// What copies share. Nothing of it is inline: notations are compiled to a third less code so.
 class Held {
   public:
     Held(const void* what, void (*destroy)(const void*));

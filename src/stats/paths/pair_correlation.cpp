@@ -206,9 +206,8 @@ double PairCorrelation::distance(const Eigen::ArrayXXd& positions, Eigen::Index 
     return box_.nearest(apart).matrix().norm();
 }
 
-// How far from its end a path goes. Falling bends a piece of it away from the straight line
-// between its ends by
-// no more than g t^2 / 8.
+// How far from its end a path goes. Falling bends a piece of it away from the straight line between
+// its ends by no more than g t^2 / 8.
 double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces) const {
     Eigen::Array2d apart{0.0, 0.0};
     double farthest = 0.0, bend = 0.0;

@@ -36,7 +36,7 @@ std::string trails_of(const std::string& trails) {
     const PanelContext context{scene, simulation.particles(), 30, none};
     std::string seconds;
     for (Eigen::Index i = 0; i < 12; ++i) {
-        const auto asked = asked_trail(context, i);
+        const auto asked = asked_trail(context.scene, context.particles, i);
         seconds += asked ? std::to_string(static_cast<int>(*asked)) : "-";
     }
     return seconds;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <stdexcept>
 #include <unsupported/Eigen/SpecialFunctions>
 
 namespace carom {
@@ -91,11 +92,14 @@ Expected pooled(const Expected& expected, std::vector<double>& observed) {
 // With conserved sums given, the statistic is a sum of squares of independent normal numbers with
 // these variances, and with 1 for all others: 1 less the parts of the sums that the classes see.
 std::vector<double> lesser_weights(const Expected& expected) {
+    constexpr Eigen::Index most_sums = 2;
     const auto sums = static_cast<Eigen::Index>(expected.conserved.size());
+    if (sums > most_sums) throw std::invalid_argument("carom: more than two conserved sums");
     const auto classes = static_cast<Eigen::Index>(expected.count.size());
     double values = 0.0;
     for (const double count : expected.count) values += count;
-    Eigen::MatrixXd seen(classes, sums);
+    Eigen::Matrix<double, Eigen::Dynamic, most_sums> seen(classes, most_sums);
+    seen.setZero();
     for (Eigen::Index c = 0; c < sums; ++c) {
         const Conserved& one = expected.conserved[static_cast<std::size_t>(c)];
         for (Eigen::Index k = 0; k < classes; ++k) {
@@ -105,9 +109,10 @@ std::vector<double> lesser_weights(const Expected& expected) {
         }
     }
     std::vector<double> weights;
-    if (sums == 0) return weights;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(seen.transpose() * seen);
-    for (const double part : parts.eigenvalues())
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> parts;
+    parts.computeDirect(seen.transpose() * seen, Eigen::EigenvaluesOnly);
+    // From the least to the largest; the columns of sums that there are not give zeros.
+    for (const double part : parts.eigenvalues().tail(sums))
         weights.push_back(std::clamp(1.0 - part, 0.0, 1.0));
     return weights;
 }

@@ -28,7 +28,7 @@ struct Conserved {
 /// What is expected of counts in classes.
 struct Expected {
     std::vector<double> count;
-    std::vector<Conserved> conserved;
+    std::vector<Conserved> conserved;  ///< at most two
 };
 
 enum class TestedQuantity { speed, energy, velocity };

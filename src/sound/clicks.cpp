@@ -99,9 +99,10 @@ void ClickMixer::ring(Oscillators& its, std::span<const Strike> strikes, int fir
 }
 
 void ClickMixer::mix_block() {
-    const auto later = std::ranges::partition(
-        strikes_, [&](const Strike& one) { return one.sample < mixed_ + block; });
-    const std::span<Strike> now(strikes_.begin(), later.begin());
+    const auto later = std::partition(strikes_.begin(), strikes_.end(), [&](const Strike& one) {
+        return one.sample < mixed_ + block;
+    });
+    const std::span<Strike> now(strikes_.begin(), later);
     // Those of one pitch at one sample are alike, so that their order means nothing.
     std::ranges::sort(
         now, {}, [](const Strike& one) { return std::pair(one.oscillator / lanes, one.sample); });
@@ -115,7 +116,7 @@ void ClickMixer::mix_block() {
         if (its.rings || begin != strike)
             ring(its, {begin, strike}, static_cast<int>(group) * lanes, sum);
     }
-    strikes_.erase(strikes_.begin(), later.begin());
+    strikes_.erase(strikes_.begin(), later);
     double largest = 0.0;
     for (const double one : sum) largest = std::max(largest, std::abs(one));
     const double most = largest > 1.0 ? 1.0 / largest : 1.0;

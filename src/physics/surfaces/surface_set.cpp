@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <ranges>
 #include <utility>
 #include <variant>
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <ranges>
 
 #include "stats/paths/near_pairs.h"
 
@@ -211,9 +210,9 @@ double PairCorrelation::distance(const Eigen::ArrayXXd& positions, Eigen::Index 
 double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces) const {
     Eigen::Array2d apart{0.0, 0.0};
     double farthest = 0.0, bend = 0.0;
-    for (const PathPiece& piece : pieces | std::views::reverse) {
-        const double span = piece.span();
-        apart -= span * (piece.velocity + 0.5 * span * paths_.gravity());
+    for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
+        const double span = piece->span();
+        apart -= span * (piece->velocity + 0.5 * span * paths_.gravity());
         farthest = std::max(farthest, apart.matrix().norm());
         bend = std::max(bend, 0.125 * span * span * paths_.gravity().matrix().norm());
     }

@@ -44,7 +44,7 @@ TEST_CASE("a film and its words replace earlier ones") {
 
 TEST_CASE("a film that is killed leaves no file") {
     const TemporaryFolder folder;
-    const Outcome outcome = shell("timeout -s KILL 1 '" + program + "' render '" +
+    const Outcome outcome = shell("timeout --foreground -s KILL 1 '" + program + "' render '" +
                                       library_scene("mixed-masses") + "' -o film.mp4 --quiet",
                                   folder.path());
     CHECK(outcome.exit_code != 0);

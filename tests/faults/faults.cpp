@@ -242,7 +242,9 @@ std::string Trial::with_fault(const Fault& fault, long number) const {
 std::string Trial::killed_after(double seconds) const {
     const TemporaryFolder folder;
     write_files(folder, before_);
-    call(work_, "", folder.path(), fmt::format("timeout -s KILL {:.4f}", seconds));
+    // In the foreground timeout waits for the end of what it has killed, which until then holds its
+    // locks.
+    call(work_, "", folder.path(), fmt::format("timeout --foreground -s KILL {:.4f}", seconds));
     Files now = comparable(files_in(folder.path()));
     std::erase_if(now, [](const auto& file) { return is_temporary(file.first); });
     std::string found = changes(comparable(before_), after_, now).problem;

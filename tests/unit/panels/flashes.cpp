@@ -160,7 +160,7 @@ TEST_CASE("a picture says how many collisions flash where some are left out") {
 }
 
 // The disks of radius 3 and 1 touch at (18, 15), those over the side at (40, 15), at times 1 and
-// 2 of 4.
+// 2 of 2.5.
 TEST_CASE("a flash stands at the point of contact, for a quarter of a second") {
     struct Case {
         std::string box, gas;
@@ -180,7 +180,7 @@ TEST_CASE("a flash stands at the point of contact, for a quarter of a second") {
     };
     for (const Case& one : cases) {
         CAPTURE(one.gas);
-        Pair pair(one.box, one.gas, "until: 4", "seconds: 12, fps: 20, color_by: species");
+        Pair pair(one.box, one.gas, "until: 2.5", "seconds: 7.5, fps: 20, color_by: species");
         const Rect box = pair.box();
         const double scale = box.width / 40.0;
         std::size_t frames = 0, first = 0;
@@ -211,11 +211,11 @@ TEST_CASE("hits on surfaces flash at the point of contact, those on plain walls 
     door.partitions = {{.name = "door", .at = 18.0}};
     bath.sides[0] = Bath{1.0};
     const char* to_right = "{radius: 3, position: [13, 15], velocity: [2, 0]}";
-    const char* to_left = "{radius: 3, position: [15, 15], velocity: [-2, 0]}";
+    const char* to_left = "{radius: 3, position: [5, 15], velocity: [-2, 0]}";
     for (const auto& [surfaces, gas, x, time] : {std::tuple(peg, to_right, 18.0, 1.0),
                                                  {door, to_right, 18.0, 1.0},
-                                                 {bath, to_left, 0.0, 6.0}}) {
-        Pair pair("size: [40, 30]", gas, "until: 8", "seconds: 24, fps: 20", surfaces);
+                                                 {bath, to_left, 0.0, 1.0}}) {
+        Pair pair("size: [40, 30]", gas, "until: 2", "seconds: 6, fps: 20", surfaces);
         const Rect box = pair.box();
         const double scale = box.width / 40.0;
         int frames = 0;
@@ -235,10 +235,10 @@ TEST_CASE("hits on surfaces flash at the point of contact, those on plain walls 
 
 TEST_CASE("beads of a wire and of a ring flash where they touch") {
     // Rods touch at 18; points are drawn larger, and touch in the middle of what is drawn.
-    const std::string moving = ", position: 12, velocity: 2}, ", resting = ", position: 20}";
+    const std::string moving = ", position: 14, velocity: 2}, ", resting = ", position: 20}";
     for (const std::string radius : {"1", "2"}) {
         const std::string r = "{radius: " + radius;
-        Pair pair("length: 40", r + moving + r + resting, "until: 4", "seconds: 12, fps: 20");
+        Pair pair("length: 40", r + moving + r + resting, "until: 2.5", "seconds: 7.5, fps: 20");
         const Grid grid(pair.with.scene.film.layout, {1280, 720});
         const Rect area = grid.place(pair.with.scene.film.layout.gas);
         const double scale = (area.width - 4.0 * grid.unit()) / 40.0;
@@ -255,7 +255,7 @@ TEST_CASE("beads of a wire and of a ring flash where they touch") {
     }
     Pair ring("length: 40, walls: periodic",
               "{radius: 1, position: 36, velocity: 2}, {radius: 1, position: 5, velocity: -2}",
-              "until: 4", "seconds: 12, fps: 20");
+              "until: 2.5", "seconds: 7.5, fps: 20");
     std::size_t frames = 0;  // they touch at 0.5 beyond the cut
     const Grid grid(ring.with.scene.film.layout, {1280, 720});
     const Rect area = grid.place(ring.with.scene.film.layout.gas);

@@ -66,10 +66,11 @@ TEST_CASE("the sound of a film does not depend on the pieces in which it comes")
         CHECK(streams[1]["codec_type"] == "audio");
         CHECK(streams[1]["sample_rate"] == "48000");
         CHECK(streams[1]["channels"] == 1);
-        // Opus has 6.5 ms before its first sample, which a decoder drops.
+        // Opus has 6.5 ms before its first sample, which a decoder drops. FFprobe counts them in
+        // the start; from version 9 on it does not.
         CHECK(std::stod(streams[0]["start_time"].get<std::string>()) == 0.0);
         const double start = std::stod(streams[1]["start_time"].get<std::string>());
-        CHECK((path == folder.film() ? start == 0.0 : start >= -0.007 && start < 0.0));
+        CHECK((path == folder.film() ? start == 0.0 : start >= -0.007 && start <= 0.0));
     }
 }
 

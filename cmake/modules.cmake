@@ -1,12 +1,13 @@
-# carom_module(NAME [QUICK] USES targets... PRIVATE targets... PROGRAM files... UNITS "paths..."...): the static library of
+# carom_module(NAME [QUICK] USES targets... PRIVATE targets... PROGRAM files... LOOPS files... UNITS "paths..."...): the static library of
 # src/NAME, without the files of PROGRAM.
 # USES is what its headers may show; PRIVATE stays inside its .cpp files.
 # QUICK: no inner loop of simulation or drawing is there, so that it is compiled with -Og, in half of the time.
+# LOOPS: files of a QUICK module with loops over all particles of a frame, which are compiled with -O3, each by itself.
 # UNITS: without ccache (CAROM_UNITY) the files of several folders are compiled as one, in half of the time. Each of UNITS lists
 # folders of src/NAME (. is itself) and single files; a folder that is in none is a unit by itself. Names in the unnamed namespaces
 # of one unit must differ: where two files share a name that each of them is right to use, one is listed in another unit.
 function(carom_module name)
-    cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;PROGRAM;UNITS" ${ARGN})
+    cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;PROGRAM;LOOPS;UNITS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
     list(TRANSFORM arg_PROGRAM PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
     list(REMOVE_ITEM sources ${arg_PROGRAM})
@@ -17,6 +18,8 @@ function(carom_module name)
         PRIVATE $<BUILD_INTERFACE:carom_rules> ${arg_PRIVATE})
     if(arg_QUICK)
         target_compile_options(carom_${name} PRIVATE $<$<CONFIG:Release>:-Og>)
+        list(TRANSFORM arg_LOOPS PREPEND ${PROJECT_SOURCE_DIR}/src/${name}/)
+        set_source_files_properties(${arg_LOOPS} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3>)
     endif()
     if(CAROM_UNITY)
         set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

@@ -9,6 +9,7 @@
 
 #include "draw/disk_mask.h"
 #include "draw/raster/pixel_bounds.h"
+#include "draw/small_disks.h"
 
 namespace carom {
 namespace {
@@ -249,12 +250,19 @@ struct DiskPainter::Implementation {
     int last_radius = -1;
     Phases* last_phases = nullptr;
     bool is_full = false;
+    std::unique_ptr<SmallDisks> small;  ///< made when it is wanted, as it takes memory
 };
 
 DiskPainter::DiskPainter() : implementation_(std::make_unique<Implementation>()) {}
 DiskPainter::~DiskPainter() = default;
 DiskPainter::DiskPainter(DiskPainter&&) noexcept = default;
 DiskPainter& DiskPainter::operator=(DiskPainter&&) noexcept = default;
+
+SmallDisks& DiskPainter::small_disks() {
+    std::unique_ptr<SmallDisks>& small = implementation_->small;
+    if (!small) small = std::make_unique<SmallDisks>();
+    return *small;
+}
 
 void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
     if (!canvas.is_raster()) return draw_circles(canvas, disks, clip);

@@ -2,18 +2,15 @@
 // the canvas's own pixels. In a vector document: circles.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
 
 #include "draw/canvas.h"
+#include "draw/disk.h"
 
 namespace carom {
 
-struct Disk {
-    float x = 0, y = 0, radius = 0;  ///< pixels
-    std::uint32_t color = 0;         ///< 0xRRGGBB, opaque
-};
+class SmallDisks;
 
 class DiskPainter {
   public:
@@ -25,6 +22,9 @@ class DiskPainter {
     /// Draws in order, later disks over earlier ones; clipped to `clip`. On a raster centres are
     /// right to 1/32 pixel, coverage to 1/255 or so.
     void draw(Canvas& canvas, std::span<const Disk> disks, Rect clip);
+
+    /// For disks that are too many and too small to be drawn one by one.
+    SmallDisks& small_disks();
 
   private:
     struct Implementation;

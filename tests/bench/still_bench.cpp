@@ -17,7 +17,7 @@ using namespace carom;
 
 namespace {
 
-constexpr double most_of_bare = 2.0, most_bytes = 450.0, most_of_speed = 1.2;
+constexpr double most_of_bare = 2.0, most_bytes = 400.0, most_of_speed = 1.2;
 
 Scene scene_of(std::int64_t count, const std::string& mass, const std::string& film) {
     const double side = std::sqrt(static_cast<double>(count) * 2.6);  // packing 0.3

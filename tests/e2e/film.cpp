@@ -163,6 +163,27 @@ TEST_CASE(
     CHECK(render("other.mp4", "2", "2") != one);
 }
 
+TEST_CASE("so is that of a gas of disks too small and too many to be told apart") {
+    const TemporaryFolder folder;
+    folder.write("crowd.yaml",
+                 "title: A crowd\nbox: {size: [80, 60]}\n"
+                 "gas: [{count: 6000, radius: 0.25, temperature: 1}]\n"
+                 "run: {until: 1}\nfilm: {seconds: 3}\n");
+    const auto render = [&](const std::string& threads) {
+        const std::string name = "film-" + threads + ".mp4";
+        const Outcome outcome = run_carom(
+            {"render", "crowd.yaml", "-o", name, "--size", "320x180", "--threads", threads},
+            folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return contents(folder.path() / name);
+    };
+    const std::string one = render("1");
+    CHECK(one.size() > 10'000);
+    CHECK(render("2") == one);
+    CHECK(render("8") == one);
+}
+
 TEST_CASE("the last picture of a reversed film is its first") {
     const TemporaryFolder folder;
     const std::string scene = (root / "tests/e2e/there-and-back.yaml").string();

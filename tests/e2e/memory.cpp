@@ -91,4 +91,29 @@ TEST_CASE("a film takes at most the memory that carom check names, and at least 
         CHECK(peak.bytes >= 0.25 * named);
     }
 }
+
+// Of so many that what they take is most of it.
+TEST_CASE("a film of very many disks takes at most the memory that carom check names") {
+    const TemporaryFolder folder;
+    folder.write("large.yaml",
+                 "title: Very many disks\nbox: {size: [800, 600]}\n"
+                 "gas: [{count: 400000, radius: 0.3, temperature: 1}]\n"
+                 "run: {until: 0.05}\nfilm: {seconds: 2, size: [640, 360]}\n");
+    for (const int threads : {1, 2}) {
+        CAPTURE(threads);
+        const Outcome check =
+            shell(fmt::format("'{}' check --json --threads {} large.yaml", program, threads),
+                  folder.path());
+        REQUIRE(check.exit_code == 0);
+        const double named =
+            json::parse(check.out).at(0).at("film").at("rough").at("formats").at("mp4").at(
+                "memory_bytes");
+        const Peak peak =
+            peak_of(fmt::format("render large.yaml --quiet --threads {} -o film.mp4", threads),
+                    folder.path());
+        CHECK(peak.exit_code == 0);
+        CHECK(peak.bytes <= named);
+        CHECK(peak.bytes >= 0.4 * named);
+    }
+}
 #endif

@@ -25,7 +25,10 @@ Eigen::Array2d contact_of(const Collision& collision, const Particles& particles
 }  // namespace
 
 GasPanel::GasPanel(const PanelContext& context, const std::optional<View>& view)
-    : ParticlePanel(context, view), surfaces_(context) {
+    : ParticlePanel(context, view),
+      surfaces_(context),
+      smallest_(context.particles.radius.minCoeff()),
+      largest_(context.particles.radius.maxCoeff()) {
     choose_particles();
     trails_.resize(followed_.size());
 }
@@ -65,9 +68,12 @@ void GasPanel::choose_particles() {
         const bool single = is_single_among_many(context_.scene, context_.particles, i);
         const double trail = asked_trail(context_.scene, context_.particles, i)
                                  .value_or(single ? default_trail_seconds : 0.0);
-        trail_of_.push_back(trail > 0.0 ? static_cast<std::ptrdiff_t>(followed_.size()) : -1);
         if (trail > 0.0) followed_.push_back({i, trail});
     }
+    if (followed_.empty()) return;
+    trail_of_.assign(static_cast<std::size_t>(context_.particles.count()), -1);
+    for (std::size_t k = 0; k < followed_.size(); ++k)
+        trail_of_[static_cast<std::size_t>(followed_[k].particle)] = static_cast<std::ptrdiff_t>(k);
 }
 
 void GasPanel::extend_trails(const FrameInput& input) {
@@ -117,6 +123,13 @@ std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
 void GasPanel::archive_progress(Archive& archive) {
     ParticlePanel::archive_progress(archive);
     archive(trails_, moving_seconds_, last_time_);
+}
+
+// How many are smaller than this. Asked in every frame: mostly all or none.
+Eigen::Index GasPanel::disks_below(double radius) const {
+    if (smallest_ >= radius) return 0;
+    if (largest_ < radius) return context_.particles.count();
+    return (context_.particles.radius < radius).count();
 }
 
 bool GasPanel::stands_alone() const {

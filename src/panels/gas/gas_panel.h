@@ -66,11 +66,13 @@ class GasPanel : public ParticlePanel {
     BoxMap map_in(const DrawContext& own) const;
     BoxMap part_of(const BoxMap& whole, const CameraView& view) const;
     std::string label(Eigen::Index particle, const State& state) const;
+    Eigen::Index disks_below(double radius) const;
     bool is_disk(Eigen::Index particle) const { return !field_.shown() && is_filled(particle); }
 
     SurfaceView surfaces_;
+    double smallest_, largest_;  // radius
     std::vector<Followed> followed_;
-    std::vector<std::ptrdiff_t> trail_of_;        // of each particle, or -1
+    std::vector<std::ptrdiff_t> trail_of_;        // of each particle, or -1; empty: there are none
     std::vector<std::deque<TrailPoint>> trails_;  // of these, as of the last state
     double moving_seconds_ = 0.0;                 // film time without holds
     double last_time_ = 0.0;

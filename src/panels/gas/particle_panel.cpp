@@ -43,6 +43,7 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     const auto direction = [&](Eigen::Index i) -> Eigen::Array2d {
         return {velocity(i, 0), velocity.cols() == 2 ? velocity(i, 1) : 0.0};
     };
+    state.shades.reserve(static_cast<std::size_t>(places.rows()));
     for (Eigen::Index i = 0; i < places.rows(); ++i)
         state.shades.push_back(colors_.shade(i, {input.speed[i], direction(i), mean_speed}));
     state.label_alpha = name_alpha(context_, input.tick);

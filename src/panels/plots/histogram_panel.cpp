@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "panels/archived.h"
 #include "panels/chosen.h"
@@ -16,8 +17,9 @@
 namespace carom {
 namespace {
 
-constexpr double probe_frames = 40;  // whose bars decide the height of the axis, at least
-constexpr double break_seconds = 1;  // of film, for which a bar stays broken at least
+constexpr double probe_frames = 40;        // whose bars decide the height of the axis, at least
+constexpr double most_in_probe = 100'000;  // values
+constexpr double break_seconds = 1;        // of film, for which a bar stays broken at least
 
 double finite_mean(const Eigen::ArrayXd& values) {
     const auto finite = values.isFinite();
@@ -25,9 +27,21 @@ double finite_mean(const Eigen::ArrayXd& values) {
                         : 0.0;
 }
 
+// The numbers of members rise.
 Eigen::ArrayXd values_of(const std::vector<Eigen::Index>& members, const Eigen::ArrayXXd& all) {
+    if (std::cmp_equal(members.size(), all.rows())) return all.reshaped();
     const Eigen::ArrayXXd rows = all(members, Eigen::seqN(0, all.cols()));
     return rows.reshaped();
+}
+
+// Of a million values whole samples would take half of a film's memory.
+HistogramProbe probe_of(double time, const Eigen::ArrayXd& values) {
+    const auto step = static_cast<Eigen::Index>(
+        std::max(1.0, std::ceil(static_cast<double>(values.size()) / most_in_probe)));
+    const Eigen::Index kept = (values.size() + step - 1) / step;
+    const double stands_for =
+        step == 1 ? 1.0 : static_cast<double>(values.size()) / static_cast<double>(kept);
+    return {time, values(Eigen::seqN(0, kept, step)), stands_for};
 }
 
 std::vector<HistogramCounts> counts_of(
@@ -108,7 +122,7 @@ void HistogramPanel::survey(const FrameInput& input) {
                 record_.pools.front().push_back(values[i]);
         };
         for_each_kept(values.size(), numbers, surveyed_, context_.frames, keep);
-        if (probe) record_.probes[k].push_back({input.tick.time, values});
+        if (probe) record_.probes[k].push_back(probe_of(input.tick.time, values));
     }
     ++surveyed_;
 }

@@ -201,8 +201,8 @@ std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramR
             const HistogramProbe& probe = record.probes[k][i];
             running.add(probe.time, probe.values);
             if (i == tallest.size()) tallest.push_back(0.0);
-            tallest[i] = std::max(tallest[i],
-                                  record.series[k].unit * std::ranges::max(running.mean().counts));
+            tallest[i] = std::max(tallest[i], record.series[k].unit * probe.stands_for *
+                                                  std::ranges::max(running.mean().counts));
         }
     }
     return tallest;

@@ -41,10 +41,11 @@ struct HistogramCurve {
     void archive(auto& archive) { archive(value, count); }
 };
 
-/// A whole sample of a series, for the height of bars.
+/// A sample of a series, for the height of bars: whole, or of very many values evenly thinned.
 struct HistogramProbe {
     double time = 0.0;
     Eigen::ArrayXd values;
+    double stands_for = 1.0;  ///< values, each of these; the same in all probes of a series
 };
 
 /// What the first pass recorded of a run, or of several.

@@ -195,3 +195,17 @@ TEST_CASE("the bars of a settled gas fit under the end of the axis, with all tha
     // Nor is the axis as long as the start would ask for.
     CHECK(axes.top < 400);
 }
+
+TEST_CASE("probes of a part of all values give the axis that whole ones give") {
+    const std::vector<double> all = spread(0, 1);
+    const auto top_with = [&](Eigen::Index step) {
+        HistogramRecord record = run_from(all, all);
+        const Eigen::ArrayXd whole = Eigen::Map<const Eigen::ArrayXd>(all.data(), std::ssize(all));
+        const Eigen::ArrayXd part = whole(Eigen::seq(0, whole.size() - 1, step));
+        record.probes.front().assign(
+            9, {0.0, part, static_cast<double>(whole.size()) / static_cast<double>(part.size())});
+        return axes_of(record, {}).top;
+    };
+    // A bar more or less of the part is a few per cent, and the end of the axis is a round number.
+    CHECK(top_with(10) == doctest::Approx(top_with(1)).epsilon(0.2));
+}

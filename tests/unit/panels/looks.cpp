@@ -322,3 +322,33 @@ TEST_CASE(
     CHECK(widths(two("0, drawn_radius: 0.9", "radius: 6"), 5, 18) > 4);
     CHECK(widths(two("0, drawn_radius: 0.9", "radius: 0, drawn_radius: 6"), 5, 18) == 1);
 }
+
+TEST_CASE("disks too small and too many to be told apart cover their share, but one with a trail") {
+    constexpr double count = 31000, radius = 0.07;
+    Picture picture(
+        scene_of("{name: dust, count: 31000, radius: 0.07, temperature: 1, color: '#00ff00'}",
+                 "trails: {of: 0}"));
+    const double scale = picture.scale();
+    REQUIRE(radius * scale < 1.2);  // pixels
+    const Rect box = picture.box();
+    const auto level = [&](double x, double y, int shift) {
+        const std::uint32_t pixel =
+            picture.view.data[static_cast<int>(y) * picture.view.stride + static_cast<int>(x)];
+        return static_cast<double>(pixel >> shift & 0xFF);
+    };
+    const double ground = 255.0 * theme_of(picture.scene.film.theme).ground.green;
+    double sum = 0.0, pixels = 0.0;
+    for (double y = box.y + 20.5; y < box.bottom() - 20; y += 1.0)
+        for (double x = box.x + 20.5; x < box.right() - 20; x += 1.0) {
+            sum += (level(x, y, 8) - ground) / (255.0 - ground);
+            pixels += 1.0;
+        }
+    // The number in that part of the box scatters by half a per cent.
+    const double share = count * std::numbers::pi * radius * radius / 1600.0;
+    CHECK(sum / pixels == doctest::Approx(share).epsilon(0.02));
+
+    const auto place = picture.simulation.sample().position.row(0);
+    const double x = box.x + place[0] * scale, y = box.bottom() - place[1] * scale;
+    CHECK(level(x, y, 8) > 220);
+    CHECK(level(x, y, 16) < 90);
+}

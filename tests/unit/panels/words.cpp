@@ -131,6 +131,10 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
     CHECK(remark("[{name: a, count: 9, radius: 0.02, speed: 1}, {name: b, count: 1, radius: 3}, "
                  "{name: c, count: 5, radius: 0.03}]") ==
           "Disks enlarged for visibility; radii 0.0200 to 0.0300");
+    // As many that they cover a quarter of the box as they are.
+    CHECK(remark("[{count: 60000, radius: 0.04, speed: 1}]").empty());
+    CHECK(remark("[{count: 60000, radius: 0.039, speed: 1}]") ==
+          "Disks enlarged for visibility; radius 0.0390");
 }
 
 TEST_CASE("labels that are asked for and have no room say so") {

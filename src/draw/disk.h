@@ -1,0 +1,13 @@
+// A disk in a picture, as those that draw many of them take it.
+#pragma once
+
+#include <cstdint>
+
+namespace carom {
+
+struct Disk {
+    float x = 0, y = 0, radius = 0;  ///< pixels
+    std::uint32_t color = 0;         ///< 0xRRGGBB, opaque
+};
+
+}  // namespace carom

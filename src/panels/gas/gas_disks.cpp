@@ -1,0 +1,178 @@
+// The disks of the gas and their ghosts: one by one, or where they are smaller than what can be
+// told apart, and more, by the shares of each pixel that they cover.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "draw/small_disks.h"
+#include "panels/gas/gas_drawing.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double rim_line = 0.09;     // units: of disks that would fade into the ground
+constexpr double least_cover = 0.25;  // of a box by its small disks, if they are enlarged
+
+std::uint32_t rgb_of(Color color) { return to_pixel(color) & 0xFFFFFF; }
+
+// A disk of one colour, and where `inside` is positive one of another within it.
+void add_disk(std::vector<Disk>& disks, Point at, double radius, std::uint32_t edge, double inside,
+              std::uint32_t color) {
+    const auto x = static_cast<float>(at.x), y = static_cast<float>(at.y);
+    disks.push_back({x, y, static_cast<float>(radius), edge});
+    if (inside > 0.0) disks.push_back({x, y, static_cast<float>(inside), color});
+}
+
+// What is left of a disk's radius inside a ring; disks too small for one are filled.
+double inside_ring(double radius, double line) { return radius > 2.0 * line ? radius - line : 0.0; }
+
+}  // namespace
+
+// Small disks are enlarged, but no more than is needed for all of them to cover a quarter of the
+// box: it would be covered whole.
+double GasPanel::Drawing::radius_in_crowd() const {
+    const double below = least_radius / scale;
+    const auto count = static_cast<double>(panel.disks_below(below));
+    const double pixels = box.size[0] * box.size[1] * scale * scale;
+    const double most = std::sqrt(least_cover * pixels / (std::numbers::pi * std::max(1.0, count)));
+    return std::min(least_radius, most);
+}
+
+// Their order is not seen.
+template <class ColorOf>
+void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf& color_of) const {
+    if (least_shown == least_radius) return;
+    const auto for_each = [&](const auto& add) {
+        for (Eigen::Index i = 0; i < radius.size(); ++i) {
+            if (!is_in_crowd(i)) continue;
+            const auto shown = static_cast<float>(std::max(least_shown, radius[i] * scale));
+            const std::uint32_t color = color_of(i);
+            for_each_image(place_of(places, i), radius[i], [&](Point at) {
+                add(Disk{static_cast<float>(at.x), static_cast<float>(at.y), shown, color});
+            });
+        }
+    };
+    if (!canvas.is_raster()) {
+        std::vector<Disk> disks;
+        for_each([&](const Disk& disk) { disks.push_back(disk); });
+        return dc.disks.draw(canvas, disks, frame);
+    }
+    SmallDisks& small = dc.disks.small_disks();
+    small.begin(canvas.size(), frame);
+    for_each([&](const Disk& disk) { small.add(disk); });
+    small.draw(canvas);
+}
+
+// Nothing is hidden of what they lie over.
+void GasPanel::Drawing::draw_outlines() const {
+    const auto color_of = [&](Eigen::Index i) {
+        return gas.seen(edge_of(colors[shade(i)], dc.theme), i, dc.theme.ground);
+    };
+    draw_crowd(gas.place, [&](Eigen::Index i) { return rgb_of(color_of(i)); });
+    const double line = std::max(1.0, 0.08 * dc.unit);
+    for (Eigen::Index i = 0; i < radius.size(); ++i) {
+        if (is_in_crowd(i)) continue;
+        const Color color = color_of(i);
+        const double shown = shown_radius(i);
+        for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
+            if (shown < 2.0 * line)
+                canvas.fill_circle(at, shown, color);
+            else
+                canvas.stroke_circle(at, shown - 0.5 * line, line, color);
+        });
+    }
+}
+
+void GasPanel::Drawing::draw_ghosts() const {
+    if (!gas.ghosts) return;
+    const std::uint32_t muted = rgb_of(dc.theme.muted);
+    draw_crowd(gas.ghosts->place, [&](Eigen::Index) { return muted; });
+    std::vector<Disk> disks;
+    for (Eigen::Index i = 0; i < radius.size(); ++i) {
+        if (is_in_crowd(i)) continue;
+        const double shown = shown_radius(i);
+        for_each_image(place_of(gas.ghosts->place, i), radius[i], [&](Point at) {
+            add_disk(disks, at, shown, muted, inside_ring(shown, ghost_line(dc)),
+                     rgb_of(dc.theme.ground));
+        });
+    }
+    dc.disks.draw(canvas, disks, frame);
+}
+
+// Those in a crowd lie below all others, and those that something points to lie over it.
+void GasPanel::Drawing::draw_disks() const {
+    std::vector<std::uint32_t> pixels, edges;
+    for (const Color& color : colors) {
+        pixels.push_back(rgb_of(color));
+        edges.push_back(rgb_of(edge_of(color, dc.theme)));
+    }
+    std::vector<Disk> disks;
+    const std::uint32_t ground = rgb_of(dc.theme.ground);
+    const auto dimmed = [&](std::uint32_t color, Eigen::Index i) {
+        return gas.light.empty() ? color : rgb_of(gas.seen(rgb(color), i, dc.theme.ground));
+    };
+    draw_crowd(gas.place, [&](Eigen::Index i) { return dimmed(edges[shade(i)], i); });
+    const double rim = std::max(2.0, rim_line * dc.unit);
+    const auto add = [&](Eigen::Index i) {
+        const double shown = shown_radius(i);
+        const std::uint32_t color = dimmed(pixels[shade(i)], i), edge = dimmed(edges[shade(i)], i);
+        const bool is_filled = panel.is_filled(i);
+        double inside = 0.0;
+        if (!is_filled || edge != color)
+            inside = inside_ring(shown, is_filled ? rim : ring_line(shown, dc.unit));
+        for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
+            add_disk(disks, at, shown, edge, inside, is_filled ? color : ground);
+        });
+    };
+    for (Eigen::Index i = 0; i < radius.size(); ++i)
+        if (!is_in_crowd(i)) add(i);
+    const auto add_from_crowd = [&](Eigen::Index i) {
+        if (is_in_crowd(i)) add(i);
+    };
+    for (const Spotlights::Ring& ring : gas.rings) add_from_crowd(ring.particle);
+    for (const Callouts::Present& callout : gas.callouts) add_from_crowd(callout.particle);
+    for (const Followed& one : panel.followed_) {
+        const double ring = radius[one.particle] * scale + followed_line * dc.unit;
+        for_each_image(place_of(gas.place, one.particle), radius[one.particle],
+                       [&](Point at) { add_disk(disks, at, ring, rgb_of(dc.theme.ink), 0.0, 0); });
+        add(one.particle);
+    }
+    dc.disks.draw(canvas, disks, frame);
+}
+
+void GasPanel::Drawing::draw_infinite() const {
+    if (!panel.colors_.tells_infinite()) return;
+    for (Eigen::Index i = 0; i < radius.size(); ++i) {
+        if (!panel.colors_.is_told_infinite(i) || !panel.is_disk(i)) continue;
+        for_each_image(place_of(gas.place, i), radius[i],
+                       [&](Point at) { draw_hatching(canvas, dc, at, radius[i] * scale); });
+    }
+}
+
+// Disks that are drawn larger than they are make a gas look denser than it is, and flashes that are
+// left out make it look calmer. Labels that have no room are not forgotten.
+void GasPanel::Drawing::draw_remarks() const {
+    double foot = frame.bottom();
+    if (draw_remark(canvas, dc, {frame.right(), foot}, frame.width, panel.flashes_.remarks()))
+        foot -= 1.5 * dc.unit;
+    if (!labels_fit() &&
+        draw_remark(canvas, dc, {frame.right(), foot}, frame.width,
+                    {say(panel.context_.language(), "No room for labels on the disks")}))
+        foot -= 1.5 * dc.unit;
+    const double smallest = radius.minCoeff();
+    if (!(smallest * scale < least_shown)) return;
+    const double largest = (radius * scale < least_shown).select(radius, smallest).maxCoeff();
+    const Language language = panel.context_.language();
+    const std::string low = three_digits(language, smallest),
+                      high = three_digits(language, largest);
+    std::vector<std::string> words{
+        largest > smallest
+            ? say(language, "Disks enlarged for visibility; radii {} to {}", low, high)
+            : say(language, "Disks enlarged for visibility; radius {}", low)};
+    words.push_back(say(language, "Disks enlarged for visibility"));
+    draw_remark(canvas, dc, {frame.right(), foot}, frame.width, words);
+}
+
+}  // namespace carom

@@ -1,0 +1,112 @@
+// A frame of the gas as it is drawn: what its parts share. gas_drawing.cpp draws the box and what
+// lies around disks, gas_disks.cpp the disks.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "draw/raster/trail_lines.h"
+#include "panels/gas/gas_panel.h"
+
+namespace carom {
+
+/// How far away a disk that reaches over a periodic side is seen again; 0 if it is not.
+inline double image_shift(const Box& box, int axis, double at, double radius) {
+    if (!box.is_periodic(axis)) return 0.0;
+    if (at < radius) return box.size[axis];
+    return at > box.size[axis] - radius ? -box.size[axis] : 0.0;
+}
+
+/// A frame being drawn.
+struct GasPanel::Drawing {
+    static constexpr double followed_line = 0.14;  ///< units: around disks with a trail, and others
+    static constexpr double least_radius = 1.2;    ///< pixels: smaller disks are no longer round
+
+    const GasPanel& panel;
+    Canvas& canvas;
+    const DrawContext& dc;
+    const State& gas;
+    const Scene& scene = panel.context_.scene;
+    const Box& box = scene.gas.box;
+    const Eigen::ArrayXd& radius = panel.context_.particles.radius;
+    BoxMap whole = panel.map_in(dc);
+    BoxMap map = gas.view ? panel.part_of(whole, *gas.view) : whole;
+    Rect frame =
+        gas.surfaces.empty() || gas.view ? map.frame : map.rect(panel.surfaces_.room(gas.surfaces));
+    double scale = map.scale;
+    std::vector<Color> colors = panel.colors_.of_shades(dc.theme);
+    double least_shown = radius_in_crowd();  ///< of disks that are smaller, in pixels
+
+    Point pixel(const Point& place) const { return map.pixel(place); }
+    static Point place_of(const Eigen::ArrayXXf& all, Eigen::Index i) {
+        return {static_cast<double>(all(i, 0)), static_cast<double>(all(i, 1))};
+    }
+    Point pixel(Eigen::Index i) const { return pixel(place_of(gas.place, i)); }
+    std::size_t shade(Eigen::Index i) const {
+        return gas.shades[static_cast<std::size_t>(i)] % colors.size();
+    }
+
+    /// Whether there are more disks below `least_radius` than can be told apart, and this is one.
+    bool is_in_crowd(Eigen::Index i) const {
+        return least_shown < least_radius && radius[i] * scale < least_radius;
+    }
+    /// In pixels, of a disk that is drawn by itself.
+    double shown_radius(Eigen::Index i) const { return std::max(least_radius, radius[i] * scale); }
+
+    /// Calls `draw` with the pixel of a disk and of each image of it that reaches into a periodic
+    /// box.
+    template <class Draw>
+    void for_each_image(Point place, double reach, const Draw& draw) const {
+        if (gas.view) return for_each_in_view(place, reach, draw);
+        const double across = image_shift(box, 0, place.x, reach);
+        const double up = image_shift(box, 1, place.y, reach);
+        draw(pixel(place));
+        if (across != 0.0) draw(pixel({place.x + across, place.y}));
+        if (up != 0.0) draw(pixel({place.x, place.y + up}));
+        if (across != 0.0 && up != 0.0) draw(pixel({place.x + across, place.y + up}));
+    }
+
+    /// The same in a part of the box, which may lie across a periodic side.
+    template <class Draw>
+    void for_each_in_view(Point place, double reach, const Draw& draw) const {
+        for_each_turn([&](Point shift) {
+            const Point at = pixel({place.x + shift.x, place.y + shift.y});
+            const double around = reach * scale + dc.unit;
+            if (at.x > frame.x - around && at.x < frame.right() + around &&
+                at.y > frame.y - around && at.y < frame.bottom() + around)
+                draw(at);
+        });
+    }
+
+    /// With the shift of each image of the box that may be seen.
+    template <class Draw>
+    void for_each_turn(const Draw& draw) const {
+        const int across = gas.view && box.is_periodic(0), up = gas.view && box.is_periodic(1);
+        for (int i = -across; i <= across; ++i)
+            for (int k = -up; k <= up; ++k) draw(Point{i * box.size[0], k * box.size[1]});
+    }
+
+    void draw() const;
+    void draw_box() const;
+    void draw_contents() const;
+    void draw_where_it_is() const;
+    void draw_callouts() const;
+    void draw_field() const;
+    void draw_outlines() const;
+    double radius_in_crowd() const;
+    template <class ColorOf>
+    void draw_crowd(const Eigen::ArrayXXf& places, const ColorOf& color_of) const;
+    void draw_ghosts() const;
+    void draw_disks() const;
+    void draw_infinite() const;
+    void draw_arrows() const;
+    bool labels_fit() const;
+    void draw_labels() const;
+    void add_trail(std::vector<Taper>& tapers, std::size_t followed, Point shift) const;
+    void draw_trails() const;
+    void draw_followed() const;
+    void draw_flashes() const;
+    void draw_remarks() const;
+};
+
+}  // namespace carom

@@ -20,7 +20,7 @@ CodecOptions h264_options(Quality quality) {
     const char* const parameters =
         of(quality, "qp=25:8x8dct=1",  // a film is High, which means 8x8 blocks
            "qp=23:ipratio=2.5:pbratio=2:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
-           "rc-lookahead=0:ref=2:subme=1:deblock=1,1",
+           "rc-lookahead=0:ref=2:subme=1:deblock=2,2",
            "qp=19:ipratio=2.5:pbratio=1.8:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
            "rc-lookahead=0:ref=3:subme=6:psy=0:deblock=1,1");
     return {

@@ -11,15 +11,18 @@ const char* of(Quality quality, const char* draft, const char* standard, const c
 }
 
 // A constant quantiser: a gas film is alike from end to end, so that rate control would only
-// measure every frame once more, and give crowded films less quality than empty ones. Plain P
-// frames without look-ahead cost a third less time than B frames, and a third of the memory. A
-// segment is one group of pictures, however long.
+// measure every frame once more, and give crowded films less quality than empty ones. What stands
+// still is taken over from the key frame, so that a fine one (ipratio) pays for the whole segment;
+// what moves is shown in a B frame for a moment, and a coarse one (pbratio) is not seen. Every
+// fourth frame is a P frame, without look-ahead (b-adapt). A segment is one group of pictures,
+// however long.
 CodecOptions h264_options(Quality quality) {
     const char* const parameters =
         of(quality, "qp=25:8x8dct=1",  // a film is High, which means 8x8 blocks
-           "qp=24:bframes=0:weightp=0:rc-lookahead=0",
-           "qp=20:bframes=2:b-pyramid=none:weightp=0:rc-lookahead=3:ref=2:subme=7:"
-           "psy-rd=0.4,0:deblock=1,1");
+           "qp=23:ipratio=2.5:pbratio=2:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
+           "rc-lookahead=0:ref=2:subme=1:deblock=2,2",
+           "qp=19:ipratio=2.5:pbratio=1.8:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
+           "rc-lookahead=0:ref=3:subme=6:psy=0:deblock=1,1");
     return {
         {"preset", of(quality, "ultrafast", "veryfast", "medium")},
         {"profile", "high"},

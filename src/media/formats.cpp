@@ -10,17 +10,17 @@ namespace carom {
 namespace {
 
 // MP4's costs are those in docs/encoding.md ("Wall time": 900 frames in 6.86 and 9.04 s on two
-// cores, 7.9 and 15.2 MB), the others by their ratio to it ("Rough costs" there). They hold to a
+// cores, 5.8 and 12.2 MB), the others by their ratio to it ("Rough costs" there). They hold to a
 // third up to 20,000 disks. The memory is that of the slowest quality (docs/scaling.md).
 constexpr double frames_measured = 900.0, pixels_measured = 1920.0 * 1080.0;
 constexpr PowerLaw mp4_seconds{2 * 6.86 / frames_measured, 2 * 9.04 / frames_measured};
 
 constexpr FormatCost mp4_cost{.core_seconds = mp4_seconds,
-                              .bytes = {7.9e6 / frames_measured, 15.2e6 / frames_measured},
+                              .bytes = {5.8e6 / frames_measured, 12.2e6 / frames_measured},
                               .power_of_pixels = 0.5,
                               .memory_per_pixel = 48,
-                              .seconds_by_quality = {.draft = 0.75, .final_ = 3.4},
-                              .bytes_by_quality = {.draft = 1.8, .final_ = 1.2}};
+                              .seconds_by_quality = {.draft = 0.75, .final_ = 2.6},
+                              .bytes_by_quality = {.draft = 2.5, .final_ = 1.5}};
 constexpr FormatCost webm_cost{
     .core_seconds = {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000},
     .bytes = {10.0e3, 21.0e3},

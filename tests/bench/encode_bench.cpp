@@ -2,6 +2,9 @@
 // time of segments on two cores against x264 alone with its own two threads.
 //   encode_bench                      the tables of docs/encoding.md
 //   encode_bench try PRESET PARAMS    one row for other settings, in x264's words
+//   encode_bench curves [FRAMES [SCENE...]]
+//                                     bytes against SSIM of scenes of the library, and what each
+//                                     quality takes where it is as like as veryfast at CRF 20
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavutil/log.h>
@@ -21,16 +24,21 @@ extern "C" {
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "app/film/film_plan.h"
+#include "app/resources.h"
 #include "draw/canvas.h"
 #include "draw/disks.h"
 #include "draw/text.h"
 #include "media/codecs.h"
 #include "media/yuv.h"
+#include "panels/frame.h"
+#include "scene/load.h"
 #include "util/random.h"
 
 namespace {
@@ -113,9 +121,9 @@ AVFrame* converted(const Canvas& canvas, int number) {
 }
 
 /// All frames of a film, drawn and converted.
-struct Source {
+struct ConvertedFrames {
     std::vector<AVFrame*> planes;
-    explicit Source(const MovingPicture& picture) {
+    explicit ConvertedFrames(const MovingPicture& picture) {
         Canvas canvas({width, height});
         DiskPainter painter;
         for (int i = 0; i < frames; ++i) {
@@ -123,7 +131,25 @@ struct Source {
             planes.push_back(converted(canvas, i));
         }
     }
-    ~Source() {
+    /// So many from the middle of a scene's film at 1080p.
+    ConvertedFrames(const std::filesystem::path& scene, int count) {
+        Progress silent(Progress::Form::silent, "");
+        const FilmPlan plan = prepare(load_scene(scene, scene_resources(), {"film.size=1080p"}),
+                                      {.output = "film.mp4"}, silent);
+        const std::unique_ptr<PanelSet> panels = plan.panels();
+        FramePainter painter(*panels);
+        const int first = std::max(0, (plan.frames() - count) / 2),
+                  end = std::min(plan.frames(), first + count);
+        plan.run.play(static_cast<std::size_t>(end),
+                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                          const FrameData frame = panels->frame_data(tick, sample, advanced);
+                          if (tick.frame >= first)
+                              planes.push_back(converted(painter.paint(frame), tick.frame - first));
+                      });
+    }
+    ConvertedFrames(const ConvertedFrames&) = delete;
+    ConvertedFrames& operator=(const ConvertedFrames&) = delete;
+    ~ConvertedFrames() {
         for (AVFrame* frame : planes) av_frame_free(&frame);
     }
 };
@@ -171,8 +197,8 @@ AVCodecContext* open_x264(const std::string& preset, const std::string& paramete
     return context;
 }
 
-Encoded encode(const Source& source, const std::string& preset, const std::string& parameters,
-               int threads, int count = frames) {
+Encoded encode(const ConvertedFrames& source, const std::string& preset,
+               const std::string& parameters, int threads, int count = frames) {
     malloc_trim(0);
     const double resident = resident_megabytes();
     const double wall = seconds_of(CLOCK_MONOTONIC), cpu = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
@@ -198,20 +224,30 @@ std::string as_in_films(const std::string& parameters) {
     return fmt::format("{}:keyint={}:{}", parameters, segment_frames, shared_h264_parameters);
 }
 
-void print_row(const Source& source, const std::string& name, const std::string& preset,
+struct Likeness {
+    double ssim;  ///< of luma
+    double megabytes;
+};
+
+Likeness likeness(const ConvertedFrames& source, const std::string& preset,
+                  const std::string& parameters, int count) {
+    ssim_found = 0;
+    av_log_set_level(AV_LOG_INFO);
+    av_log_set_callback(find_ssim);
+    const Encoded encoded = encode(source, preset, parameters + ":ssim=1", 1, count);
+    av_log_set_callback([](void*, int, const char*, va_list) {});
+    return {ssim_found, encoded.megabytes};
+}
+
+void print_row(const ConvertedFrames& source, const std::string& name, const std::string& preset,
                const std::string& parameters) {
     // The least of three: other work on the machine only adds.
     Encoded plain = encode(source, preset, parameters, 1, row_frames);
     for (int repeat = 0; repeat < 2; ++repeat)
         plain.cpu_ms =
             std::min(plain.cpu_ms, encode(source, preset, parameters, 1, row_frames).cpu_ms);
-    ssim_found = 0;
-    av_log_set_level(AV_LOG_INFO);
-    av_log_set_callback(find_ssim);
-    encode(source, preset, parameters + ":ssim=1", 1, row_frames);
-    av_log_set_callback([](void*, int, const char*, va_list) {});
     fmt::print("| {} | {:.1f} | {:.1f} | {:.4f} | {:.0f} |\n", name, plain.cpu_ms, plain.megabytes,
-               ssim_found, plain.resident_megabytes);
+               likeness(source, preset, parameters, row_frames).ssim, plain.resident_megabytes);
     std::fflush(stdout);
 }
 
@@ -236,9 +272,27 @@ double conversion_ms(const MovingPicture& picture) {
     return median(times);
 }
 
+struct Settings {
+    std::string preset, parameters;
+};
+
+Settings settings_of(Quality quality) {
+    std::map<std::string, std::string> options;
+    for (const auto& [option, value] : h264.encoder_options(quality)) options[option] = value;
+    return {options["preset"], fmt::format("{}:keyint={}", options["x264-params"], segment_frames)};
+}
+
+// The same `more` coarser: qp=N comes first.
+Settings coarser(Settings its, int more) {
+    const std::size_t end = its.parameters.find(':');
+    const int quantiser = std::atoi(its.parameters.c_str() + std::strlen("qp="));
+    its.parameters.replace(0, end, fmt::format("qp={}", quantiser + more));
+    return its;
+}
+
 void print_tables(int count) {
     const MovingPicture picture(count);
-    const Source source(picture);
+    const ConvertedFrames source(picture);
     fmt::print("\n{} disks, {} frames: conversion {:.2f} ms a frame\n\n", count, frames,
                conversion_ms(picture));
     fmt::print("| settings | CPU ms a frame | MB for 60 frames | SSIM-Y | MB of memory |\n");
@@ -248,11 +302,82 @@ void print_tables(int count) {
     for (const auto& [name, quality] : {std::pair{"draft", Quality::draft},
                                         {"standard", Quality::standard},
                                         {"final", Quality::final_}}) {
-        std::map<std::string, std::string> options;
-        for (const auto& [option, value] : h264.encoder_options(quality)) options[option] = value;
-        print_row(source, name, options["preset"],
-                  fmt::format("{}:keyint={}", options["x264-params"], segment_frames));
+        const Settings its = settings_of(quality);
+        print_row(source, name, its.preset, its.parameters);
     }
+}
+
+/// One setting with several quantisers.
+struct Curve {
+    std::string name;
+    std::vector<Settings> settings;
+    std::vector<double> megabytes = {}, ssims = {};
+    double cpu_ms = std::numeric_limits<double>::infinity();  ///< of the second setting, a frame
+
+    /// Megabytes at an SSIM: their logarithm is straight in decibels between neighbours.
+    double megabytes_at(double ssim) const {
+        const auto decibels = [](double one) { return -10 * std::log10(1 - one); };
+        std::size_t k = 1;  // the curve falls
+        while (k + 1 < ssims.size() && ssims[k] > ssim) ++k;
+        const double from = decibels(ssims[k - 1]), to = decibels(ssims[k]);
+        const double share = (decibels(ssim) - from) / (to - from);
+        return megabytes[k - 1] * std::pow(megabytes[k] / megabytes[k - 1], share);
+    }
+};
+
+std::vector<Curve> curves_to_measure() {
+    Curve veryfast{"veryfast", {}};
+    for (const int crf : {16, 20, 24, 28})
+        veryfast.settings.push_back({"veryfast", as_in_films(fmt::format("crf={}", crf))});
+    std::vector<Curve> curves{veryfast};
+    for (const auto& [name, quality] :
+         {std::pair{"standard", Quality::standard}, {"final", Quality::final_}}) {
+        curves.push_back({name, {}});
+        for (const int more : {-4, 0, 4, 8})
+            curves.back().settings.push_back(coarser(settings_of(quality), more));
+    }
+    return curves;
+}
+
+// CPU times are those of the second setting of each curve, in turn: the least of three.
+void print_curves(const std::string& scene, int count) {
+    const ConvertedFrames source(library_folder() / (scene + ".yaml"), count);
+    const int there = static_cast<int>(source.planes.size());
+    std::vector<Curve> curves = curves_to_measure();
+    for (Curve& curve : curves)
+        for (const auto& [preset, parameters] : curve.settings) {
+            const Likeness found = likeness(source, preset, parameters, there);
+            curve.megabytes.push_back(found.megabytes);
+            curve.ssims.push_back(found.ssim);
+        }
+    for (int repeat = 0; repeat < 3; ++repeat)
+        for (Curve& curve : curves)
+            curve.cpu_ms = std::min(curve.cpu_ms, encode(source, curve.settings[1].preset,
+                                                         curve.settings[1].parameters, 1, there)
+                                                      .cpu_ms);
+    const Curve& veryfast = curves.front();
+    for (const Curve& curve : curves) {
+        fmt::print("| {} | {} |", scene, curve.name);
+        for (std::size_t k = 0; k < 4; ++k)
+            fmt::print(" {:.3f}, {:.4f} |", curve.megabytes[k], curve.ssims[k]);
+        fmt::print(" {:.2f} | {:.1f}, {:.2f} |\n",
+                   curve.megabytes_at(veryfast.ssims[1]) / veryfast.megabytes[1], curve.cpu_ms,
+                   curve.cpu_ms / veryfast.cpu_ms);
+        std::fflush(stdout);
+    }
+}
+
+void print_curves(int count, std::vector<std::string> scenes) {
+    if (scenes.empty())
+        scenes = {"one-hot-particle", "maxwell-boltzmann", "heat-flow", "cradle",
+                  "classics/freezing"};
+    fmt::print(
+        "{} frames at 1080p: MB, SSIM-Y\n\n"
+        "| scene | settings | CRF 16, finer by 4 | CRF 20, as it is | CRF 24, coarser by 4 | CRF "
+        "28, by 8 | bytes at the SSIM of veryfast CRF 20 | CPU ms a frame, as a share |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
+        count);
+    for (const std::string& scene : scenes) print_curves(scene, count);
 }
 
 }  // namespace
@@ -260,9 +385,14 @@ void print_tables(int count) {
 int main(int argc, char** argv) {
     av_log_set_callback([](void*, int, const char*, va_list) {});
     const std::vector<std::string> words(argv + 1, argv + argc);
+    if (!words.empty() && words[0] == "curves") {
+        const int count = words.size() > 1 ? std::atoi(words[1].c_str()) : 60;
+        print_curves(count, {words.begin() + std::min<long>(2, long(words.size())), words.end()});
+        return 0;
+    }
     if (words.size() >= 3 && words[0] == "try") {
         for (const int count : {200, 1000}) {
-            const Source source{MovingPicture(count)};
+            const ConvertedFrames source{MovingPicture(count)};
             for (std::size_t i = 1; i + 1 < words.size(); i += 2)
                 print_row(source, fmt::format("{} disks, {} {}", count, words[i], words[i + 1]),
                           words[i], as_in_films(words[i + 1]));

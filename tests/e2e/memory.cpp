@@ -92,6 +92,29 @@ TEST_CASE("a film takes at most the memory that carom check names, and at least 
     }
 }
 
+TEST_CASE("the memory that carom check names has room for what panels and trails keep of the way") {
+    const TemporaryFolder folder;
+    for (const std::string& film : std::vector<std::string>{
+             "panels: [], trails: {of: all, seconds: 2}", "panels: [velocity-autocorrelation]",
+             "panels: [{kind: mean-squared-displacement, origins: all}]",
+             "panels: [], field: {of: temperature, cells: 20}"}) {
+        CAPTURE(film);
+        folder.write("ways.yaml",
+                     "title: Ways\nbox: {size: [200, 150]}\n"
+                     "gas: [{count: 20000, radius: 0.35, temperature: 1}]\n"
+                     "run: {until: 0.2}\nfilm: {seconds: 3, size: [640, 360], " +
+                         film + "}\n");
+        const Outcome check =
+            shell("'" + program + "' check --json --threads 2 ways.yaml", folder.path());
+        REQUIRE(check.exit_code == 0);
+        const json rough = json::parse(check.out).at(0).at("film").at("rough");
+        const Peak peak =
+            peak_of("render ways.yaml --quiet --threads 2 -o film.mp4", folder.path());
+        CHECK(peak.exit_code == 0);
+        CHECK(peak.bytes <= rough.at("formats").at("mp4").at("memory_bytes").get<double>());
+    }
+}
+
 // Of so many that what they take is most of it.
 TEST_CASE("a film of very many disks takes at most the memory that carom check names") {
     const TemporaryFolder folder;

@@ -150,6 +150,29 @@ void archive_run(Archive& archive, FilmPlan& plan) {
     plan.beside->run.archive(archive, box_of(other.gas), plan.beside->start.particles, other.run);
 }
 
+// Of trails that are asked for by species or for all particles, and of panels that average over all
+// starting times: they keep a part of the way of each particle.
+double memory_of_ways(const Scene& scene, double particles) {
+    constexpr double of_trail = 1000.0, of_place = 250.0, of_lags = 7000.0;  // measured peaks
+    const Film& film = scene.film;
+    double bytes = 0.0;
+    const auto add_trails = [&](double count, double seconds) {
+        if (seconds > 0.0) bytes += count * (of_trail + of_place * seconds * film.fps);
+    };
+    for (std::size_t k = 0; k < scene.looks.size(); ++k)
+        add_trails(static_cast<double>(scene.gas.species[k].count),
+                   scene.looks[k].trail.value_or(0.0));
+    for (const Chosen& chosen : film.trails.of)
+        add_trails(chosen.particle  ? 1.0
+                   : chosen.species ? static_cast<double>(scene.gas.species[*chosen.species].count)
+                                    : particles,
+                   film.trails.seconds);
+    for (const PanelSpec& panel : film.panels)
+        if (panel.all_origins || panel.kind == "velocity-autocorrelation")
+            bytes += of_lags * particles;
+    return bytes;
+}
+
 // Its panels are surveyed as it is recorded.
 void start_beside(FilmPlan& plan, std::optional<Simulation>& simulation, Progress& progress) {
     if (!plan.scene.film.beside) return;
@@ -260,9 +283,9 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
             ? frames / scene.film.fps * (sizeof(std::int16_t) * sound_rate + format.sound->bytes)
             : 0.0;
     const double previews = 4.0 * pixels * std::min(format.previews, frames);
-    return static_cast<std::int64_t>(of_program + of_particle * disks + kept + 2.0 * encoded +
-                                     sound + previews +
-                                     workers * format.film->memory_per_pixel * pixels);
+    return static_cast<std::int64_t>(of_program + of_particle * disks +
+                                     memory_of_ways(scene, disks) + kept + 2.0 * encoded + sound +
+                                     previews + workers * format.film->memory_per_pixel * pixels);
 }
 
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {

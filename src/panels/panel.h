@@ -11,7 +11,7 @@
 
 #include "draw/axis.h"
 #include "draw/canvas.h"
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "draw/style.h"
 #include "panels/table.h"
 #include "physics/simulation.h"

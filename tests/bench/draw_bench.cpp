@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draw/canvas.h"
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "draw/text.h"
 #include "util/random.h"
 

@@ -33,7 +33,7 @@ extern "C" {
 #include "app/film/film_plan.h"
 #include "app/resources.h"
 #include "draw/canvas.h"
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "draw/text.h"
 #include "media/codecs.h"
 #include "media/yuv.h"

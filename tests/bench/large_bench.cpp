@@ -15,8 +15,8 @@
 #include "app/resources.h"
 #include "app/scratch_folder.h"
 #include "bench/process_cost.h"
-#include "draw/disks.h"
-#include "draw/small_disks.h"
+#include "draw/disks/disks.h"
+#include "draw/disks/small_disks.h"
 #include "scene/load.h"
 #include "util/random.h"
 

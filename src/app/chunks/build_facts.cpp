@@ -9,7 +9,7 @@
 #include "app/chunks/source_fingerprint.h"
 #include "app/scratch_folder.h"
 #include "draw/canvas.h"
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "draw/text.h"
 #include "physics/simulation.h"
 #include "util/archive.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "draw/small_disks.h"
+#include "draw/disks/small_disks.h"
 #include "panels/gas/gas_drawing.h"
 #include "util/text.h"
 

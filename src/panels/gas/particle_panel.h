@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "panels/field/field_layer.h"
-#include "panels/gas/callouts.h"
 #include "panels/gas/camera.h"
-#include "panels/gas/flashes.h"
 #include "panels/gas/gas_colors.h"
-#include "panels/gas/ghosts.h"
-#include "panels/gas/spotlights.h"
+#include "panels/gas/marks/callouts.h"
+#include "panels/gas/marks/flashes.h"
+#include "panels/gas/marks/ghosts.h"
+#include "panels/gas/marks/spotlights.h"
 #include "panels/gas/velocity_arrows.h"
 #include "panels/panel.h"
 

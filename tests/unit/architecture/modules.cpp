@@ -44,7 +44,7 @@ struct Parts {
 const std::map<std::string, Parts> parts_of_module{
     {"util", {{"memory", "pending", "util", "files", "formula"}, {}}},
     {"draw",
-     {{"fonts", "raster", "pages", "draw", "formula"},
+     {{"fonts", "raster", "pages", "draw", "disks", "formula"},
       {"canvas.h", "color.h", "formula/ink.h", "geometry.h"}}},
     {"stats", {{"paths", "stats"}, {}}},
     {"physics",

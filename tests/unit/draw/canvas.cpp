@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "draw/text.h"
 #include "support/pixels.h"
 #include "util/diagnostics.h"

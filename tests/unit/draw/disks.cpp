@@ -1,4 +1,4 @@
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "draw/disk_mask.h"
+#include "draw/disks/disk_mask.h"
 #include "support/pixels.h"
 #include "util/random.h"
 

@@ -1,4 +1,4 @@
-#include "draw/small_disks.h"
+#include "draw/disks/small_disks.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "support/pixels.h"
 #include "util/random.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "draw/canvas.h"
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "draw/svg.h"
 #include "draw/text.h"
 #include "util/diagnostics.h"

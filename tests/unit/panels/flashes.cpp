@@ -1,5 +1,5 @@
 // Flashes: where and when two particles touch, never more than three in a second.
-#include "panels/gas/flashes.h"
+#include "panels/gas/marks/flashes.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // Marks: outlines where the particles were.
-#include "panels/gas/ghosts.h"
+#include "panels/gas/marks/ghosts.h"
 
 #include <doctest/doctest.h>
 

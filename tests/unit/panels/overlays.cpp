@@ -9,7 +9,7 @@
 #include "panels/callout.h"
 #include "panels/fade.h"
 #include "panels/gas/camera.h"
-#include "panels/gas/spotlights.h"
+#include "panels/gas/marks/spotlights.h"
 #include "panels/plots/histogram_panel.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "draw/canvas.h"
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 #include "draw/text.h"
 #include "panels/plot/draw_plot.h"
 #include "panels/plot/label_placer.h"

@@ -1,4 +1,4 @@
-#include "draw/disks.h"
+#include "draw/disks/disks.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "draw/disk_mask.h"
+#include "draw/disks/disk_mask.h"
+#include "draw/disks/small_disks.h"
 #include "draw/raster/pixel_bounds.h"
-#include "draw/small_disks.h"
 
 namespace carom {
 namespace {

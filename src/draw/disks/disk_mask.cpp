@@ -1,4 +1,4 @@
-#include "draw/disk_mask.h"
+#include "draw/disks/disk_mask.h"
 
 #include <algorithm>
 #include <cmath>

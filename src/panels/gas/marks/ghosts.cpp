@@ -1,4 +1,4 @@
-#include "panels/gas/ghosts.h"
+#include "panels/gas/marks/ghosts.h"
 
 #include <algorithm>
 

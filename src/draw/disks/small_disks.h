@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "draw/canvas.h"
-#include "draw/disk.h"
+#include "draw/disks/disk.h"
 #include "draw/raster/pixel_bounds.h"
 
 namespace carom {

@@ -1,6 +1,6 @@
-#include "panels/gas/callouts.h"
+#include "panels/gas/marks/callouts.h"
 
-#include "panels/gas/spotlights.h"
+#include "panels/gas/marks/spotlights.h"
 
 namespace carom {
 

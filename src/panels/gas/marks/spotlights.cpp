@@ -1,4 +1,4 @@
-#include "panels/gas/spotlights.h"
+#include "panels/gas/marks/spotlights.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "draw/small_disks.h"
+#include "draw/disks/small_disks.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "draw/canvas.h"
-#include "draw/disk.h"
+#include "draw/disks/disk.h"
 
 namespace carom {
 

@@ -1,4 +1,4 @@
-#include "panels/gas/flashes.h"
+#include "panels/gas/marks/flashes.h"
 
 #include <fmt/format.h>
 

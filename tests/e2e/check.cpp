@@ -155,7 +155,7 @@ TEST_CASE("the rough cost of a film is that of the films that were measured") {
 TEST_CASE("the rough size of each kind of film is between half and twice it") {
     const TemporaryFolder folder;
     const std::string options =
-        " '" + library_scene("one-hot-particle") + "' --size 720p --set film.seconds=10 ";
+        " '" + library_scene("one-hot-particle") + "' --size 640x360 --set film.seconds=6 ";
     const Outcome outcome = shell("'" + program + "' check --json" + options, folder.path());
     const json formats = json::parse(outcome.out).at(0).at("film").at("rough").at("formats");
     CHECK(formats.size() == 4);

@@ -65,7 +65,7 @@ TEST_CASE("the size of a film is measured within a third, for scenes with every 
     REQUIRE(scenes.size() >= step * colors.size());
     for (std::size_t k = 0; k < scenes.size(); k += step) {
         const std::string options =
-            fmt::format("'{}' --size 320x180 --seconds 5 --set film.color_by={}", scenes[k],
+            fmt::format("'{}' --size 320x180 --seconds 4 --set film.color_by={}", scenes[k],
                         colors[k / step % colors.size()]);
         CAPTURE(options);
         CHECK(std::abs(std::log(share(options))) < std::log(4.0 / 3.0));
@@ -77,7 +77,7 @@ TEST_CASE("the size of a film is measured in every format and quality") {
          {"--format webm", "--format gif", "--format png", "--quality draft", "--quality final",
           "--format webm --quality final", "--from 10 --to 20", "--fps 12"}) {
         const std::string options =
-            fmt::format("'{}' --size 480x270 --seconds 6 {}", library_scene("mixed-masses"), more);
+            fmt::format("'{}' --size 480x270 --seconds 4 {}", library_scene("mixed-masses"), more);
         CAPTURE(options);
         CHECK(std::abs(std::log(share(options))) < std::log(4.0 / 3.0));
     }
@@ -112,9 +112,10 @@ TEST_CASE("carom check takes what carom render takes of a film") {
 
 TEST_CASE("a film takes at most --max-size, and most of it") {
     const TemporaryFolder folder;
-    const std::string scene = "'" + library_scene("mixed-masses") + "' --size 720p --seconds 2 ";
-    for (const auto& [file, size, most] :
-         {std::tuple{"a.mp4", "500kB", 5e5}, {"b.gif", "0.8MB", 8e5}, {"c.webm", "400000", 4e5}}) {
+    const std::string scene = "'" + library_scene("mixed-masses") + "' --size 640x360 --seconds 2 ";
+    for (const auto& [file, size, most] : {std::tuple{"a.mp4", "150kB", 1.5e5},
+                                           {"b.gif", "0.3MB", 3e5},
+                                           {"c.webm", "300000", 3e5}}) {
         CAPTURE(file);
         const Outcome outcome =
             shell(fmt::format("'{}' render {} -o {} --max-size {}", program, scene, file, size),
@@ -127,14 +128,14 @@ TEST_CASE("a film takes at most --max-size, and most of it") {
         CHECK(outcome.out.find(std::string("for --max-size ") + size) != std::string::npos);
     }
     const Outcome streamed = shell(
-        fmt::format("'{}' render --quiet {} -o - --max-size 500kB | cmp - a.mp4", program, scene),
+        fmt::format("'{}' render --quiet {} -o - --max-size 150kB | cmp - a.mp4", program, scene),
         folder.path());
     CHECK(streamed.exit_code == 0);
 
     const Outcome none =
-        shell("'" + program + "' render --max-size 10kB -o d.mp4 " + scene, folder.path());
+        shell("'" + program + "' render --max-size 5kB -o d.mp4 " + scene, folder.path());
     CHECK(none.exit_code == 2);
-    CHECK(none.err.find("--max-size 10kB: a film of 2 seconds takes more") != std::string::npos);
+    CHECK(none.err.find("--max-size 5kB: a film of 2 seconds takes more") != std::string::npos);
     CHECK_FALSE(fs::exists(folder.path() / "d.mp4"));
     const Outcome wrong = shell("'" + program + "' render --max-size 5cm " + scene, folder.path());
     CHECK(wrong.exit_code == 2);

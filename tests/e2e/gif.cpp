@@ -102,7 +102,8 @@ TEST_CASE("a GIF of more frames a second than it can hold is refused, a large on
           "or write a .webm or .mp4\n");
     CHECK(folder.names().empty());
     const Outcome large = run(
-        {program, "render", library_scene("maxwell-boltzmann"), "-o", "film.gif"}, folder.path());
+        {program, "render", library_scene("maxwell-boltzmann"), "--seconds", "6", "-o", "film.gif"},
+        folder.path());
     REQUIRE(large.exit_code == 0);
     CHECK(large.err.find("MB is large for a GIF; a smaller --size or --fps makes it smaller") !=
           std::string::npos);

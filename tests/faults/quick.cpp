@@ -23,11 +23,11 @@ TEST_CASE("a call that fails costs the whole output or nothing, with one message
         const long allocations = trial.calls("memory");
         for (long n = allocations; n > 0; n -= allocations / most)
             runs.push_back({&trial, {"memory", ENOMEM}, n});
-        for (long n = allocations; n > std::max(0L, allocations - 1600); n -= 80)
+        for (long n = allocations; n > std::max(0L, allocations - 1600); n -= 160)
             runs.push_back({&trial, {"memory", ENOMEM}, n});
     }
     CHECK(runs.size() > 200);
     for (const std::string& wrong : wrong_in(runs)) FAIL_CHECK(wrong);
-    for (const std::string& wrong : wrong_in_killed(trials, 20)) FAIL_CHECK(wrong);
+    for (const std::string& wrong : wrong_in_killed(trials, 12)) FAIL_CHECK(wrong);
 }
 #endif

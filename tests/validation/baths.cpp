@@ -11,14 +11,14 @@ namespace carom::validation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr const char* field = "Heat baths";
+using std::numbers::pi;
+constexpr const char* baths_field = "Heat baths";
 
 /// One disk carries heat from bath to bath, between sides that reflect.
 Study heat_flow() {
     constexpr double length = 5.0, radius = 0.5, hot = 3.0, cold = 1.0, mass = 2.0;
     Study study;
-    study.field = field;
+    study.field = baths_field;
     study.runs = 40;
     const double hits =
         2.0 / ((length - 2.0 * radius) * (1.0 / std::sqrt(hot) + 1.0 / std::sqrt(cold)) *
@@ -54,7 +54,7 @@ Study gas_beside_a_bath() {
     constexpr int count = 20;
     constexpr double temperature = 1.5;
     Study study;
-    study.field = field;
+    study.field = baths_field;
     study.runs = 24;
     study.truths = {
         {"mean energy of a disk beside a bath of 1.5, of 20", temperature, 0.0, 0.0,
@@ -98,7 +98,7 @@ Study effusion() {
     constexpr double size = 10.0, gap = 1.0, mass = 2.0, temperature = 1.0;
     constexpr int count = 40;
     Study study;
-    study.field = field;
+    study.field = baths_field;
     study.runs = 24;
     study.how =
         "Behind the gap of the effusion a bath sends back what comes through, as from the same "

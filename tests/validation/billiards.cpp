@@ -14,8 +14,8 @@ namespace carom::validation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr const char* field = "Billiards and the Lorentz gas";
+using std::numbers::pi;
+constexpr const char* billiards_field = "Billiards and the Lorentz gas";
 
 /// The mean path of a point of speed 1 between hits, from a random direction.
 double mean_path(const Box& box, double x, double y, const RunOf& run) {
@@ -33,7 +33,7 @@ double mean_path(const Box& box, double x, double y, const RunOf& run) {
 Study sinai() {
     constexpr double length = 3.0, radius = 0.8;
     Study study;
-    study.field = field;
+    study.field = billiards_field;
     study.runs = 24;
     study.truths = {{"mean free path of Sinai’s billiard, *L* = 3, *R* = 0.8",
                      (length * length - pi * radius * radius) / (2.0 * radius), 0.0, 0.0,
@@ -49,7 +49,7 @@ Study sinai() {
 
 Study any_billiard() {
     Study study;
-    study.field = field;
+    study.field = billiards_field;
     study.runs = 24;
     const double area = 12.0 - 1.0 - pi * 0.09;
     const double perimeter = 14.0 + 2.0 + 2.0 * std::numbers::sqrt2 + pi * 0.6;
@@ -75,7 +75,7 @@ Study lorentz() {
     constexpr double x = 0.005;
     constexpr int scatterers = 1000, count = 400;
     Study study;
-    study.field = field;
+    study.field = billiards_field;
     study.runs = 24;
     study.how =
         "The Lorentz gas: 400 points of speed 1 among 1000 disks of radius 1 at random places, "

@@ -11,8 +11,8 @@ namespace carom::validation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr const char* field = "Brownian drag";
+using std::numbers::pi;
+constexpr const char* drag_field = "Brownian drag";
 constexpr double size = 40.0, radius = 5.0;
 constexpr int count = 8000;
 constexpr double density = count / (size * size - pi * radius * radius);
@@ -74,7 +74,7 @@ double mean_velocity(double start, double mass, const RunOf& run) {
 Study at_constant_velocity(double velocity) {
     constexpr double mass = 1e7;
     Study study;
-    study.field = field;
+    study.field = drag_field;
     study.runs = 24;
     study.truths = {
         {"drag on a disk of radius 5 at velocity " + std::string(velocity < 1.0 ? "0.3" : "2") +
@@ -109,7 +109,7 @@ double slowed(double start, double mass, double time) {
 Study brownian() {
     constexpr double mass = 1000.0, start = 0.4;
     Study study;
-    study.field = field;
+    study.field = drag_field;
     study.runs = 40;
     study.how =
         "8000 points of mass 1 at *T* = 1 in a periodic box of side 40 meet a disk of radius 5; "

@@ -12,7 +12,7 @@ namespace carom::validation {
 
 namespace {
 
-constexpr const char* field = "Equilibrium of few particles";
+constexpr const char* equilibria_field = "Equilibrium of few particles";
 
 enum Column : std::size_t { mean_f2 = 3, kurtosis = 4, mean_speed = 6 };
 
@@ -60,7 +60,7 @@ constexpr const char* of_sphere =
 
 Study disks_between_walls(int count) {
     Study study;
-    study.field = field;
+    study.field = equilibria_field;
     study.runs = 20;
     const std::string of = " of " + std::to_string(count) + " disks between walls";
     study.truths = {
@@ -78,7 +78,7 @@ Study disks_between_walls(int count) {
 
 Study disks_in_a_periodic_box() {
     Study study;
-    study.field = field;
+    study.field = equilibria_field;
     study.runs = 20;
     study.truths = {{"mean speed over √*T* of 5 disks in a periodic box, total momentum 0",
                      moment("2D periodic", 5, mean_speed), 0.0, 0.0, of_sphere},
@@ -96,7 +96,7 @@ Study disks_in_a_periodic_box() {
 
 Study equipartition() {
     Study study;
-    study.field = field;
+    study.field = equilibria_field;
     study.runs = 20;
     study.truths = {
         {"mean energy of 50 disks of mass 8 over that of 150 of mass 1, which had all "

@@ -15,8 +15,8 @@ namespace carom::validation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr const char* field = "Sound and shocks";
+using std::numbers::pi;
+constexpr const char* flows_field = "Sound and shocks";
 constexpr const char* of_sirmas =
     "N. Sirmas et al., arXiv 1108.0879, with *Z* of Kolafa and Rottner in place of Helfand’s";
 
@@ -101,7 +101,7 @@ double speed_of_wave(double length, double packing, const RunOf& run) {
 
 Study sound(double packing) {
     Study study;
-    study.field = field;
+    study.field = flows_field;
     study.runs = 40;
     if (packing == 0.2)
         study.how =
@@ -170,7 +170,7 @@ std::vector<double> driven(const Regime& regime, const Shock& shock, std::uint64
 
 Study shock(const Regime& regime) {
     Study study;
-    study.field = field;
+    study.field = flows_field;
     study.runs = 40;
     const double count = std::round(regime.length * regime.width * regime.packing * 4.0 / pi);
     const double density = count / (regime.length * regime.width);

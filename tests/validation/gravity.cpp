@@ -12,7 +12,7 @@ namespace carom::validation {
 
 namespace {
 
-constexpr const char* field = "Gravity";
+constexpr const char* gravity_field = "Gravity";
 
 /// N disks in a box without a lid. Roman, White and Velasco's law is for points; disks of radius r
 /// cannot be at the same place, which to first order raises the mean height by e / 4N, with
@@ -21,7 +21,7 @@ Study column() {
     constexpr int count = 6;
     constexpr double radius = 0.004, speed = 1.5;
     Study study;
-    study.field = field;
+    study.field = gravity_field;
     study.runs = 24;
     study.how =
         "Of the column *E* is *mg* times the mean height of a run’s start and its kinetic energy; "
@@ -77,7 +77,7 @@ Study column() {
 
 Study bouncing() {
     Study study;
-    study.field = field;
+    study.field = gravity_field;
     study.truths = {{"time of 1000 bounces from height 2 at *g* = 1, over 2√(2*h*/*g*)", 1000.0,
                      0.0, 1e-12, "exact"},
                     {"height after 1000 bounces", 2.0, 0.0, 4e-13, "exact"}};

@@ -18,8 +18,8 @@ namespace carom::validation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr const char* field = "Collisions, diffusion and relaxation";
+using std::numbers::pi;
+constexpr const char* kinetic_theory_field = "Collisions, diffusion and relaxation";
 constexpr const char* of_enskog =
     "Enskog’s rate (4/√π)(*Z* − 1)√*T*, exact with the exact *Z*; D. M. Gass, J. Chem. Phys. 54, "
     "1898 (1971), *Z* of Kolafa and Rottner";
@@ -40,7 +40,7 @@ double enskog_rate(double packing, int count) {
 Study collision_rate(double packing, double duration) {
     constexpr int count = 900;
     Study study;
-    study.field = field;
+    study.field = kinetic_theory_field;
     study.runs = 20;
     const std::string at = packing == 0.05 ? "0.05" : packing == 0.3 ? "0.30" : "0.60";
     const double rate = enskog_rate(packing, count);
@@ -100,7 +100,7 @@ double diffusion(double packing, int count, std::uint64_t seed, double windows) 
 
 Study dilute_diffusion() {
     Study study;
-    study.field = field;
+    study.field = kinetic_theory_field;
     study.runs = 20;
     study.how =
         "The self-diffusion of disks has no limit of long times (its velocity correlation falls "
@@ -129,7 +129,7 @@ Study dilute_diffusion() {
 /// a2 = <v^4> / (2 <v^2>^2) - 1 after c collisions of a disk, of a gas that begins with one speed.
 Study relaxation() {
     Study study;
-    study.field = field;
+    study.field = kinetic_theory_field;
     study.runs = 40;
     study.how =
         "The gases of equal speeds have 4000 disks at packing 0.01; *a*₂ at the number of "
@@ -173,7 +173,7 @@ Study relaxation() {
 
 Study energy_transfer() {
     Study study;
-    study.field = field;
+    study.field = kinetic_theory_field;
     constexpr double mass = 8.0;
     constexpr int shots = 2000;
     study.truths = {

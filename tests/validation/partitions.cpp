@@ -12,7 +12,7 @@ namespace carom::validation {
 
 namespace {
 
-constexpr const char* field = "Partitions and mixing";
+constexpr const char* partitions_field = "Partitions and mixing";
 
 Species points(const char* name, int count, double mass, Region within) {
     return {.name = name,
@@ -27,7 +27,7 @@ Study window() {
     constexpr double left = 3.0, size = 10.0, share = left / size;
     constexpr int count = 20;
     Study study;
-    study.field = field;
+    study.field = partitions_field;
     study.runs = 24;
     study.how =
         "Points of two species begin on either side of a window; baths at both ends let each of "
@@ -92,7 +92,7 @@ double entropy(const Sample& sample, double size, int parts) {
 Study free_expansion() {
     constexpr int count = 4000, parts = 10;
     Study study;
-    study.field = field;
+    study.field = partitions_field;
     study.runs = 60;
     study.how =
         "The entropy of places by their numbers in 10 parts of a box is less than *N* ln *k* by "
@@ -126,7 +126,7 @@ Study free_expansion() {
 Study and_back() {
     constexpr int count = 60;
     Study study;
-    study.field = field;
+    study.field = partitions_field;
     study.truths = {
         {"of 60 disks that expanded and were reversed (2048 bits), those back behind the divider",
          count, 0.0, 1e-12, "exact: mechanics is reversible"}};

@@ -15,7 +15,7 @@ namespace carom::validation {
 
 namespace {
 
-constexpr const char* field = "Pistons and driven walls";
+constexpr const char* pistons_field = "Pistons and driven walls";
 
 /// The mean of h under the weight p, from 0 to `end`.
 double mean_of(const auto& weight, double end) {
@@ -45,7 +45,7 @@ Study piston_on_a_plane() {
     constexpr double radius = 0.02, width = 1.0, force = 2.0, start = 4.0, mass = 3.0;
     constexpr double energy = 0.5 * count * 1.0 + force * start;
     Study study;
-    study.field = field;
+    study.field = pistons_field;
     study.runs = 24;
     const double reach = energy / force;
     const auto room = [=](double h) {
@@ -83,7 +83,7 @@ Study piston_on_a_wire() {
     constexpr int count = 5;
     constexpr double force = 2.0, start = 3.0;
     Study study;
-    study.field = field;
+    study.field = pistons_field;
     study.runs = 24;
     study.truths = {
         {"mean length under a piston on 5 point beads of masses 0.7 to 4.1, over "
@@ -134,7 +134,7 @@ double kept(int dimension, double speed, std::uint64_t seed) {
 
 Study slow_strokes() {
     Study study;
-    study.field = field;
+    study.field = pistons_field;
     study.runs = 400;
     study.how =
         "Slow strokes halve the room at wall speeds 0.02 and 0.01, where the gas has √*T* = 1, "
@@ -158,7 +158,7 @@ Study slow_strokes() {
 
 Study one_hit() {
     Study study;
-    study.field = field;
+    study.field = pistons_field;
     study.truths = {{"velocity of a disk of velocity 3 after a hit by a wall of velocity −1", -5.0,
                      0.0, 1e-15, "exact: 2*u* − *v*"},
                     {"work of the wall on its mass of 2", 16.0, 0.0, 1e-15, "exact"},
@@ -198,7 +198,7 @@ std::array<double, 2> jarzynski(double velocity, double from, double to, std::ui
 
 Study works() {
     Study study;
-    study.field = field;
+    study.field = pistons_field;
     study.runs = 40;
     const char* source =
         "exact: C. Jarzynski, Phys. Rev. Lett. 78, 2690 (1997); R. C. Lua, A. Y. Grosberg, J. "

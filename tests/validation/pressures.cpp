@@ -13,8 +13,8 @@ namespace carom::validation {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr const char* field = "Pressure of hard disks";
+using std::numbers::pi;
+constexpr const char* pressures_field = "Pressure of hard disks";
 
 /// Disks on a triangular lattice of 29 by 30, in a periodic box of 29 : 30 sqrt(3) / 2.
 Gas gas_of_li(double packing, std::uint64_t seed) {
@@ -44,7 +44,7 @@ double compressibility(Simulation& simulation, double duration) {
 
 Study li(double packing, double value, double error, int runs, double duration) {
     Study study;
-    study.field = field;
+    study.field = pressures_field;
     study.runs = runs;
     study.truths = {{"*P*(2*R*)²/*T* of 870 disks at packing " +
                          std::string(packing == 0.7 ? "0.700" : "0.670") + ", box 29 : 30√3/2",
@@ -65,7 +65,7 @@ Study equation(const char* name, double packing, double value, double error, con
                double duration) {
     constexpr int count = 900;
     Study study;
-    study.field = field;
+    study.field = pressures_field;
     study.runs = 20;
     study.truths = {{std::string("*Z* = *PA*/*NT* ") + name, value + finite_number(packing, count),
                      error, 0.0, source}};
@@ -98,7 +98,7 @@ Study by_henderson(const char* name, double packing, double duration) {
 Study two_disks() {
     constexpr double a = 2.0, b = 1.5;
     Study study;
-    study.field = field;
+    study.field = pressures_field;
     study.runs = 20;
     const double q = a * a * b * b - excluded(a, b, 1.0);
     const double slope = 2.0 * a * b * b - pi * b + 4.0 / 3.0;

@@ -17,11 +17,11 @@ namespace carom::validation {
 
 namespace {
 
-constexpr const char* field = "Beads on a wire";
+constexpr const char* wires_field = "Beads on a wire";
 
 Study places() {
     Study study;
-    study.field = field;
+    study.field = wires_field;
     study.runs = 20;
     const char* source =
         "exact: *x*₁/*L* ~ Beta(1, 4), the order of uniform numbers; "
@@ -56,7 +56,7 @@ Study places() {
 
 Study force() {
     Study study;
-    study.field = field;
+    study.field = wires_field;
     study.runs = 20;
     study.truths = {
         {"force on an end of a wire of length 20 with 16 rods of length 0.6, in units "
@@ -78,7 +78,7 @@ Study force() {
 
 Study galperin(int n) {
     Study study;
-    study.field = field;
+    study.field = wires_field;
     for (const auto& row : test::reference_rows("galperin.csv"))
         if (std::stoi(row[0]) == n)
             study.truths = {
@@ -119,7 +119,7 @@ bool is_right(const nlohmann::json& cradle) {
 
 Study pairs() {
     Study study;
-    study.field = field;
+    study.field = wires_field;
     const auto rows = test::reference_rows("pair_collision_1d.csv");
     study.truths = {
         {"of " + std::to_string(rows.size()) +
@@ -150,7 +150,7 @@ Study pairs() {
 
 Study cradles() {
     Study study;
-    study.field = field;
+    study.field = wires_field;
     study.truths = {{"of 7 cradles, those with the exact velocities and collisions", 7.0, 0.0,
                      1e-12, "exact: `tests/reference/newton_cradle.json`"}};
     study.measure = [=](const RunOf&) {

@@ -62,8 +62,8 @@ TEST_CASE(
     "are the same whatever was drawn before") {
     int seen = 0;
     // In print there are samples before words; the other two themes differ in colours alone. Every
-    // scene and every template is seen in both themes, and every scene with every template in one;
-    // the slow tests see all three together.
+    // scene is seen with a third of the templates, in both themes, and every template with a third
+    // of the scenes; the slow tests see all three together.
     const bool is_slow = std::getenv("CAROM_SLOW") != nullptr;
     const std::vector<fs::path> layouts = test::yaml_files(root / "templates/films");
     std::size_t scene_number = 0;
@@ -73,7 +73,7 @@ TEST_CASE(
         for (std::size_t one = 0; one < 2 * layouts.size(); ++one) {
             const bool is_print = one >= layouts.size();
             const std::size_t number = one % layouts.size();
-            if (!is_slow && ((scene_number + number) % 2 == 1) == is_print) continue;
+            if (!is_slow && (scene_number + number) % 6 != (is_print ? 3 : 0)) continue;
             const fs::path& layout = layouts[number];
             const std::string theme = is_print ? "print" : "dark";
             CAPTURE(theme);
@@ -108,7 +108,7 @@ TEST_CASE(
             }
         }
     }
-    CHECK(seen > 10000);
+    CHECK(seen > 4000);
 }
 
 TEST_CASE("disks that are drawn larger than they are say so, with their true radius") {

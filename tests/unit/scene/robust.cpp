@@ -78,27 +78,27 @@ TEST_CASE("a scene with random errors loads or is refused") {
     Random random(1, "mutations");
     for (const std::string& scene : {good, surfaces}) {
         int loaded = 0;
-        for (int i = 0; i < 4000; ++i) loaded += loads(mutated(scene, random)) ? 1 : 0;
+        for (int i = 0; i < 1500; ++i) loaded += loads(mutated(scene, random)) ? 1 : 0;
         CHECK(loaded > 0);
-        CHECK(loaded < 4000);
+        CHECK(loaded < 1500);
     }
 }
 
 TEST_CASE("large hostile files are refused within seconds") {
     const auto start = std::chrono::steady_clock::now();
     std::string listed = "gas: [";
-    for (int i = 0; i < 300'000; ++i) listed += "x, ";
+    for (int i = 0; i < 100'000; ++i) listed += "x, ";
     std::string keys;
-    for (int i = 0; i < 100'000; ++i) keys += "k" + std::to_string(i) + ": [1, 2\n";
+    for (int i = 0; i < 40'000; ++i) keys += "k" + std::to_string(i) + ": [1, 2\n";
     std::string wrong =
         "title: x\nbox: {size: [64, 48]}\nrun: {until: 1}\ngas: [{count: 2, radius: [";
-    for (int i = 0; i < 200'000; ++i) wrong += "-1, ";
+    for (int i = 0; i < 60'000; ++i) wrong += "-1, ";
     std::string nulls = "title: x\nbox: {size: [64, 48]}\nrun: {until: 1}\ngas: [{position: [";
     std::string same = nulls;
-    for (int i = 0; i < 150'000; ++i) nulls += "~, ";
-    for (int i = 0; i < 100'000; ++i) same += "[1, 1], ";
+    for (int i = 0; i < 50'000; ++i) nulls += "~, ";
+    for (int i = 0; i < 40'000; ++i) same += "[1, 1], ";
     std::string unknown;
-    for (int i = 0; i < 100'000; ++i) unknown += "k" + std::to_string(i) + ": 1\n";
+    for (int i = 0; i < 40'000; ++i) unknown += "k" + std::to_string(i) + ": 1\n";
     for (const std::string& text :
          {listed + "]", keys, nulls + "~]}]", same + "[1, 1]]}]", unknown, wrong + "1]}]",
           std::string(1 << 20, '-'), std::string(1 << 20, '{'), "a: " + std::string(1 << 20, '&'),

@@ -188,7 +188,8 @@ void GasPanel::Drawing::draw_labels() const {
 void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t followed,
                                   Point shift) const {
     const Trail& trail = gas.trails[followed];
-    const auto [particle, seconds] = panel.followed_[followed];
+    const Eigen::Index particle = panel.followed_[followed].particle;
+    const double seconds = panel.followed_[followed].trail_seconds;
     const Color own = panel.colors_.is_of_species(gas.shades[static_cast<std::size_t>(particle)])
                           ? edge_of(colors[shade(particle)], dc.theme)
                           : dc.theme.ink;

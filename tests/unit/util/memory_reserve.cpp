@@ -15,8 +15,9 @@
 #include "util/files/atomic_file.h"
 #include "util/interrupt.h"
 
-// The address space of a sanitizer has no useful limit.
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// The address space of a sanitizer has no useful limit, and QEMU grants beyond it.
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
+    !defined(CAROM_EMULATED)
 
 using namespace carom;
 

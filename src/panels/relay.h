@@ -42,7 +42,14 @@ class Relay {
         changed_.notify_all();
     }
 
-    /// Waits until all are taken. Rethrows what `take` has thrown.
+    /// Waits until `take` has returned from all that was sent. Rethrows what it has thrown.
+    void settle() {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [&] { return error_ || (waiting_.empty() && !is_taking_); });
+        if (error_) std::rethrow_exception(error_);
+    }
+
+    /// The same, and ends the thread.
     void finish() {
         end();
         if (error_) std::rethrow_exception(error_);
@@ -66,9 +73,13 @@ class Relay {
                 if (waiting_.empty()) return;
                 Value value = std::move(waiting_.front());
                 waiting_.pop_front();
+                is_taking_ = true;
                 changed_.notify_all();
                 lock.unlock();
                 take_(std::move(value));
+                lock.lock();
+                is_taking_ = false;
+                changed_.notify_all();
             }
         } catch (...) {
             const std::scoped_lock lock(mutex_);
@@ -82,6 +93,7 @@ class Relay {
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Value> waiting_;
+    bool is_taking_ = false;
     bool ended_ = false;
     std::exception_ptr error_;
     std::thread thread_;

@@ -4,10 +4,15 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "panels/precision.h"
+#include "panels/relay.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/ways_back.h"
 #include "util/fingerprint.h"
@@ -204,6 +209,9 @@ class Course {
           following_(can_be_followed(simulation_, take)),
           on_progress_(on_progress),
           watch_(watch) {
+        constexpr Eigen::Index enough = 1'000;  // with less to see it is not worth a thread
+        if (take_.aside && simulation_.particles().count() >= enough)
+            aside_.emplace([](const Work& work) { work(); });
         advanced_.surfaces = simulation_.surfaces();
         if (!take_.sample) simulation_.forget_sample();
         if (take_.collisions) {
@@ -220,6 +228,8 @@ class Course {
             go_on_to(sample_time(run_, index));
             see_sample();
         }
+        if (aside_) aside_->finish();
+        seconds_.samples += taking_seconds_;
         seconds_.total = watch_.wall();
         RunReport report{simulation_.particles().count(),
                          simulation_.bits(),
@@ -241,33 +251,80 @@ class Course {
     }
 
   private:
+    using Work = std::function<void()>;
+
     static constexpr double first_step = 1e-6;  // of the run, when nothing is known of its rate
 
+    // Here or aside, after all that was given before.
+    void give(Work work) {
+        Work timed = [this, work = std::move(work)] {
+            const Stopwatch watch;
+            work();
+            taking_seconds_ += watch.wall();
+        };
+        if (aside_)
+            aside_->send(std::move(timed));
+        else
+            timed();
+    }
+
+    // What is true after the present advance, for work that may outlast it.
+    AdvanceResult lasting() const {
+        AdvanceResult advanced = advanced_;
+        advanced.collisions = {};
+        advanced.velocities.reset();
+        return advanced;
+    }
+
     void see_sample() {
-        const Stopwatch watch;
         if (take_.sample)
             take_sample();
         else
             see_parts();
         surfaces_.see(advanced_.surfaces);
-        seconds_.samples += watch.wall();
     }
 
     void take_sample() {
-        const Sample& sample = simulation_.sample();
-        statistics_.see(sample, advanced_);
-        take_.sample(simulation_.particles(), sample, advanced_.surfaces);
+        const auto take = [this](const Sample& sample, const AdvanceResult& advanced) {
+            statistics_.see(sample, advanced);
+            take_.sample(simulation_.particles(), sample, advanced.surfaces);
+        };
+        if (!aside_) return give([&] { take(simulation_.sample(), advanced_); });
+        give([take, sample = simulation_.sample(), advanced = lasting()] {
+            take(sample, advanced);
+        });
     }
 
+    // Waits for what was given.
+    void settle() {
+        if (aside_) aside_->settle();
+    }
+
+    // In two parts, so that no more than one of them is in memory. What is wanted depends on what
+    // was seen before.
     void see_parts() {
-        if (statistics_.wants_positions(advanced_))
-            statistics_.see_positions(simulation_.sample_of_positions(), advanced_);
+        settle();
+        if (statistics_.wants_positions(advanced_)) {
+            give([this, sample = simulation_.sample_of_positions(), advanced = lasting()] {
+                statistics_.see_positions(sample, advanced);
+            });
+            settle();
+        }
         const bool are_known = advances_ == 1 && advanced_.velocities;
-        if (are_known && statistics_.see_changes(now_, *advanced_.velocities, advanced_)) return;
+        if (are_known && see_changes()) return;
         following_.see(advances_ == 0 || advanced_.velocities.has_value());
         simulation_.follow_velocities(following_.is_on());
-        statistics_.see_velocities(simulation_.sample_of_velocities(), advanced_,
-                                   following_.is_on());
+        give([this, sample = simulation_.sample_of_velocities(), advanced = lasting(),
+              is_followed = following_.is_on()] {
+            statistics_.see_velocities(sample, advanced, is_followed);
+        });
+    }
+
+    bool see_changes() {
+        const Stopwatch watch;
+        const bool are_seen = statistics_.see_changes(now_, *advanced_.velocities, advanced_);
+        seconds_.samples += watch.wall();
+        return are_seen;
     }
 
     void reach(double now) const {
@@ -291,11 +348,14 @@ class Course {
 
     // The collisions of a step of this length.
     void hand_on(double length) {
-        const Stopwatch watch;
-        if (!advanced_.collisions.empty())
-            take_.collisions(simulation_.particles(), advanced_.collisions);
-        step_.see(length, advanced_.collisions.size());
-        seconds_.samples += watch.wall();
+        const std::span<const Collision> collisions = advanced_.collisions;
+        if (!collisions.empty() && aside_)
+            give([this, all = std::vector(collisions.begin(), collisions.end())] {
+                take_.collisions(simulation_.particles(), all);
+            });
+        else if (!collisions.empty())
+            give([&] { take_.collisions(simulation_.particles(), collisions); });
+        step_.see(length, collisions.size());
     }
 
     RunSeconds seconds_;
@@ -312,6 +372,8 @@ class Course {
     AdvanceResult advanced_;
     int advances_ = 0;  ///< since the last sample
     double now_ = 0.0;
+    double taking_seconds_ = 0.0;       ///< of what was given; while it works, its own
+    std::optional<Relay<Work>> aside_;  ///< the last: its work needs all others until it ends
 };
 
 }  // namespace

@@ -31,7 +31,8 @@ struct RunSeconds {
     double total = 0.0;
     double prepare = 0.0;   ///< placement and equilibration
     double simulate = 0.0;  ///< from time 0
-    double samples = 0.0;   ///< statistics, and what takes the samples
+    double samples = 0.0;   ///< statistics, and what takes the samples; at the same time as the
+                            ///< simulation where they have a thread of their own
 };
 
 /// What a surface has done in a run, and where it was.
@@ -68,10 +69,13 @@ using SampleTaker =
 /// during the call only. A sample comes after all that happened up to its time.
 using CollisionTaker = std::function<void(const Particles&, std::span<const Collision>)>;
 
-/// What takes the results of a run as they come; either may be empty.
+/// What takes the results of a run as they come; either may be empty. With `aside` they are called,
+/// and statistics are made, on a thread of their own while the run goes on: the same, in the same
+/// order.
 struct RunTakers {
     SampleTaker sample = {};
     CollisionTaker collisions = {};
+    bool aside = false;
 };
 
 /// Called with the progress of a run; any may be empty.

@@ -258,7 +258,9 @@ void run_scene(const RunArguments& arguments) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     RunReport report;
     try {
-        report = run_physics(scene, outputs.takers(), shown_run(scene, progress));
+        RunTakers take = outputs.takers();
+        take.aside = threads_of(arguments) > 1;
+        report = run_physics(scene, take, shown_run(scene, progress));
         progress.finish();
         outputs.finish();
     } catch (const Interrupted&) {

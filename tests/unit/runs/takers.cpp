@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <stdexcept>
+#include <string>
+#include <thread>
 #include <vector>
 
 #include "runs/run.h"
@@ -20,7 +23,80 @@ Scene crowd(double sample_every) {
         {"run.sample_every=" + std::to_string(sample_every)});
 }
 
+Scene large_crowd(double sample_every) {
+    return test::scene_from(
+        "title: T\nbox: {size: [80, 60]}\ngas: [{name: a, count: 1200, radius: 0.5, temperature: "
+        "4}]\nrun: {until: 6}\n",
+        {"run.sample_every=" + std::to_string(sample_every)});
+}
+
+// What takers were given: times and places of samples, and of collisions.
+struct Taken {
+    std::vector<double> numbers;
+    std::vector<std::thread::id> threads;
+    RunReport report;
+};
+
+Taken taken(const Scene& scene, bool is_sample, bool is_collisions, bool aside) {
+    Taken all;
+    RunTakers take{.aside = aside};
+    if (is_sample)
+        take.sample = [&](const Particles&, const Sample& sample,
+                          const std::vector<SurfaceState>&) {
+            all.threads.push_back(std::this_thread::get_id());
+            all.numbers.push_back(sample.time);
+            for (const double place : sample.position.reshaped()) all.numbers.push_back(place);
+        };
+    if (is_collisions)
+        take.collisions = [&](const Particles&, std::span<const Collision> collisions) {
+            all.threads.push_back(std::this_thread::get_id());
+            for (const Collision& one : collisions) {
+                all.numbers.push_back(one.time);
+                all.numbers.push_back(one.first_after.x());
+            }
+        };
+    all.report = run_physics(scene, take);
+    return all;
+}
+
 }  // namespace
+
+TEST_CASE("on a thread of their own takers are given the same, and statistics are the same") {
+    for (const double sample_every : {6.0, 0.2, 0.002}) {
+        const Scene scene = large_crowd(sample_every);
+        for (const bool is_sample : {false, true})
+            for (const bool is_collisions : {false, true}) {
+                CAPTURE(sample_every);
+                CAPTURE(is_sample);
+                CAPTURE(is_collisions);
+                const Taken here = taken(scene, is_sample, is_collisions, false);
+                const Taken aside = taken(scene, is_sample, is_collisions, true);
+                CHECK((here.numbers == aside.numbers));
+                for (const std::thread::id& thread : here.threads)
+                    REQUIRE(thread == std::this_thread::get_id());
+                for (const std::thread::id& thread : aside.threads)
+                    REQUIRE(thread != std::this_thread::get_id());
+                const RunSummary &a = here.report.summary, &b = aside.report.summary;
+                CHECK(here.report.state == aside.report.state);
+                CHECK(a.temperature == b.temperature);
+                CHECK(a.energy_final == b.energy_final);
+                CHECK(a.largest_overlap == b.largest_overlap);
+                CHECK(a.species[0].speed == b.species[0].speed);
+                CHECK(a.speeds.counts == b.speeds.counts);
+            }
+    }
+}
+
+TEST_CASE("what a taker throws ends the run, also from a thread of its own") {
+    for (const bool aside : {false, true}) {
+        const auto refuse = [](const Particles&, const Sample& sample,
+                               const std::vector<SurfaceState>&) {
+            if (sample.time > 1.0) throw std::runtime_error("the disk is full");
+        };
+        CHECK_THROWS_WITH(run_physics(large_crowd(0.1), {.sample = refuse, .aside = aside}),
+                          "the disk is full");
+    }
+}
 
 TEST_CASE("of all collisions few are held at a time, also between two samples") {
     std::size_t most = 0, all = 0;

@@ -1,6 +1,6 @@
 // The text of a scene, as `carom check` takes it: it is loaded, described and estimated, or
 // refused.
-#include "app/film/letters.h"
+#include "app/film/words/letters.h"
 #include "app/report/check_facts.h"
 #include "app/resources.h"
 #include "fuzz/fuzz.h"

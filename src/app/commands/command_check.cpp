@@ -9,7 +9,7 @@
 #include "app/figures/set_loading.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
-#include "app/film/letters.h"
+#include "app/film/words/letters.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/report/accessibility.h"

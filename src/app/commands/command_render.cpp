@@ -22,8 +22,8 @@
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/film/join.h"
-#include "app/film/letters.h"
 #include "app/film/render.h"
+#include "app/film/words/letters.h"
 #include "app/output.h"
 #include "app/pages/film_page.h"
 #include "app/resources.h"
@@ -48,7 +48,7 @@ struct RenderArguments : SceneOptions {
     FilmOptions film;      ///< without the path
     std::string max_size;  // empty: any
     std::string page;      // the kind of the page that the film goes into; empty: none
-    std::string depfile;
+    std::string depfile, cache;
     bool join = false;
     int chunk = 0;  // of a plan; 0: all that are missing
     bool force = false, allow_mixed = false;
@@ -271,6 +271,7 @@ void render_film(const RenderArguments& arguments, const std::string& name,
                  const JoinedTitle& title = {}) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     FilmOptions options = arguments.film;
+    options.cache = arguments.cache;
     options.output = film_at(arguments, output);
     options.threads = threads_of(arguments);
     const double most = most_bytes(arguments);
@@ -301,7 +302,7 @@ void refuse_film_options(const RenderArguments& arguments) {
         !arguments.destination.output.empty() || !arguments.destination.format.empty() ||
         arguments.film.from || arguments.film.to || arguments.film.text || arguments.join ||
         !arguments.max_size.empty() || arguments.is_classroom || !overrides_of(arguments).empty() ||
-        !arguments.page.empty() || !arguments.depfile.empty();
+        !arguments.page.empty() || !arguments.depfile.empty() || !arguments.cache.empty();
     if (changes)
         throw UsageError(
             "the chunks of a plan are drawn as it says; give what changes the film to carom plan, "
@@ -432,6 +433,7 @@ Command render_command() {
              {limits_option(its)},
              picture_options(its),
              film_options(its, its.film),
+             {cache_option(its.cache)},
              {{"--max-size BYTES",
                "make the picture smaller, or the frames fewer, until the film takes at most so "
                "much: 5MB, 800kB",

@@ -9,8 +9,9 @@
 
 #include "app/command.h"
 #include "app/depfile.h"
-#include "app/film/letters.h"
+#include "app/film/film_request.h"
 #include "app/film/render.h"
+#include "app/film/words/letters.h"
 #include "app/means.h"
 #include "app/output.h"
 #include "app/resources.h"
@@ -24,7 +25,7 @@ namespace {
 
 struct StillArguments : SceneOptions {
     std::string scene;
-    std::string output, format, depfile;
+    std::string output, format, depfile, cache;
     double at = 0.0;
     bool is_quick = false;
 };
@@ -65,7 +66,8 @@ void make_still(const StillArguments& arguments) {
     std::optional<Output> stream;  // before the work
     if (Output::is_standard_output(arguments.output)) stream.emplace("-");
     const EndsAtOnce whole;
-    Canvas picture = draw_still_alone(scene, arguments.at, arguments.is_quick, format, progress);
+    Canvas picture = draw_still_alone(scene, arguments.at, arguments.is_quick, arguments.cache,
+                                      format, progress);
     const std::vector<std::uint8_t> bytes = picture.file();
     if (stream) return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     write_file(output, bytes);
@@ -97,6 +99,7 @@ Command still_command() {
                               "find axes and colour scales from thirty times of the run, not from "
                               "all frames",
                               &its.is_quick},
+                             cache_option(its.cache),
                              {"-o,--output PICTURE",
                               "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
                               "default: out/SCENE.png",

@@ -7,7 +7,7 @@
 
 #include "app/command.h"
 #include "app/figures/figure_pages.h"
-#include "app/film/letters.h"
+#include "app/film/words/letters.h"
 #include "app/resources.h"
 #include "media/formats.h"
 #include "panels/registry.h"

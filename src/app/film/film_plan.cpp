@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/film/axes_cache.h"
 #include "app/film/segment_workers.h"
 #include "app/resources.h"
 #include "app/simulate.h"
@@ -44,18 +45,19 @@ std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Pro
 }
 
 // What is simulated once serves all, where it is kept.
-std::vector<std::string> passes_for(const Scene& asked, bool kept, bool text, bool sound,
-                                    bool colors) {
+std::vector<std::string> passes_for(const Scene& asked, bool settled, bool kept, bool text,
+                                    bool sound, bool colors) {
     std::vector<std::string> passes;
-    if (!asked.run.bits) passes.emplace_back("precision");
-    std::vector<std::string> first{"axes"};
+    if (!asked.run.bits && !settled) passes.emplace_back("precision");
+    std::vector<std::string> first;
+    if (!settled) first.emplace_back("axes");
     if (text) first.emplace_back("words");
     if (sound) first.emplace_back("sound");
     std::vector<std::string> later;
     if (colors) later.emplace_back("colours");
     later.emplace_back("pictures");
     if (kept) first.insert(first.end(), later.begin(), later.end());
-    passes.push_back(listed(first));
+    if (!first.empty()) passes.push_back(listed(first));
     if (!kept) passes.insert(passes.end(), later.begin(), later.end());
     return passes;
 }
@@ -64,24 +66,16 @@ std::vector<std::string> passes_for(const Scene& asked, bool kept, bool text, bo
 struct SceneRecord {
     std::string program = CAROM_VERSION;
     SceneSource source;
-    std::optional<int> bits;
-    std::optional<int> bits_beside = {};  // of the run beside it
+    RunBits bits;
 
     void archive(Archive& archive) {
         archive(program, source.path, source.text, source.template_text, source.overrides,
-                source.files, bits, bits_beside);
+                source.files, bits);
     }
 };
 
 SceneRecord record_of(const Scene& scene) {
-    SceneRecord record{.source = scene.source, .bits = scene.run.bits};
-    if (!scene.film.beside) return record;
-    record.bits_beside = scene.film.beside->scene->run.bits;
-    return record;
-}
-
-void set_scene_beside(Scene& scene, Scene other) {
-    scene.film.beside->scene = std::make_shared<Scene>(std::move(other));
+    return {.source = scene.source, .bits = bits_of(scene)};
 }
 
 Scene scene_of(const SceneRecord& record, const Archive& archive) {
@@ -90,13 +84,7 @@ Scene scene_of(const SceneRecord& record, const Archive& archive) {
     Scene scene = scene_from(record.source);
     if (scene.source.template_text != record.source.template_text)
         archive.refuse("the template of its film has changed");
-    scene.run.bits = record.bits;
-    if (scene.film.beside) {
-        Scene other = *scene.film.beside->scene;
-        other.run.bits = record.bits_beside;
-        set_scene_beside(scene, std::move(other));
-    }
-    return scene;
+    return with_bits(std::move(scene), record.bits);
 }
 
 // What is wanted of the film beside the scene; where it is written is asked again.
@@ -177,7 +165,7 @@ double memory_of_ways(const Scene& scene, double particles) {
 void start_beside(FilmPlan& plan, std::optional<Simulation>& simulation, Progress& progress) {
     if (!plan.scene.film.beside) return;
     auto [scene, start] = start_scene(*plan.scene.film.beside->scene, progress);
-    set_scene_beside(plan.scene, std::move(scene));
+    plan.scene.film.beside->scene = std::make_shared<Scene>(std::move(scene));
     plan.beside = RunBeside{{start.particles(), start.sample()}, {}};
     simulation = std::move(start);
 }
@@ -199,10 +187,20 @@ std::unique_ptr<PanelSet> FilmPlan::panels() const {
     return set;
 }
 
+std::string fixed_axes(PanelSet& panels) {
+    panels.fix_axes();
+    Archive axes;
+    panels.archive(axes);
+    return axes.finished();
+}
+
 FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progress,
                  const std::function<void(const FilmPlan&)>& when_placed) {
     FilmPlan plan;
-    auto [scene, start] = start_scene(asked, progress);
+    const AxesCache cache(options.cache, asked);
+    std::optional<SettledAxes> settled = cache.find();
+    const bool was_settled = settled.has_value();
+    auto [scene, start] = start_scene(settled ? with_bits(asked, settled->bits) : asked, progress);
     plan.scene = std::move(scene);
     plan.particles = start.particles();
     plan.start = start.sample();
@@ -228,6 +226,8 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     if (options.text || sound)
         text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at,
                      sound.has_value());
+    // Of what comes after the span only the axes know.
+    if (settled) ticks.resize(static_cast<std::size_t>(plan.span.end));
     progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
     if (other)
         plan.beside->run = panels.record_beside(
@@ -243,15 +243,17 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
         },
         room, aside, sound.has_value());
     if (sound) plan.sound = sound->samples();
-    panels.fix_axes();
-    Archive axes;
-    panels.archive(axes);
-    plan.axes = axes.finished();
+    if (!settled) {
+        settled = SettledAxes{bits_of(plan.scene), fixed_axes(panels)};
+        cache.keep(*settled);
+    }
+    plan.axes = std::move(settled->axes);
     if (text) plan.text = text->text();
     const int previews = format_of_film(options.output).previews;
     if (previews > 0) plan.colors = chosen_colors(plan, previews, progress);
     const bool is_kept = plan.run.is_kept() && (!plan.beside || plan.beside->run.is_kept());
-    plan.passes = passes_for(asked, is_kept, options.text, !plan.sound.empty(), previews > 0);
+    plan.passes =
+        passes_for(asked, was_settled, is_kept, options.text, !plan.sound.empty(), previews > 0);
     return plan;
 }
 
@@ -291,7 +293,7 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {
     const bool kept = Recording::fits(static_cast<std::size_t>(frame_count(scene.film)), particles,
                                       scene.gas.box.dimension);
-    return passes_for(scene, kept, false, false, false);
+    return passes_for(scene, false, kept, false, false, false);
 }
 
 std::string shared_bytes(FilmPlan& plan, FilmOptions& options) {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/film/film_text.h"
 #include "app/film/frame_span.h"
+#include "app/film/words/film_text.h"
 #include "app/progress.h"
 #include "media/film_writer.h"
 #include "media/formats.h"
@@ -29,8 +29,9 @@ struct FilmOptions {
     bool text = false;                     ///< its FilmText, in files beside it
     std::optional<double> joined_at = {};  ///< seconds of the film that it is a part of
     std::optional<double> from = {},
-                          to = {};  ///< as frames_between() reads them; none: the whole film
-    Recording::Room room = {};      ///< for the frames of the run; beyond it is simulated again
+                          to = {};     ///< as frames_between() reads them; none: the whole film
+    Recording::Room room = {};         ///< for the frames of the run; beyond it is simulated again
+    std::filesystem::path cache = {};  ///< folder of an AxesCache; empty: none
 };
 
 /// The run that a film shows beside its own.
@@ -72,6 +73,9 @@ struct FilmPlan {
 /// Interrupted.
 FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progress,
                  const std::function<void(const FilmPlan&)>& when_placed = {});
+
+/// Ends the first pass of panels, and gives what it has fixed of each.
+std::string fixed_axes(PanelSet& panels);
 
 /// Whether the film of a scene has sound in a format.
 bool has_sound(const Scene& scene, const OutputFormat& format);

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <utility>
 
-#include "app/film/letters.h"
+#include "app/film/words/letters.h"
 #include "util/diagnostics.h"
 
 namespace carom {
@@ -22,6 +22,14 @@ std::vector<Option> film_options(SceneOptions& options, FilmOptions& film) {
     return joined<Option>({{{"--from T", "simulated time at which the film begins", &film.from},
                             {"--to T", "simulated time at which the film ends", &film.to}},
                            film_shape_options(options, film)});
+}
+
+Option cache_option(std::string& folder) {
+    return {
+        "--cache FOLDER",
+        "keep axes and colour scales in this folder, and take them from there: the next still or "
+        "part of the same film needs the run only up to its last frame",
+        &folder};
 }
 
 std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film) {

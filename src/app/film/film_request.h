@@ -14,6 +14,9 @@ namespace carom {
 /// --from, --to, --fps, --seconds, --no-sound and --quality.
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film);
 
+/// --cache, for films and stills.
+Option cache_option(std::string& folder);
+
 /// The last four of these.
 std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film);
 

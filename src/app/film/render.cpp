@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/film/axes_cache.h"
 #include "app/means.h"
 #include "app/simulate.h"
 #include "draw/pages/pages.h"
@@ -239,32 +240,40 @@ Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, P
     return paint_still(*panels, frame, format);
 }
 
-Canvas draw_still_alone(const Scene& asked, double at, bool is_quick, const OutputFormat& format,
+Canvas draw_still_alone(const Scene& asked, double at, bool is_quick,
+                        const std::filesystem::path& folder, const OutputFormat& format,
                         Progress& progress) {
-    if (asked.film.beside) return draw_still(prepare(asked, {}, progress), at, format, progress);
+    if (asked.film.beside)
+        return draw_still(prepare(asked, {.cache = folder}, progress), at, format, progress);
+    const AxesCache cache(folder, asked);
+    std::optional<SettledAxes> settled = cache.find();
     FilmPlan plan;
-    auto [scene, start] = start_scene(asked, progress);
+    auto [scene, start] = start_scene(settled ? with_bits(asked, settled->bits) : asked, progress);
     plan.scene = std::move(scene);
     std::vector<Tick> ticks = timeline(plan.scene);
     const int still = ticks[static_cast<std::size_t>(frame_nearest_to(ticks, at))].frame;
     plan.particles = start.particles();
     plan.start = start.sample();
-    std::optional<PanelSet> first_pass(std::in_place, plan.scene, plan.particles, plan.start);
-    if (is_quick && !first_pass->wants_return_distances()) ticks = some_of(ticks, still);
-    const bool are_kept = fit(ticks, still, plan.scene.gas.box, plan.particles.count());
     std::optional<Simulation> again;
-    if (are_kept)
-        plan.start = {};  // the first frame shows it, too
-    else
-        again = start;
-    std::vector<KeptFrame> kept =
-        survey(*first_pass, std::move(start), ticks, still, are_kept, progress);
-    first_pass->fix_axes();
-    Archive axes;
-    first_pass->archive(axes);
-    plan.axes = axes.finished();
-    first_pass.reset();
-    if (are_kept) plan.start = kept.front().sample;
+    std::vector<KeptFrame> kept;
+    if (settled) {
+        again = std::move(start);
+    } else {
+        std::optional<PanelSet> first_pass(std::in_place, plan.scene, plan.particles, plan.start);
+        const bool sees_some = is_quick && !first_pass->wants_return_distances();
+        if (sees_some) ticks = some_of(ticks, still);
+        const bool are_kept = fit(ticks, still, plan.scene.gas.box, plan.particles.count());
+        if (are_kept)
+            plan.start = {};  // the first frame shows it, too
+        else
+            again = start;
+        kept = survey(*first_pass, std::move(start), ticks, still, are_kept, progress);
+        settled = SettledAxes{bits_of(plan.scene), fixed_axes(*first_pass)};
+        first_pass.reset();
+        if (are_kept) plan.start = kept.front().sample;
+        if (!sees_some) cache.keep(*settled);
+    }
+    plan.axes = std::move(settled->axes);
     const std::unique_ptr<PanelSet> panels = plan.panels();
     const FrameData frame = again ? frame_of(*panels, std::move(*again), ticks, still)
                                   : frame_of(*panels, std::move(kept));

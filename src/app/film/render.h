@@ -62,9 +62,10 @@ Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, P
 /// Draws the frame of the film of `scene` that is nearest to the simulated time `at`, in a format
 /// of stills: the same picture as draw_still() of the whole plan. With `is_quick` panels see the
 /// run at some thirty times only, from which axes and colour scales are found, and what they
-/// gather. Throws SceneError (the gas cannot be placed, or does not return), SystemError,
-/// Interrupted.
-Canvas draw_still_alone(const Scene& scene, double at, bool is_quick, const OutputFormat& format,
+/// gather, unless `cache`, the folder of an AxesCache, has the axes already. Throws SceneError (the
+/// gas cannot be placed, or does not return), SystemError, Interrupted.
+Canvas draw_still_alone(const Scene& scene, double at, bool is_quick,
+                        const std::filesystem::path& cache, const OutputFormat& format,
                         Progress& progress);
 
 }  // namespace carom

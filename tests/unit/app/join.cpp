@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/film/film_text.h"
+#include "app/film/words/film_text.h"
 #include "draw/text.h"
 #include "support/files.h"
 #include "support/process.h"

@@ -13,8 +13,8 @@
 #include <numbers>
 #include <vector>
 
-#include "app/film/letters.h"
 #include "app/film/render.h"
+#include "app/film/words/letters.h"
 #include "physics/theory/theory.h"
 #include "scene/load.h"
 #include "support/process.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/film/film_text.h"
+#include "app/film/words/film_text.h"
 #include "app/report/run_facts.h"
 #include "app/report/surfaces_csv.h"
 #include "panels/recording.h"

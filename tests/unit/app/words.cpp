@@ -1,7 +1,7 @@
 // The words beside a film.
 #include <doctest/doctest.h>
 
-#include "app/film/film_text.h"
+#include "app/film/words/film_text.h"
 #include "panels/recording.h"
 #include "scene/describe.h"
 #include "scene/time/timeline.h"

@@ -1,4 +1,4 @@
-#include "app/film/film_notes.h"
+#include "app/film/words/film_notes.h"
 
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"

@@ -1,4 +1,4 @@
-#include "app/film/film_text.h"
+#include "app/film/words/film_text.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/film/film_notes.h"
+#include "app/film/words/film_notes.h"
 #include "app/progress.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"

@@ -1,4 +1,4 @@
-#include "app/film/letters.h"
+#include "app/film/words/letters.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,0 +1,78 @@
+#include "app/film/axes_cache.h"
+
+#include <memory>
+#include <utility>
+
+#include "app/chunks/build_facts.h"
+#include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
+#include "util/fingerprint.h"
+
+namespace carom {
+namespace {
+
+// Of all that decides what the first pass finds. Paths do not: a copy of a scene has the same axes.
+std::string fingerprint_of(const SceneSource& source) {
+    GrowingFingerprint all;
+    const auto add = [&](const std::string& text) {
+        all.add(std::to_string(text.size()) + ":");  // so that parts cannot run into one another
+        all.add(text);
+    };
+    for (const auto& [name, value] : physics_facts()) add(value);
+    add(source.text);
+    add(source.template_text);
+    for (const std::string& value : source.overrides) add(value);
+    for (const auto& [path, text] : source.files) add(text);
+    return all.digits();
+}
+
+}  // namespace
+
+RunBits bits_of(const Scene& scene) {
+    RunBits bits{scene.run.bits};
+    if (scene.film.beside) bits.beside = scene.film.beside->scene->run.bits;
+    return bits;
+}
+
+Scene with_bits(Scene scene, const RunBits& bits) {
+    scene.run.bits = bits.own;
+    if (!scene.film.beside) return scene;
+    auto other = std::make_shared<Scene>(*scene.film.beside->scene);
+    other->run.bits = bits.beside;
+    scene.film.beside->scene = std::move(other);
+    return scene;
+}
+
+AxesCache::AxesCache(const std::filesystem::path& folder, const Scene& asked) {
+    if (folder.empty()) return;
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+        throw SystemError("--cache " + folder.string() +
+                          ": cannot make this folder: " + error.message());
+    file_ = folder / (fingerprint_of(asked.source) + ".axes");
+}
+
+std::optional<SettledAxes> AxesCache::find() const {
+    constexpr std::int64_t most_bytes = std::int64_t{1} << 30;
+    std::error_code error;
+    if (file_.empty() || !std::filesystem::exists(file_, error)) return std::nullopt;
+    try {
+        Archive archive(read_file(file_, most_bytes), file_.string());
+        SettledAxes settled;
+        archive(settled);
+        archive.expect_end();
+        return settled;
+    } catch (const SystemError&) {
+        return std::nullopt;
+    }
+}
+
+void AxesCache::keep(SettledAxes settled) const {
+    if (file_.empty()) return;
+    Archive archive;
+    archive(settled);
+    write_file(file_, archive.finished());
+}
+
+}  // namespace carom

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "panels/archived.h"
-#include "panels/relay.h"
 #include "scene/limits.h"
 #include "util/interrupt.h"
+#include "util/relay.h"
 
 namespace carom {
 namespace {

@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "panels/precision.h"
-#include "panels/relay.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/ways_back.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
+#include "util/relay.h"
 #include "util/stopwatch.h"
 
 namespace carom {
@@ -349,13 +349,12 @@ class Course {
     // The collisions of a step of this length.
     void hand_on(double length) {
         const std::span<const Collision> collisions = advanced_.collisions;
-        if (!collisions.empty() && aside_)
-            give([this, all = std::vector(collisions.begin(), collisions.end())] {
-                take_.collisions(simulation_.particles(), all);
-            });
-        else if (!collisions.empty())
-            give([&] { take_.collisions(simulation_.particles(), collisions); });
         step_.see(length, collisions.size());
+        if (collisions.empty()) return;
+        if (!aside_) return give([&] { take_.collisions(simulation_.particles(), collisions); });
+        give([this, all = std::vector(collisions.begin(), collisions.end())] {
+            take_.collisions(simulation_.particles(), all);
+        });
     }
 
     RunSeconds seconds_;

@@ -1,7 +1,9 @@
-#include "panels/relay.h"
+#include "util/relay.h"
 
 #include <doctest/doctest.h>
 
+#include <chrono>
+#include <cstddef>
 #include <numeric>
 #include <stdexcept>
 #include <thread>
@@ -37,4 +39,21 @@ TEST_CASE("what the taker of a relay throws comes out where values are sent, or 
     Relay<int> last(refuse);
     last.send(3);
     CHECK_THROWS_WITH(last.finish(), "three");
+}
+
+TEST_CASE("a relay that has settled has taken all that was sent, and takes more") {
+    std::vector<int> taken;
+    Relay<int> relay([&](int value) {
+        if (value < 0) throw std::runtime_error("negative");
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        taken.push_back(value);
+    });
+    relay.settle();  // nothing was sent
+    for (std::size_t i = 0; i < 20; ++i) {
+        relay.send(static_cast<int>(i));
+        relay.settle();
+        REQUIRE(taken.size() == i + 1);
+    }
+    relay.send(-1);
+    CHECK_THROWS_WITH(relay.settle(), "negative");
 }

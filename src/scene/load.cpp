@@ -123,9 +123,9 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
                                            described(tree.template_file));
         return;
     }
-    const KeyTable<FilmDraft> table = template_table(resources.panels);
+    const FixedTable<FilmDraft>& table = template_table(resources.panels);
     check_mapping(tree.template_file, table.section(), errors);
-    tree.film = lay_over(tree.film, tree.template_file, table.choices);
+    tree.film = lay_over(tree.film, tree.template_file, table.table().choices);
 }
 
 double usual_sample_every(const Scene& scene, bool has_film) {

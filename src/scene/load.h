@@ -23,7 +23,7 @@ enum class Wanted { film, physics };
 /// What carom brings along for scenes.
 struct SceneResources {
     std::filesystem::path templates;  ///< the folder that holds films/
-    PanelKinds panels;                ///< all kinds of panel (panels/registry.h)
+    PanelKinds panels;                ///< all kinds of panel (panels/registry.h); lives on
     FileTexts files = {};             ///< read in place of what these paths lead to
     bool is_classroom = false;        ///< whether scenes are held to its limits (classroom.h)
 };

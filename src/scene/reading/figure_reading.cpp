@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "physics/theory/equilibrium.h"
+#include "scene/reading/made_once.h"
 #include "scene/reading/panel_reading.h"
 
 namespace carom {
@@ -361,10 +362,13 @@ Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const 
     return as<FigureSpec>(mapping(table));
 }
 
-Notation<std::vector<FigureSpec>> figures_notation(PanelKinds kinds) {
-    const auto figure = placed(as<FigureSpec>(mapping(figure_table(kinds))));
-    return mapped(checked(list_of(figure, 0, most_figures, "a list of figures"), check_names),
-                  values_of<FigureSpec>);
+const Notation<std::vector<FigureSpec>>& figures_notation(PanelKinds kinds) {
+    static MadeOnce<Notation<std::vector<FigureSpec>>> notations;
+    return notations.of(kinds, [&] {
+        const auto figure = placed(as<FigureSpec>(mapping(figure_table(kinds))));
+        return mapped(checked(list_of(figure, 0, most_figures, "a list of figures"), check_names),
+                      values_of<FigureSpec>);
+    });
 }
 
 }  // namespace carom

@@ -9,8 +9,9 @@
 
 namespace carom {
 
-/// The figures that a scene lists. Names are files of their own, times lie in the run.
-Notation<std::vector<FigureSpec>> figures_notation(PanelKinds kinds);
+/// The figures that a scene lists. Names are files of their own, times lie in the run. `kinds` as
+/// MadeOnce takes them.
+const Notation<std::vector<FigureSpec>>& figures_notation(PanelKinds kinds);
 
 /// A comparison of a set, as a figure of one of its scenes: the keys of a figure that shows several
 /// runs, with `scenes`, which are kept for others to read.

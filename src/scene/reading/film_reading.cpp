@@ -367,9 +367,7 @@ void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Readi
     list.resize(std::min(list.size(), places));
 }
 
-}  // namespace
-
-KeyTable<FilmDraft> film_table(PanelKinds kinds) {
+KeyTable<FilmDraft> new_film_table(PanelKinds kinds) {
     const std::vector its_template{
         bind_key("template", &Film::template_name, text(1, most_title_letters),
                  "The layout: a file in the scene's folder or in templates/films, by name.")};
@@ -378,7 +376,7 @@ KeyTable<FilmDraft> film_table(PanelKinds kinds) {
             .choices = film_choices};
 }
 
-KeyTable<FilmDraft> template_table(PanelKinds kinds) {
+KeyTable<FilmDraft> new_template_table(PanelKinds kinds) {
     const std::vector layout{
         bind_key("layout", &FilmDraft::layout_node, kept(layout_notation()),
                  "Where everything is in a frame.")
@@ -391,12 +389,25 @@ KeyTable<FilmDraft> template_table(PanelKinds kinds) {
             .choices = film_choices};
 }
 
+}  // namespace
+
+const FixedTable<FilmDraft>& film_table(PanelKinds kinds) {
+    static MadeOnce<FixedTable<FilmDraft>> tables;
+    return tables.of(kinds, [&] { return new_film_table(kinds); });
+}
+
+const FixedTable<FilmDraft>& template_table(PanelKinds kinds) {
+    static MadeOnce<FixedTable<FilmDraft>> tables;
+    return tables.of(kinds, [&] { return new_template_table(kinds); });
+}
+
 Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKinds kinds,
                const std::filesystem::path& templates, const std::vector<Placed<Pause>>& pauses,
                Reading& reading) {
     const Node* layout_node = given(nodes.template_file, "layout");
-    const auto layout = layout_node != nullptr ? layout_notation().read(*layout_node, reading)
-                                               : std::optional<LayoutSpec>();
+    static const auto layouts = layout_notation();
+    const auto layout =
+        layout_node != nullptr ? layouts.read(*layout_node, reading) : std::optional<LayoutSpec>();
     Node node = nodes.film;
     if (layout) {
         const Node* usual = given(nodes.template_file, "usual_panels");

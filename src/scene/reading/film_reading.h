@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/keys/binding.h"
 #include "scene/panel_kind.h"
+#include "scene/reading/made_once.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/scene.h"
 
@@ -24,10 +24,11 @@ struct FilmDraft : Film {
     std::optional<std::int64_t> usual_panels;  ///< of a template
 };
 
-KeyTable<FilmDraft> film_table(PanelKinds kinds);
+/// The keys of `film`. `kinds` as MadeOnce takes them, here and below.
+const FixedTable<FilmDraft>& film_table(PanelKinds kinds);
 
 /// The keys of `film` but `template`, and `layout`.
-KeyTable<FilmDraft> template_table(PanelKinds kinds);
+const FixedTable<FilmDraft>& template_table(PanelKinds kinds);
 
 /// What a film is read from: mappings, checked for form.
 struct FilmNodes {

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "scene/limits.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
 
 namespace carom {
+namespace {
 
-KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
+KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
     const auto format = whole(1, {scene_format, "is the format that this carom reads"});
     KeyTable<SceneDraft> table{
         .name = "a scene",
@@ -42,7 +45,7 @@ KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
                  bind_key("run", &SceneDraft::written_run, run_notation(dimension),
                           "What happens to the gas.")
                      .required(),
-                 bind_key("film", &SceneDraft::film_node, kept(mapping(film_table(kinds))),
+                 bind_key("film", &SceneDraft::film_node, kept(mapping(film_table(kinds).table())),
                           "What the viewer sees.")
                      .default_text("the template's"),
                  bind_key("figures", &SceneDraft::figures_node, kept(figures_notation(kinds)),
@@ -58,6 +61,15 @@ KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension) {
         table.refused.push_back({name, fmt::format("a wire has no `{}`", name), hint});
     }
     return table;
+}
+
+}  // namespace
+
+const FixedTable<SceneDraft>& scene_table(PanelKinds kinds, int dimension) {
+    static std::array<MadeOnce<FixedTable<SceneDraft>>, 2> tables;
+    return tables.at(static_cast<std::size_t>(dimension - 1)).of(kinds, [&] {
+        return new_table(kinds, dimension);
+    });
 }
 
 }  // namespace carom

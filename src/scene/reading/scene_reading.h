@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "scene/keys/binding.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/gas_reading.h"
+#include "scene/reading/made_once.h"
 #include "scene/reading/run_reading.h"
 #include "scene/reading/surface_reading.h"
 #include "scene/scene.h"
@@ -27,7 +27,7 @@ struct SceneDraft : Scene, SurfacesDraft {
     const Node* figures_node = nullptr;      ///< to be read when the gas and the run are known
 };
 
-/// A scene with a box of one dimension or of two.
-KeyTable<SceneDraft> scene_table(PanelKinds kinds, int dimension);
+/// A scene with a box of one dimension or of two. `kinds` as MadeOnce takes them.
+const FixedTable<SceneDraft>& scene_table(PanelKinds kinds, int dimension);
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 
 #include "scene/keys/check.h"
 #include "scene/reading/figure_reading.h"
+#include "scene/reading/made_once.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"
 #include "util/files/atomic_file.h"
@@ -118,10 +119,16 @@ Notation<std::vector<SetRun>> runs_notation(const fs::path& set) {
     return list_of(run, 2, most_compared, "a list of scenes");
 }
 
+// Its scenes are kept.
+const Notation<FigureSpec>& figure_notation(PanelKinds kinds) {
+    static MadeOnce<Notation<FigureSpec>> notations;
+    return notations.of(kinds, [&] { return comparison_notation(kinds, kept(runs_notation({}))); });
+}
+
 // Only its scenes are read: what else it says is read as a figure of each of them.
 Notation<SetComparison> set_comparison_notation(PanelKinds kinds, const fs::path& set) {
     const auto runs = runs_notation(set);
-    return parsed(kept(comparison_notation(kinds, kept(runs))),
+    return parsed(kept(figure_notation(kinds)),
                   [runs](const Node* node, const Node&, Reading& reading) {
                       SetComparison comparison{.source = {}, .node = *node, .runs = {}};
                       if (const Node* scenes = given(*node, "scenes"))
@@ -195,8 +202,7 @@ bool is_figure_set(const fs::path& path) {
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds) {
     Errors errors;
     Reading reading{errors, scene.gas, scene.run};
-    const auto scenes = kept(runs_notation({}));
-    const auto figure = comparison_notation(kinds, scenes).read(comparison.node, reading);
+    const auto figure = figure_notation(kinds).read(comparison.node, reading);
     errors.throw_if_any();
     return figure.value();
 }

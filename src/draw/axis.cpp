@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -180,7 +179,7 @@ std::vector<TickMark> decade_ticks(double low, double high, int most) {
 }
 
 double round_up_for_axis(double value) {
-    assert(value > 0.0 && std::isfinite(value));
+    if (!(value > 0.0) || !std::isfinite(value)) return 1.0;
     const double power = std::pow(10.0, std::floor(std::log10(value)));
     for (const double round : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0})
         if (round * power >= value * (1.0 - slack)) return round * power;

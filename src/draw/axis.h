@@ -34,7 +34,9 @@ std::vector<TickMark> ticks(double low, double high, int most = 5, bool whole = 
 /// exponents are multiples of 1, 2, 5, 10, 20, 25, 50 or 100. A mark's value is its exponent.
 std::vector<TickMark> decade_ticks(double low, double high, int most = 5);
 
-/// The smallest round value at or above `value` (> 0) that gives an axis from 0 good ticks.
+/// The smallest round value at or above `value` that gives an axis from 0 good ticks; 1 where
+/// `value` is not positive or not finite, as where nothing was seen that an axis could be chosen
+/// for.
 double round_up_for_axis(double value);
 
 struct AxisStyle {

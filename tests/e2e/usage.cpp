@@ -43,6 +43,8 @@ TEST_CASE("each mistake on the command line is told with what to write instead")
         {"check '" + plain + "' --sett a=1", "did you mean --set?"},
         {"--list", "carom has no option --list; carom --help lists the commands"},
         {"new a b", "carom new does not take the word b"},
+        {"new a -- b c", "carom new does not take the word b"},
+        {"still -- a.yaml -b", "carom still has no option -b"},
         {"still '" + plain + "' --size 8cm", "carom figure --width takes centimetres"},
         {"still '" + plain + "' --size 640", "expected WIDTHxHEIGHT, for instance 640x360"},
         {"check '" + plain + "' --set gas.nobody.count=1",

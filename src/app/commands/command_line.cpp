@@ -12,6 +12,7 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <new>
 #include <string_view>
 #include <system_error>
@@ -99,9 +100,13 @@ const std::vector<OtherFlag> other_flags{
     {"still", "--width", "carom figure SCENE --kind gas --width 8cm draws a figure"},
 };
 
-// Of words that a command does not take: what is wrong with the first.
-std::string unexpected_word(const CLI::App& command) {
-    const std::vector<std::string> words = command.remaining();
+// Of words that a command does not take: what is wrong with the first. Those behind a `--` are kept
+// by the program, not by the command.
+std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
+    std::vector<std::string> words = command.remaining();
+    if (&app != &command) std::ranges::copy(app.remaining(), std::back_inserter(words));
+    std::erase(words, "--");
+    if (words.empty()) return command.get_name() + " does not take these words";
     const auto flag = std::ranges::find_if(
         words, [](const std::string& word) { return word.starts_with("-") && word != "-"; });
     const std::string name = command.get_name();
@@ -135,12 +140,13 @@ std::string call_of(const CLI::App& command) {
 std::string mistake_in(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<CLI::App*> commands = app.get_subcommands();
     if (commands.empty())
-        return fmt::format("{}; carom --help lists the commands",
-                           app.remaining().empty() ? "a command is needed" : unexpected_word(app));
+        return fmt::format("{}; carom --help lists the commands", app.remaining().empty()
+                                                                      ? "a command is needed"
+                                                                      : unexpected_word(app, app));
     const CLI::App& command = *commands.front();
     const std::string help = fmt::format("; carom {} --help lists the options", command.get_name());
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
-        return unexpected_word(command) + help;
+        return unexpected_word(app, command) + help;
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
         return fmt::format("carom {} needs more: write {}{}", command.get_name(), call_of(command),
                            help);

@@ -169,7 +169,6 @@ plot::Axis CurvePanel::axis_up() const {
                     ? *subject_.top
                     : round_up_for_axis(1.05 * std::max({most, subject_.level.value_or(0.0),
                                                          subject_.least_top}));
-    if (!(axis.high > 0.0)) axis.high = 1.0;
     // Less than a fiftieth below 0 is noise, of which the axis need not speak.
     constexpr double step = 0.2, noise = 0.02;
     if (least < -noise * axis.high) axis.low = step * std::floor(least / step);

@@ -66,8 +66,7 @@ class FlightMeter : public CurveMeter {
         std::vector<double> all;
         for (const std::vector<double>& values : kept_)
             all.insert(all.end(), values.begin(), values.end());
-        const double most = all.empty() ? 0.0 : quantile(all, shown_share);
-        return most > 0.0 ? round_up_for_axis(most) : 1.0;
+        return round_up_for_axis(all.empty() ? 0.0 : quantile(all, shown_share));
     }
 
     void fix_reach(double reach) override {

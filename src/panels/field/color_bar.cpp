@@ -11,9 +11,7 @@ namespace carom {
 void fix_top(ColorScale& scale, std::vector<double>& values, double share_above) {
     const double top = quantile(values, 1.0 - share_above);
     const double highest = std::ranges::max(values);
-    scale.top = top > 0.0       ? round_up_for_axis(top)
-                : highest > 0.0 ? round_up_for_axis(highest)
-                                : 1.0;
+    scale.top = round_up_for_axis(top > 0.0 ? top : highest);
     scale.is_exceeded = highest > scale.top * (1.0 + 1e-9);
 }
 

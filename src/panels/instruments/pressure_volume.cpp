@@ -139,8 +139,7 @@ void PressureVolumePanel::make_axes() {
             if (std::isfinite(pressure)) pressures.push_back(std::abs(pressure));
     }
     const double most = pressures.empty() ? 0.0 : 1.1 * quantile(pressures, 0.995);
-    whole_.y = {.title = say(language, "pressure"),
-                .high = most > 0.0 ? round_up_for_axis(most) : 1.0};
+    whole_.y = {.title = say(language, "pressure"), .high = round_up_for_axis(most)};
     whole_.columns = {
         column_name(std::string(area.english), is_line ? reduced::length : "length^2"),
         column_name("pressure", unit_of_pressure(box()))};

@@ -125,7 +125,7 @@ Bins bins_of(const HistogramRecord& record, const HistogramRules& rules) {
     if (rules.range) {
         std::tie(bins.low, bins.high) = *rules.range;
     } else {
-        bins.high = reach > 0.0 ? round_up_for_axis(reach) : 1.0;
+        bins.high = round_up_for_axis(reach);
         if (rules.symmetric) bins.low = -bins.high;
     }
     if (rules.bins) {

@@ -64,7 +64,7 @@ void PointsPanel::survey(const FrameInput& input) {
 
 void PointsPanel::fix_axes() {
     const double most = pool_.empty() ? 0.0 : 1.1 * quantile(pool_, 0.995);
-    const double high = most > 0.0 && std::isfinite(most) ? round_up_for_axis(most) : 1.0;
+    const double high = round_up_for_axis(most);
     height_ = subject_.height.value_or(std::pair{-high, high});
     pool_ = {};
     make_plot();

@@ -296,7 +296,7 @@ void ProfilePanel::make_axes() {
     const std::string quantity = name_of_quantity(Language::english, scene, spec_.quantity, {});
     const std::string place = scene.gas.box.dimension == 1 ? "position" : is_up() ? "y" : "x";
     const double most = std::ranges::max_element(record_.runs, {}, &ProfileRun::most)->most;
-    const double top = most > 0.0 ? round_up_for_axis(1.02 * most) : 1.0;
+    const double top = round_up_for_axis(1.02 * most);
     const double low = spec_.quantity == FieldOf::flow ? -top : 0.0;
     plot::Axis places{
         .title = scene.gas.box.dimension == 1 ? say(language, "position") : place,

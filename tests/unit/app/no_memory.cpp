@@ -32,6 +32,14 @@ void* allocated(std::size_t bytes) {
 }  // namespace
 
 void* operator new(std::size_t bytes) { return allocated(bytes); }
+// The library's calls the one above, but that of a sanitizer does not.
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+    try {
+        return allocated(bytes);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 

@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -113,6 +115,12 @@ TEST_CASE("a rounded end of an axis is a tick itself") {
     CHECK(round_up_for_axis(1.0) == relative(1.0, 1e-12));
     CHECK(round_up_for_axis(0.29) == relative(0.3, 1e-12));
     CHECK(round_up_for_axis(8.1) == relative(10, 1e-12));
+}
+
+TEST_CASE("where nothing was seen, an axis ends at 1") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double value : {0.0, -2.0, infinite, -infinite, std::nan("")})
+        CHECK(round_up_for_axis(value) == 1.0);
 }
 
 namespace {

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "physics/theory/equilibrium.h"
-#include "scene/reading/made_once.h"
+#include "scene/keys/made_once.h"
 #include "scene/reading/panel_reading.h"
 
 namespace carom {

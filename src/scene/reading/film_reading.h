@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/keys/made_once.h"
 #include "scene/panel_kind.h"
-#include "scene/reading/made_once.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/scene.h"
 

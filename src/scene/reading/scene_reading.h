@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
+#include "scene/keys/made_once.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/gas_reading.h"
-#include "scene/reading/made_once.h"
 #include "scene/reading/run_reading.h"
 #include "scene/reading/surface_reading.h"
 #include "scene/scene.h"

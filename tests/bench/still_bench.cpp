@@ -33,7 +33,7 @@ test::Cost cost_of_still(const Scene& scene, bool is_quick) {
     return test::cost_of([&] {
         const double begin = test::cpu_seconds();
         Progress silent(Progress::Form::silent, "");
-        draw_still_alone(scene, 0.0, is_quick, output_format("png"), silent);
+        draw_still_alone(scene, 0.0, is_quick, "", output_format("png"), silent);
         return begin;
     });
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 
 #include "e2e/program.h"
 #include "support/process.h"
+#include "support/share_of_cases.h"
 
 using namespace carom::test;
 using nlohmann::json;
@@ -61,7 +61,7 @@ TEST_CASE("the size of a film is measured within a third, for scenes with every 
     const std::vector<std::string> colors{"speed",     "speed-class", "energy",
                                           "direction", "species",     "mass"};
     const std::vector<std::string> scenes = library();
-    const std::size_t step = std::getenv("CAROM_SLOW") != nullptr ? 1 : 3;
+    const auto step = static_cast<std::size_t>(every_nth(3, 3));
     REQUIRE(scenes.size() >= step * colors.size());
     for (std::size_t k = 0; k < scenes.size(); k += step) {
         const std::string options =

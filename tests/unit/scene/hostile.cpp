@@ -9,6 +9,7 @@
 #include "scene/load.h"
 #include "support/hostile_files.h"
 #include "support/resources.h"
+#include "support/share_of_cases.h"
 
 using namespace carom;
 
@@ -33,7 +34,7 @@ double time_to_load(const std::string& text, int tries) {
 // Of a file four times as large the time is four times as long, of what grows as the square 16
 // times. A sort, and memory that is farther away, take a little more than four.
 TEST_CASE("no file takes more than in proportion to its size") {
-    constexpr std::size_t small = 24 << 10;
+    constexpr std::size_t small = (test::has_sanitizers ? 8 : 24) << 10;
     constexpr double between_four_and_sixteen = 9.0;
     for (const test::HostileFile& file : test::hostile_files()) {
         CAPTURE(file.about);

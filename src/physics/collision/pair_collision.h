@@ -45,21 +45,42 @@ template <typename Scalar>
     return fma(a, b, -cd) + error;
 }
 
-/// |r|^2 - sigma^2 without the cancellation of the rounded squares: each square is carried as its
-/// rounded value and its exact rounding error (two-product by fma).
+/// A number with more bits than it is written in: `value` is rounded, `error` is what that has
+/// taken away.
+template <typename Scalar>
+struct Unrounded {
+    Scalar value, error;
+};
+
+/// a + b (two-sum).
+template <typename Scalar>
+[[gnu::always_inline]] inline Unrounded<Scalar> unrounded_sum(const Scalar& a, const Scalar& b) {
+    const Scalar sum = a + b;
+    const Scalar b_rounded = sum - a;
+    return {sum, (a - (sum - b_rounded)) + (b - b_rounded)};
+}
+
+/// |r|^2 (two-products by fma).
+template <typename Scalar>
+[[gnu::always_inline]] inline Unrounded<Scalar> square_of_distance(
+    const RelativeMotion<Scalar>& m) {
+    using carom::fma;
+    using std::fma;
+    const Scalar xx = m.x * m.x;
+    const Scalar yy = m.y * m.y;
+    const Unrounded<Scalar> sum = unrounded_sum(xx, yy);
+    return {sum.value, sum.error + (fma(m.x, m.x, -xx) + fma(m.y, m.y, -yy))};
+}
+
+/// |r|^2 - sigma^2 without the cancellation of the rounded squares.
 template <typename Scalar>
 [[gnu::always_inline]] inline Scalar contact_gap(const RelativeMotion<Scalar>& m,
                                                  const Scalar& sigma) {
     using carom::fma;
     using std::fma;
-    const Scalar xx = m.x * m.x;
-    const Scalar yy = m.y * m.y;
     const Scalar ss = sigma * sigma;
-    const Scalar sum = xx + yy;
-    const Scalar yy_rounded = sum - xx;
-    const Scalar sum_error = (xx - (sum - yy_rounded)) + (yy - yy_rounded);
-    const Scalar errors = fma(m.x, m.x, -xx) + fma(m.y, m.y, -yy) - fma(sigma, sigma, -ss);
-    return (sum - ss) + (sum_error + errors);
+    const Unrounded<Scalar> square = square_of_distance(m);
+    return (square.value - ss) + (square.error - fma(sigma, sigma, -ss));
 }
 
 /// Bound on the rounding error of r . (v2 - v1), 4 epsilon sum |r_a| (|v1_a| + |v2_a|): an approach
@@ -128,13 +149,39 @@ template <typename Number>
     return select(m.x * m.vx + m.y * m.vy < -round_off, contact, none);
 }
 
+/// x / d with one rounding.
+template <typename Scalar>
+Scalar quotient_of(const Scalar& x, const Unrounded<Scalar>& d) {
+    using std::fma;
+    const Scalar quotient = x / d.value;
+    return quotient + (fma(-quotient, d.value, x) - quotient * d.error) / d.value;
+}
+
+/// x / (a + b), rounded as if the sum were exact. The error of a rounded sum of two inverse masses
+/// is the same at each collision of the two, and would make their energy drift.
+template <typename Scalar>
+Scalar divided_by_sum(const Scalar& x, const Scalar& a, const Scalar& b) {
+    const Unrounded<Scalar> sum = unrounded_sum(a, b);
+    if (sum.error == 0.0) return x / sum.value;
+    return quotient_of(x, sum);
+}
+
 /// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2
-/// at separation r: v1 += w1 J r, v2 -= w2 J r. At least one inverse mass is positive.
+/// at separation r: v1 += w1 J r, v2 -= w2 J r. At least one inverse mass is positive. The divisor
+/// is not rounded. It is nearly the same at each collision of two disks, so that its error would be
+/// alike; and a quotient by a number near to a power of 2, or to a simple fraction, is rounded up
+/// more often than down, or the other way round. Of equal disks of diameter 1 and mass 1 the energy
+/// would rise by 4e-18 of a disk's at each collision.
 template <typename Scalar>
 Scalar impulse_factor(const RelativeMotion<Scalar>& m, const Scalar& first_inverse_mass,
                       const Scalar& second_inverse_mass) {
-    return 2 * (m.x * m.vx + m.y * m.vy) /
-           ((m.x * m.x + m.y * m.y) * (first_inverse_mass + second_inverse_mass));
+    using std::fma;
+    const Unrounded<Scalar> square = square_of_distance(m);
+    const Unrounded<Scalar> sum = unrounded_sum(first_inverse_mass, second_inverse_mass);
+    const Scalar product = square.value * sum.value;
+    const Scalar error = fma(square.value, sum.value, -product) +
+                         (square.value * sum.error + square.error * sum.value);
+    return quotient_of<Scalar>(2 * (m.x * m.vx + m.y * m.vy), {product, error});
 }
 
 /// Time until a coordinate at x with velocity v reaches `low` (v < 0) or `high` (v > 0): 0 when it
@@ -144,19 +191,6 @@ Scalar wall_time(const Scalar& x, const Scalar& v, const Scalar& low, const Scal
     if (v == 0) return Scalar(never<double>);
     const Scalar time = ((v < 0 ? low : high) - x) / v;
     return time > 0 ? time : Scalar(0);
-}
-
-/// x / (a + b), rounded as if the sum were exact. The error of a rounded sum of two inverse masses
-/// is the same at each collision of the two, and would make their energy drift.
-template <typename Scalar>
-Scalar divided_by_sum(const Scalar& x, const Scalar& a, const Scalar& b) {
-    using std::fma;
-    const Scalar sum = a + b;
-    const Scalar b_rounded = sum - a;
-    const Scalar error = (a - (sum - b_rounded)) + (b - b_rounded);
-    const Scalar quotient = x / sum;
-    if (error == 0.0) return quotient;
-    return quotient + (fma(-quotient, sum, x) - quotient * error) / sum;
 }
 
 }  // namespace carom

@@ -216,7 +216,7 @@ class PlotReading {
             constexpr double same = 0.01;
             const bool is_last = k + 1 == corners.size();
             if (is_near(corners[k], corners[k - 1], same)) {
-                if (is_last && i + 1 < data.size() && is_at(corners[k], data[i + 1])) ++i;
+                while (is_last && i + 1 < data.size() && is_at(corners[k], data[i + 1])) ++i;
                 continue;
             }
             const auto found = next(data, i, corners[k - 1], corners[k], is_last);

@@ -158,6 +158,8 @@ class EventLoop {
             return Scalar(value, bits_);
     }
 
+    template <typename See>
+    void for_each_body(const See& see) const;
     std::optional<Partner> overlapped(std::size_t moved) const;
     void predict_next(std::int32_t i) { queue_.schedule(i, geometry_.predict(bodies_, i, now_)); }
     std::vector<std::int32_t> put_in_order();

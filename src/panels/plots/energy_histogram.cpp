@@ -8,7 +8,7 @@ namespace carom {
 std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const PanelSpec& spec) {
     HistogramSubject subject{.title = Phrase{"Energy distribution"},
                              .quantity = Phrase{"energy"},
-                             .values = [](const FrameInput& o) { return o.energy; },
+                             .values = [](const FrameInput& o) { return values_in(o.energy); },
                              .density = energy_density,
                              .unit = reduced::energy,
                              .tested = TestedQuantity::energy};

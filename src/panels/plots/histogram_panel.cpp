@@ -21,21 +21,24 @@ constexpr double probe_frames = 40;        // whose bars decide the height of th
 constexpr double most_in_probe = 100'000;  // values
 constexpr double break_seconds = 1;        // of film, for which a bar stays broken at least
 
-double finite_mean(const Eigen::ArrayXd& values) {
+using Values = Eigen::Map<const Eigen::ArrayXd>;
+
+double finite_mean(const Values& values) {
     const auto finite = values.isFinite();
     return finite.any() ? finite.select(values, 0.0).sum() / static_cast<double>(finite.count())
                         : 0.0;
 }
 
-// The numbers of members rise.
-Eigen::ArrayXd values_of(const std::vector<Eigen::Index>& members, const Eigen::ArrayXXd& all) {
-    if (std::cmp_equal(members.size(), all.rows())) return all.reshaped();
-    const Eigen::ArrayXXd rows = all(members, Eigen::seqN(0, all.cols()));
-    return rows.reshaped();
+// The numbers of members rise. Those of a part of the particles are put into `place`.
+Values values_of(const std::vector<Eigen::Index>& members, const ValuesOfInput& all,
+                 Eigen::ArrayXXd& place) {
+    if (std::cmp_equal(members.size(), all.rows())) return {all.data(), all.size()};
+    place = all(members, Eigen::seqN(0, all.cols()));
+    return {place.data(), place.size()};
 }
 
 // Of a million values whole samples would take half of a film's memory.
-HistogramProbe probe_of(double time, const Eigen::ArrayXd& values) {
+HistogramProbe probe_of(double time, const Values& values) {
     const auto step = static_cast<Eigen::Index>(
         std::max(1.0, std::ceil(static_cast<double>(values.size()) / most_in_probe)));
     const Eigen::Index kept = (values.size() + step - 1) / step;
@@ -101,7 +104,8 @@ std::optional<double> HistogramPanel::window() const {
 }
 
 void HistogramPanel::survey(const FrameInput& input) {
-    const Eigen::ArrayXXd all = subject_.values(input);
+    const ValuesOfInput all = subject_.values(input);
+    Eigen::ArrayXXd place;
     for (HistogramSeries& one : record_.series) one.values_each = static_cast<double>(all.cols());
     span_ = input.tick.time;
     if (subject_.position_axis)
@@ -112,7 +116,7 @@ void HistogramPanel::survey(const FrameInput& input) {
     const bool probe = surveyed_ % std::max(1, context_.frames / probes) == 0;
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         HistogramSeries& one = record_.series[k];
-        const Eigen::ArrayXd values = values_of(choices_[k].members, all);
+        const Values values = values_of(choices_[k].members, all, place);
         const double mean = finite_mean(values);
         if (surveyed_ == 0) one.mean_start = one.lowest_mean = one.highest_mean = mean;
         one.lowest_mean = std::min(one.lowest_mean, mean);
@@ -173,12 +177,13 @@ void HistogramPanel::archive(Archive& archive) {
 
 std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input) {
     auto state = std::make_shared<HistogramState>();
-    const Eigen::ArrayXXd all = subject_.values(input);
+    const ValuesOfInput all = subject_.values(input);
+    Eigen::ArrayXXd place;
     // A held frame is no new sample of a mean; at a reversal the present changes while time stands.
     const bool counts = window() == 0.0 || input.tick.time > seen_until_;
     seen_until_ = input.tick.time;
     for (std::size_t k = 0; k < choices_.size(); ++k) {
-        if (counts) running_[k].add(input.tick.time, values_of(choices_[k].members, all));
+        if (counts) running_[k].add(input.tick.time, values_of(choices_[k].members, all, place));
         state->counts.series.push_back(running_[k].mean());
     }
     if (input.refreshes_readouts || !readouts_)

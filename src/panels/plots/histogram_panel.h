@@ -15,12 +15,24 @@
 
 namespace carom {
 
+/// Numbers that lie in a frame's input, not copied: a row for each particle.
+using ValuesOfInput = Eigen::Map<const Eigen::ArrayXXd>;
+
+/// All columns of an array, or one of them.
+template <int Columns>
+ValuesOfInput values_in(const Eigen::Array<double, Eigen::Dynamic, Columns>& array) {
+    return {array.data(), array.rows(), array.cols()};
+}
+inline ValuesOfInput values_in(const Eigen::ArrayXXd& array, Eigen::Index column) {
+    return {array.col(column).data(), array.rows(), 1};
+}
+
 /// What a histogram shows.
 struct HistogramSubject {
     Phrase title;     ///< "Speed distribution"
     Phrase quantity;  ///< "speed": the axis title
-    std::function<Eigen::ArrayXXd(const FrameInput&)>
-        values;  ///< a row for each particle: one number, or several that count alike
+    std::function<ValuesOfInput(const FrameInput&)>
+        values;  ///< one number for each particle, or several that count alike
     std::function<double(const EquilibriumGas& gas, double value)> density =
         {};  ///< of a number at equilibrium; empty where there is no such curve
     std::function<double(const EquilibriumGas& gas, double low, double high)> probability =

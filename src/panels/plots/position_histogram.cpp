@@ -12,7 +12,7 @@ std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, cons
         .quantity = box.dimension == 1 ? Phrase{"position"}
                     : axis == 1        ? Phrase{"position along y"}
                                        : Phrase{"position along x"},
-        .values = [axis](const FrameInput& o) { return o.sample.position.col(axis); },
+        .values = [axis](const FrameInput& o) { return values_in(o.sample.position, axis); },
         .extent = std::pair{0.0, box.size[axis]},
         .position_axis = axis,
         .means = false,

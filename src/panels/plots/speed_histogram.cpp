@@ -8,7 +8,7 @@ namespace carom {
 std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const PanelSpec& spec) {
     HistogramSubject subject{.title = Phrase{"Speed distribution"},
                              .quantity = Phrase{"speed"},
-                             .values = [](const FrameInput& o) { return o.speed; },
+                             .values = [](const FrameInput& o) { return values_in(o.speed); },
                              .density = speed_density,
                              .tested = TestedQuantity::speed};
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));

@@ -21,8 +21,8 @@ std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, cons
                              .symmetric = true,
                              .means = false,
                              .tested = TestedQuantity::velocity};
-    subject.values = [both, first](const FrameInput& o) -> Eigen::ArrayXXd {
-        return both ? o.sample.velocity : o.sample.velocity.col(first);
+    subject.values = [both, first](const FrameInput& o) {
+        return both ? values_in(o.sample.velocity) : values_in(o.sample.velocity, first);
     };
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }

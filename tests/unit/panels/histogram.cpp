@@ -29,7 +29,7 @@ using Density = std::function<double(const EquilibriumGas&, double)>;
 HistogramSubject speeds_with(Density density) {
     return {.title = Phrase{"Speed distribution"},
             .quantity = Phrase{"speed"},
-            .values = [](const FrameInput& o) { return o.speed; },
+            .values = [](const FrameInput& o) { return values_in(o.speed); },
             .density = std::move(density)};
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct PlacedGlyph {
 struct Line {
     Layout layout;
     TextExtent extent;
+    Rect ink;  ///< from its origin
     std::vector<PlacedGlyph> glyphs;
 };
 
@@ -92,6 +94,12 @@ TextExtent extent_of(PangoLayout* layout) {
     PangoRectangle logical = {};
     pango_layout_line_get_extents(pango_layout_get_line_readonly(layout, 0), nullptr, &logical);
     return {to_length(logical.width), to_length(-logical.y), to_length(logical.y + logical.height)};
+}
+
+Rect ink_of(PangoLayout* layout) {
+    PangoRectangle ink = {};
+    pango_layout_line_get_extents(pango_layout_get_line_readonly(layout, 0), &ink, nullptr);
+    return {to_length(ink.x), to_length(ink.y), to_length(ink.width), to_length(ink.height)};
 }
 
 void place_glyphs(const PangoGlyphItem& run, int& x, std::vector<PlacedGlyph>& glyphs) {
@@ -218,6 +226,7 @@ class Typesetter {
         const bool is_complete = has_all_letters(line.layout);
         if (!is_complete) line.layout = in_machine(key);
         line.extent = extent_of(line.layout.get());
+        line.ink = ink_of(line.layout.get());
         if (is_complete) line.glyphs = glyphs_of(line.layout.get());
         return line;
     }
@@ -290,15 +299,8 @@ double start_of(double x, Align align, double width) {
 
 thread_local TextLog* current_log = nullptr;
 
-Rect ink_of(PangoLayout* layout, Point origin) {
-    PangoRectangle ink = {};
-    pango_layout_line_get_extents(pango_layout_get_line_readonly(layout, 0), &ink, nullptr);
-    return {origin.x + to_length(ink.x), origin.y + to_length(ink.y), to_length(ink.width),
-            to_length(ink.height)};
-}
-
-void draw_halo(Canvas& canvas, Point origin, const Line& line, const TextStyle& style) {
-    const Rect ink = ink_of(line.layout.get(), origin);
+void draw_halo(Canvas& canvas, Point origin, const Rect& ink, const Line& line,
+               const TextStyle& style) {
     const double w = style.halo + 1.0;
     canvas.touch({ink.x - w, ink.y - w, ink.width + 2 * w, ink.height + 2 * w});
     cairo_t* context = canvas.handle();
@@ -311,8 +313,28 @@ void draw_halo(Canvas& canvas, Point origin, const Line& line, const TextStyle& 
     cairo_stroke(context);
 }
 
-bool is_raster(cairo_t* context) {
-    return cairo_surface_get_type(cairo_get_target(context)) == CAIRO_SURFACE_TYPE_IMAGE;
+// Whether letters, with what their edges and their halo take, reach into a raster.
+bool meets(const Rect& ink, double halo, PixelSize size) {
+    const double around = halo + 2.0;
+    return ink.right() + around > 0.0 && ink.bottom() + around > 0.0 &&
+           ink.x - around < size.width && ink.y - around < size.height;
+}
+
+void draw_line(Canvas& canvas, Point origin, const Rect& ink, const Line& line,
+               const TextStyle& style) {
+    cairo_t* context = canvas.handle();
+    if (style.halo > 0.0) draw_halo(canvas, origin, ink, line, style);
+    const Color& color = style.color;
+    cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
+    if (canvas.is_raster() && !line.glyphs.empty()) {
+        draw_glyphs(canvas, origin, line);
+    } else {
+        canvas.touch({ink.x - 1.0, ink.y - 1.0, ink.width + 2.0, ink.height + 2.0});
+        cairo_move_to(context, origin.x, origin.y);
+        pango_cairo_show_layout_line(context, pango_layout_get_line_readonly(line.layout.get(), 0));
+        cairo_new_path(context);
+    }
+    require_drawn(context);
 }
 
 }  // namespace
@@ -321,25 +343,14 @@ std::string text_library() { return std::string("pango ") + pango_version_string
 
 TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const TextStyle& style) {
     const Line& line = line_of(markup, style);
-    cairo_t* context = canvas.handle();
     Point origin{start_of(at.x, style.align, line.extent.width), at.y};
-    if (is_raster(context)) origin.y = std::round(origin.y);
-    if (style.halo > 0.0) draw_halo(canvas, origin, line, style);
-    const Color& color = style.color;
-    cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
-    if (is_raster(context) && !line.glyphs.empty()) {
-        draw_glyphs(canvas, origin, line);
-    } else {
-        const Rect ink = ink_of(line.layout.get(), origin);
-        canvas.touch({ink.x - 1.0, ink.y - 1.0, ink.width + 2.0, ink.height + 2.0});
-        cairo_move_to(context, origin.x, origin.y);
-        pango_cairo_show_layout_line(context, pango_layout_get_line_readonly(line.layout.get(), 0));
-        cairo_new_path(context);
-    }
-    require_drawn(context);
+    if (canvas.is_raster()) origin.y = std::round(origin.y);
+    const Rect ink{origin.x + line.ink.x, origin.y + line.ink.y, line.ink.width, line.ink.height};
+    if (!canvas.is_raster() || meets(ink, style.halo, canvas.size()))
+        draw_line(canvas, origin, ink, line, style);
     if (current_log != nullptr)
-        current_log->lines.push_back({markup, style.size, ink_of(line.layout.get(), origin),
-                                      pango_layout_is_ellipsized(line.layout.get()) != 0});
+        current_log->lines.push_back(
+            {markup, style.size, ink, pango_layout_is_ellipsized(line.layout.get()) != 0});
     return line.extent;
 }
 
@@ -365,16 +376,23 @@ std::vector<std::string> wrapped(const std::string& words, const TextStyle& styl
 }
 
 std::vector<std::string> missing_letters(const std::string& text) {
-    std::vector<std::string> missing;
+    const auto lacks = [](const std::string& words) {
+        return typesetter().lacks({escape_markup(words), 16.0, 400, true, 0.0});
+    };
+    std::vector<std::string> letters;
+    std::unordered_set<std::string> seen;
+    std::string all;  // apart, so that each is set as if alone
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t next = next_code_point(text, i);
         const std::string letter = text.substr(i, next - i);
         i = next;
-        if (std::ranges::find(missing, letter) == missing.end() &&
-            typesetter().lacks({escape_markup(letter), 16.0, 400, true, 0.0}))
-            missing.push_back(letter);
+        if (!seen.insert(letter).second) continue;
+        letters.push_back(letter);
+        all += letter + " ";
     }
-    return missing;
+    if (!lacks(all)) return {};
+    std::erase_if(letters, [&](const std::string& letter) { return !lacks(letter); });
+    return letters;
 }
 
 TextLog::TextLog() { current_log = this; }
@@ -391,7 +409,7 @@ TextExtent measure_text(const std::string& markup, const TextStyle& style) {
 
 Ink ink_of(const std::string& markup, const TextStyle& style) {
     const Line& line = line_of(markup, style);
-    return {line.extent.width, ink_of(line.layout.get(), {})};
+    return {line.extent.width, line.ink};
 }
 
 void require_font() { declared_fonts(); }

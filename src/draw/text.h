@@ -15,7 +15,7 @@ enum class Align { left, center, right };
 
 struct TextStyle {
     double size = 16;  ///< height of the em, in the canvas's unit
-    int weight = 400;  ///< 100 to 900
+    int weight = 400;  ///< 400 to 600, or 900
     Color color = {};
     Align align = Align::left;
     bool tabular = true;   ///< figures of equal width

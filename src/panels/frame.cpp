@@ -152,7 +152,7 @@ void FramePainter::paint_on(Canvas& canvas, const FrameData& frame) {
 }
 
 std::vector<std::string> FramePainter::cut_words() {
-    Canvas scratch = blank(scene_.film);
+    Canvas scratch({1, 1});  // words are set, not drawn
     std::vector<std::string> cut;
     const auto add = [&](const std::string& what, const auto& draw) {
         const TextLog log;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -17,6 +18,7 @@
 
 #include "draw/pages/pages.h"
 #include "draw/png.h"
+#include "draw/raster/simplified_path.h"
 #include "draw/svg.h"
 #include "util/diagnostics.h"
 
@@ -124,6 +126,11 @@ void trace(cairo_t* context, std::span<const Point> points) {
     for (const Point& point : points) cairo_line_to(context, point.x, point.y);
 }
 
+std::uint64_t new_picture() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
 void trace_circle(cairo_t* context, Point center, double radius) {
     cairo_new_sub_path(context);
     cairo_arc(context, center.x, center.y, radius, 0.0, 2.0 * std::numbers::pi);
@@ -133,11 +140,6 @@ void trace_circle(cairo_t* context, Point center, double radius) {
 }  // namespace
 
 std::string drawing_library() { return std::string("cairo ") + cairo_version_string(); }
-
-// Columns and rows of pixels, the last of them not included.
-struct PixelBox {
-    int left, top, right, bottom;
-};
 
 struct Canvas::Implementation {
     Implementation(PixelSize wanted, Backdrop wanted_backdrop)
@@ -171,10 +173,10 @@ struct Canvas::Implementation {
         const auto within = [](double value, int most) {
             return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(most)));
         };
-        const PixelBox box{within(std::floor(rect.x), size.width),
-                           within(std::floor(rect.y), size.height),
-                           within(std::ceil(rect.right()), size.width),
-                           within(std::ceil(rect.bottom()), size.height)};
+        const PixelBounds box{within(std::floor(rect.x), size.width),
+                              within(std::floor(rect.y), size.height),
+                              within(std::ceil(rect.right()), size.width),
+                              within(std::ceil(rect.bottom()), size.height)};
         if (box.left < box.right && box.top < box.bottom) touched.push_back(box);
     }
 
@@ -187,6 +189,20 @@ struct Canvas::Implementation {
                bottom - rect.y + 2.0 * reach});
     }
 
+    // What a path touches, and `reach` around it: a box of all of a curve would be many times as
+    // much.
+    void touch_along(std::span<const Point> path, double reach) {
+        constexpr std::size_t most_boxes = 64;
+        const std::size_t together = path.size() / most_boxes + 1;
+        for (std::size_t first = 0; first < path.size(); first += together) {
+            const auto piece = path.subspan(first, std::min(together + 1, path.size() - first));
+            const auto [left, right] = std::ranges::minmax(piece, {}, &Point::x);
+            const auto [top, bottom] = std::ranges::minmax(piece, {}, &Point::y);
+            touch({left.x - reach, top.y - reach, right.x - left.x + 2.0 * reach,
+                   bottom.y - top.y + 2.0 * reach});
+        }
+    }
+
     PixelSize size;
     Backdrop backdrop = Backdrop::transparent;
     std::optional<VectorFormat> format;  ///< none: a raster
@@ -194,8 +210,11 @@ struct Canvas::Implementation {
     std::vector<std::uint8_t> bytes;  ///< of the document; outlives the surface that writes them
     Surface surface;
     Context context;
-    std::vector<PixelBox> touched;  ///< since the last restore()
+    std::vector<PixelBounds> touched;   ///< since the last restore()
+    std::vector<PixelBounds> restored;  ///< by the last restore()
     bool all_touched = true;
+    std::uint64_t picture = new_picture();
+    std::uint64_t last_picture = 0;  ///< before the last restore()
 };
 
 Canvas::Canvas(PixelSize size, Backdrop backdrop)
@@ -228,8 +247,9 @@ void Canvas::fill_path(Color color) {
 }
 
 // Corners of a rectangle reach farthest: half a line's width times the root of 2.
+void Canvas::touch_stroke(double width) { implementation_->touch_path(0.75 * width + 1.0); }
+
 void Canvas::stroke(double width, Color color) {
-    implementation_->touch_path(0.75 * width + 1.0);
     set_color(handle(), color);
     cairo_set_line_width(handle(), width);
     cairo_stroke(handle());
@@ -262,12 +282,14 @@ void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
 void Canvas::stroke_circle(Point center, double radius, double width, Color color) {
     set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_ROUND);
     trace_circle(handle(), center, radius);
+    touch_stroke(width);
     stroke(width, color);
 }
 
 void Canvas::stroke_rect(Rect rect, double width, Color color) {
     set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
     cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
+    touch_stroke(width);
     stroke(width, color);
 }
 
@@ -275,6 +297,7 @@ void Canvas::stroke_line(Point from, Point to, double width, Color color, double
     set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
     cairo_set_dash(handle(), &dash, dash > 0.0 ? 1 : 0, 0.0);
     trace(handle(), std::array{from, to});
+    touch_stroke(width);
     stroke(width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
@@ -284,7 +307,14 @@ void Canvas::stroke_path(std::span<const Point> points, double width, Color colo
     set_ends(handle(), dashes.empty() ? CAIRO_LINE_CAP_ROUND : CAIRO_LINE_CAP_BUTT,
              CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(handle(), dashes.data(), static_cast<int>(dashes.size()), 0.0);
-    trace(handle(), points);
+    if (is_raster()) {
+        // Cairo's time grows with the corners.
+        const std::vector<Point> corners = simplified(points, cairo_get_tolerance(handle()));
+        trace(handle(), corners);
+        implementation_->touch_along(corners, 0.5 * width + 1.0);
+    } else {
+        trace(handle(), points);  // to be looked at in any size
+    }
     stroke(width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
@@ -310,14 +340,26 @@ void Canvas::restore(const Canvas& ground) {
     assert(from.width == to.width && from.height == to.height && from.stride == to.stride);
     Implementation& own = *implementation_;
     if (own.all_touched) own.touched = {{0, 0, to.width, to.height}};
-    for (const PixelBox& box : own.touched)
+    for (const PixelBounds& box : own.touched)
         for (int y = box.top; y < box.bottom; ++y) {
             const std::ptrdiff_t start = static_cast<std::ptrdiff_t>(y) * to.stride + box.left;
             std::copy_n(from.data + start, box.right - box.left, to.data + start);
         }
+    own.restored.swap(own.touched);
     own.touched.clear();
     own.all_touched = false;
+    own.last_picture = std::exchange(own.picture, new_picture());
     pixels_changed();
+}
+
+std::uint64_t Canvas::picture() const { return implementation_->picture; }
+
+std::optional<std::vector<PixelBounds>> Canvas::changes_since(std::uint64_t picture) const {
+    const Implementation& own = *implementation_;
+    if (picture == 0 || picture != own.last_picture || own.all_touched) return std::nullopt;
+    std::vector<PixelBounds> boxes = own.restored;
+    boxes.insert(boxes.end(), own.touched.begin(), own.touched.end());
+    return boxes;
 }
 
 PixelView Canvas::pixels() { return implementation_->pixels(); }

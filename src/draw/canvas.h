@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -89,6 +90,14 @@ class Canvas {
     /// since it last was so, or everything if it never was.
     void restore(const Canvas& ground);
 
+    /// The number of the present picture, which lasts until the next restore(). No other picture of
+    /// this process has it; 0 is none's.
+    std::uint64_t picture() const;
+
+    /// Boxes outside of which the pixels are those of an earlier picture of this raster. Nothing
+    /// where that is not known: of other pictures than the last one.
+    std::optional<std::vector<PixelBounds>> changes_since(std::uint64_t picture) const;
+
     /// Tells of pixels written other than by the calls above.
     void touch(Rect rect);
 
@@ -112,6 +121,7 @@ class Canvas {
   private:
     void fill_path(Color color);
     void stroke(double width, Color color);
+    void touch_stroke(double width);
 
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;

@@ -24,4 +24,9 @@ struct PixelSize {
     int width = 0, height = 0;
 };
 
+/// Columns and rows of pixels: [left, right) and [top, bottom).
+struct PixelBounds {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
 }  // namespace carom

@@ -176,6 +176,7 @@ class VideoFilm : public FilmWriter {
         VideoFilm& film_;
         Owned<AVCodecContext> context_;
         Owned<AVFrame> frame_;
+        std::uint64_t converted_ = 0;           ///< the picture that `frame_` holds
         std::vector<Owned<AVPacket>> packets_;  ///< in decoding order
         Owned<AVCodecParameters> parameters_;
         AVRational time_base_ = {1, 1};
@@ -227,8 +228,11 @@ void VideoFilm::Segment::add(const Canvas& canvas) {
                        planes.linesize[1], planes.data[3], planes.linesize[3]};
     if (settings.transparent)
         to_yuva420(frame, settings.behind, to);
+    else if (const auto changed = canvas.changes_since(converted_))
+        to_yuv420(frame, *changed, to);
     else
         to_yuv420(frame, to);
+    converted_ = canvas.picture();
     encode(&planes);
     ++planes.pts;
 }

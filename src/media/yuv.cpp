@@ -98,34 +98,109 @@ std::uint32_t without_alpha(std::uint32_t pixel, std::uint32_t behind) {
     return color;
 }
 
+// Pairs of rows of a frame, each with its row of chroma.
+class RowPairs {
+  public:
+    RowPairs(const PixelView& frame, const YuvPlanes& planes)
+        : frame_(frame),
+          planes_(planes),
+          // One element to the left for the filter, and one to the right for an odd width.
+          padded_(static_cast<std::size_t>(frame.width) + 2),
+          sums_(2 * padded_) {}
+
+    int count() const { return even_size(frame_.height) / 2; }
+
+    // Converts the columns [begin, end), both even, of one pair; the filter of chroma sees one more
+    // to the left.
+    void columns(int pair, int begin, int end) const {
+        const int row = 2 * pair, last = std::min(end, frame_.width);
+        const std::uint32_t* rows[2];
+        for (int k = 0; k < 2; ++k) {
+            rows[k] =
+                frame_.data + std::ptrdiff_t{std::min(row + k, frame_.height - 1)} * frame_.stride;
+            std::uint8_t* const y = planes_.y + std::ptrdiff_t{row + k} * planes_.y_stride;
+            luma_row(rows[k] + begin, y + begin, last - begin);
+            if (last < end) y[last] = y[last - 1];
+        }
+        std::uint32_t* const red_blue = sums_.data() + 1;
+        std::uint32_t* const green = red_blue + padded_;
+        const int first = std::max(begin - 1, 0);
+        sum_rows(rows[0] + first, rows[1] + first, red_blue + first - begin, green + first - begin,
+                 last - first);
+        for (std::uint32_t* sum : {red_blue, green}) {
+            if (first == begin) sum[-1] = sum[0];
+            if (last < end) sum[last - begin] = sum[last - begin - 1];
+        }
+        const std::ptrdiff_t chroma = std::ptrdiff_t{pair} * planes_.chroma_stride + begin / 2;
+        chroma_row(red_blue, green, planes_.cb + chroma, planes_.cr + chroma, (end - begin) / 2);
+    }
+
+  private:
+    const PixelView& frame_;
+    const YuvPlanes& planes_;
+    std::size_t padded_;
+    mutable std::vector<std::uint32_t> sums_;  ///< of the two rows: red and blue, then green
+};
+
+// Which parts of the rows must be converted, in blocks of so many columns.
+class ChangedBlocks {
+  public:
+    ChangedBlocks(const PixelView& frame, std::span<const PixelBounds> changed)
+        : in_a_row_((frame.width - 1) / columns + 1),
+          is_changed_(static_cast<std::size_t>(in_a_row_) *
+                      static_cast<std::size_t>(even_size(frame.height) / 2)) {
+        for (const PixelBounds& box : changed) {
+            assert(box.left < box.right && box.top < box.bottom);
+            // A pixel in an odd column is seen by the chroma of the next one, too.
+            const int first = box.left / columns;
+            const int end = std::min(box.right / columns + 1, in_a_row_);
+            for (int pair = box.top / 2; pair <= (box.bottom - 1) / 2; ++pair)
+                std::fill(blocks_of(pair) + first, blocks_of(pair) + end, 1);
+        }
+    }
+
+    // Calls visit(first column, end) for each run of changed blocks; the last may end beyond the
+    // frame.
+    template <typename Visit>
+    void for_runs_of(int pair, const Visit& visit) const {
+        const auto begin = is_changed_.begin() + std::ptrdiff_t{pair} * in_a_row_;
+        const auto end = begin + in_a_row_;
+        for (auto run = std::find(begin, end, 1); run != end;) {
+            const auto behind = std::find(run, end, 0);
+            visit(static_cast<int>(run - begin) * columns,
+                  static_cast<int>(behind - begin) * columns);
+            run = std::find(behind, end, 1);
+        }
+    }
+
+  private:
+    static constexpr int columns = 32;
+
+    std::vector<std::uint8_t>::iterator blocks_of(int pair) {
+        return is_changed_.begin() + std::ptrdiff_t{pair} * in_a_row_;
+    }
+
+    int in_a_row_;
+    std::vector<std::uint8_t> is_changed_;  ///< row after row
+};
+
 }  // namespace
 
 void to_yuv420(const PixelView& frame, const YuvPlanes& planes) {
     assert(frame.width > 0 && frame.height > 0);
-    const int width = frame.width, chroma_width = even_size(width) / 2;
-    // One element to the left for the filter, and one to the right for an odd width.
-    const auto padded = static_cast<std::size_t>(width) + 2;
-    std::vector<std::uint32_t> sums(2 * padded);
-    std::uint32_t* const red_blue = sums.data() + 1;
-    std::uint32_t* const green = red_blue + padded;
+    const RowPairs convert(frame, planes);
+    for (int pair = 0; pair < convert.count(); ++pair)
+        convert.columns(pair, 0, even_size(frame.width));
+}
 
-    for (int row = 0; row < even_size(frame.height); row += 2) {
-        const std::uint32_t* rows[2];
-        for (int k = 0; k < 2; ++k) {
-            rows[k] =
-                frame.data + std::ptrdiff_t{std::min(row + k, frame.height - 1)} * frame.stride;
-            std::uint8_t* const y = planes.y + std::ptrdiff_t{row + k} * planes.y_stride;
-            luma_row(rows[k], y, width);
-            if (width % 2 != 0) y[width] = y[width - 1];
-        }
-        sum_rows(rows[0], rows[1], red_blue, green, width);
-        for (std::uint32_t* sum : {red_blue, green}) {
-            sum[-1] = sum[0];
-            sum[width] = sum[width - 1];
-        }
-        const std::ptrdiff_t chroma = std::ptrdiff_t{row / 2} * planes.chroma_stride;
-        chroma_row(red_blue, green, planes.cb + chroma, planes.cr + chroma, chroma_width);
-    }
+void to_yuv420(const PixelView& frame, std::span<const PixelBounds> changed,
+               const YuvPlanes& planes) {
+    const RowPairs convert(frame, planes);
+    const ChangedBlocks blocks(frame, changed);
+    for (int pair = 0; pair < convert.count(); ++pair)
+        blocks.for_runs_of(pair, [&](int begin, int end) {
+            convert.columns(pair, begin, std::min(end, even_size(frame.width)));
+        });
 }
 
 void to_yuva420(const PixelView& frame, std::uint32_t behind, const YuvPlanes& planes) {

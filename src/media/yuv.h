@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "draw/canvas.h"
 
@@ -26,6 +27,11 @@ constexpr int even_size(int size) { return size + size % 2; }
 /// the pixels filtered 1-2-1 about the left luma column and averaged over two rows (the siting of
 /// H.264, chroma_sample_loc_type 0). Integer arithmetic: the same bytes on every machine.
 void to_yuv420(const PixelView& frame, const YuvPlanes& planes);
+
+/// The same bytes, where `planes` hold a picture that differs from `frame` in no pixel but those in
+/// `changed`: only what these boxes touch is converted.
+void to_yuv420(const PixelView& frame, std::span<const PixelBounds> changed,
+               const YuvPlanes& planes);
 
 /// The same of a frame with alpha, full range in a plane of its own. Colours are those before they
 /// were multiplied by alpha, so that edges have no fringes on any ground; where nothing is drawn

@@ -10,11 +10,6 @@
 
 namespace carom {
 
-/// Columns and rows of pixels: [left, right) and [top, bottom).
-struct PixelBounds {
-    int left = 0, top = 0, right = 0, bottom = 0;
-};
-
 /// The pixels of a canvas that a clip leaves.
 inline PixelBounds bounds_of(PixelSize size, const Rect& clip) {
     const auto within = [](double position, int most) {

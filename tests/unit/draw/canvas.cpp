@@ -183,6 +183,45 @@ TEST_CASE("whatever was drawn goes when a canvas is restored, and does not tell 
     }
 }
 
+TEST_CASE("a canvas names boxes outside of which it is as its last picture was") {
+    Canvas layer({120, 90});
+    layer.fill_all(rgb(0x203040));
+    Canvas canvas({120, 90});
+    CHECK(canvas.picture() != layer.picture());
+    CHECK_FALSE(canvas.changes_since(0));
+    canvas.restore(layer);
+    DiskPainter disks;
+    Random kinds(8, "kinds");
+    int changed = 0;
+    for (std::uint64_t round = 0; round < 1000; ++round) {
+        draw_something(canvas, disks, static_cast<int>(kinds.uniform(0, 13)), round);
+        const std::vector<std::uint32_t> before = pixels_of(canvas);
+        const std::uint64_t picture = canvas.picture();
+        CHECK_FALSE(canvas.changes_since(picture));  // it may be drawn on since it was seen
+        canvas.restore(layer);
+        REQUIRE(canvas.picture() != picture);
+        draw_something(canvas, disks, static_cast<int>(kinds.uniform(0, 13)), round + 5000);
+        const auto boxes = canvas.changes_since(picture);
+        REQUIRE(boxes);
+        std::vector<std::uint32_t> outside = pixels_of(canvas);
+        changed += outside != before;
+        for (const PixelBounds& box : *boxes)
+            for (int y = box.top; y < box.bottom; ++y)
+                for (int x = box.left; x < box.right; ++x) {
+                    const auto k = std::size_t(120 * y + x);
+                    outside.at(k) = before.at(k);
+                }
+        REQUIRE(outside == before);
+        canvas.restore(layer);
+        CHECK_FALSE(canvas.changes_since(picture));  // two pictures ago
+    }
+    CHECK(changed > 500);
+    const std::uint64_t picture = canvas.picture();
+    canvas.restore(layer);
+    canvas.fill_all(white);
+    CHECK_FALSE(canvas.changes_since(picture));
+}
+
 TEST_CASE("impossible sizes are errors, not crashes") {
     CHECK_THROWS_AS(Canvas({0, 10}), SystemError);
     CHECK_THROWS_AS(Canvas({10, -1}), SystemError);

@@ -159,6 +159,46 @@ TEST_CASE("an odd picture is converted as one whose last row and column are repe
     CHECK(convert(odd) == convert(even));
 }
 
+TEST_CASE("converting what has changed gives the bytes of converting all") {
+    Random random(11, "boxes");
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, {2, 3}, {63, 5}, {64, 64}, {65, 31}, {127, 8}, {129, 66}, {300, 40}}) {
+        CAPTURE(width);
+        CAPTURE(height);
+        Picture picture = noise(width, height, 3);
+        Converted out = convert(picture);
+        for (int round = 0; round < 40; ++round) {
+            std::vector<PixelBounds> boxes;
+            for (int k = static_cast<int>(random.below(4)); k > 0; --k) {
+                const auto within = [&](int begin, int end) {
+                    return begin + static_cast<int>(random.below(std::uint64_t(end - begin)));
+                };
+                const int left = within(0, width), top = within(0, height);
+                boxes.push_back({left, top, within(left + 1, std::min(left + 70, width + 1)),
+                                 within(top + 1, std::min(top + 9, height + 1))});
+            }
+            for (const PixelBounds& box : boxes)
+                for (int y = box.top; y < box.bottom; ++y)
+                    for (int x = box.left; x < box.right; ++x)
+                        picture.at(x, y) ^= static_cast<std::uint32_t>(random.below(1 << 24));
+            to_yuv420(picture.view(), boxes,
+                      {out.y.data(), out.cb.data(), out.cr.data(), out.width, out.width / 2});
+            REQUIRE(out == convert(picture));
+        }
+    }
+}
+
+TEST_CASE("what has not changed is not converted") {
+    Picture picture = noise(400, 40);
+    Converted out = empty_planes(picture);
+    const std::vector<PixelBounds> boxes = {{130, 10, 140, 12}};
+    to_yuv420(picture.view(), boxes,
+              {out.y.data(), out.cb.data(), out.cr.data(), out.width, out.width / 2});
+    const Converted all = convert(picture);
+    CHECK(out.luma(130, 10) == all.luma(130, 10));
+    CHECK(std::ranges::count_if(out.y, [](auto byte) { return byte != 0; }) == 2 * 32);
+}
+
 TEST_CASE("swscale, told to use BT.709, agrees on flat patches") {
     const int patch = 16, columns = 20, rows = 12;
     Picture picture(columns * patch, rows * patch);

@@ -216,3 +216,34 @@ TEST_CASE("the force on the ends of a line is twice the energy over the free len
         }
     }
 }
+
+// Where masses are in a simple ratio, half of the new velocities lie in the middle between two
+// numbers: an error of 1 / 3 would round all of them one way, and the energy grow evenly.
+TEST_CASE("the energy of beads does not drift, whatever their masses") {
+    for (const auto& [first, second] : {std::pair{1.0, 3.0}, {3.0, 7.0}, {0.1, 0.7}}) {
+        CAPTURE(first);
+        CAPTURE(second);
+        Gas gas;
+        gas.box = {.dimension = 1, .size = {100.0, 0.0}};
+        gas.species = {
+            {.name = "a", .count = 20, .radius = 0.1, .mass = first, .velocity = Temperature{1.0}},
+            {.name = "b",
+             .count = 20,
+             .radius = 0.1,
+             .mass = second,
+             .velocity = Temperature{1.0}}};
+        Simulation simulation(gas, {});
+        const auto energy = [&] {
+            return kinetic_energies(simulation.particles(), simulation.sample()).sum();
+        };
+        const double begin = energy();
+        const AdvanceResult advanced = simulation.advance_to(20'000.0);
+        const auto collisions = static_cast<double>(advanced.counts.particle);
+        REQUIRE(collisions > 5e4);
+        // Each changes the energy by some units of round-off of two beads' energy, an average bead
+        // having a fortieth: a walk of independent steps, of which five standard deviations are
+        // less than this. An even growth by half a unit would be ten times as much.
+        const double step = 4.0 * 0x1p-53 / 40.0;
+        CHECK(std::abs(energy() / begin - 1.0) < 5.0 * step * std::sqrt(collisions));
+    }
+}

@@ -149,32 +149,32 @@ template <typename Number>
     return select(m.x * m.vx + m.y * m.vy < -round_off, contact, none);
 }
 
-/// x / d with one rounding.
+/// x / d.
 template <typename Scalar>
-Scalar quotient_of(const Scalar& x, const Unrounded<Scalar>& d) {
+Unrounded<Scalar> quotient_of(const Scalar& x, const Unrounded<Scalar>& d) {
     using std::fma;
     const Scalar quotient = x / d.value;
-    return quotient + (fma(-quotient, d.value, x) - quotient * d.error) / d.value;
+    return {quotient, (fma(-quotient, d.value, x) - quotient * d.error) / d.value};
 }
 
-/// x / (a + b), rounded as if the sum were exact. The error of a rounded sum of two inverse masses
-/// is the same at each collision of the two, and would make their energy drift.
+/// a b with one rounding.
 template <typename Scalar>
-Scalar divided_by_sum(const Scalar& x, const Scalar& a, const Scalar& b) {
-    const Unrounded<Scalar> sum = unrounded_sum(a, b);
-    if (sum.error == 0.0) return x / sum.value;
-    return quotient_of(x, sum);
+Scalar product_of(const Scalar& a, const Unrounded<Scalar>& b) {
+    using std::fma;
+    const Scalar product = a * b.value;
+    return product + (fma(a, b.value, -product) + a * b.error);
 }
 
 /// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2
-/// at separation r: v1 += w1 J r, v2 -= w2 J r. At least one inverse mass is positive. The divisor
-/// is not rounded. It is nearly the same at each collision of two disks, so that its error would be
-/// alike; and a quotient by a number near to a power of 2, or to a simple fraction, is rounded up
-/// more often than down, or the other way round. Of equal disks of diameter 1 and mass 1 the energy
-/// would rise by 4e-18 of a disk's at each collision.
+/// at separation r: v1 += w1 J r, v2 -= w2 J r. At least one inverse mass is positive. Nothing is
+/// rounded but r . v, and w J by product_of(). The divisor is nearly the same at each collision of
+/// two disks, and so would its rounding error be; and quotients by a number near to a power of 2,
+/// and products with one near to a simple fraction, are rounded up more often than down, or the
+/// other way round. The energy would drift: of equal disks of diameter 1 and mass 1 it rose by
+/// 4e-18 of a disk's at each collision.
 template <typename Scalar>
-Scalar impulse_factor(const RelativeMotion<Scalar>& m, const Scalar& first_inverse_mass,
-                      const Scalar& second_inverse_mass) {
+Unrounded<Scalar> impulse_factor(const RelativeMotion<Scalar>& m, const Scalar& first_inverse_mass,
+                                 const Scalar& second_inverse_mass) {
     using std::fma;
     const Unrounded<Scalar> square = square_of_distance(m);
     const Unrounded<Scalar> sum = unrounded_sum(first_inverse_mass, second_inverse_mass);

@@ -114,11 +114,11 @@ void FixedStepLoop::collide(std::int32_t first, std::int32_t second,
     const double first_w = particles_.inverse_mass[first],
                  second_w = particles_.inverse_mass[second];
     if ((apart * relative).sum() >= 0.0 || first_w + second_w == 0.0) return;
-    const double factor = impulse_factor(motion, first_w, second_w);
-    now_.velocity.row(first) += (first_w * factor * apart).transpose();
-    now_.velocity.row(second) -= (second_w * factor * apart).transpose();
+    const Unrounded<double> factor = impulse_factor(motion, first_w, second_w);
+    now_.velocity.row(first) += (product_of(first_w, factor) * apart).transpose();
+    now_.velocity.row(second) -= (product_of(second_w, factor) * apart).transpose();
     ++counts_.particle;
-    impulses_.virial -= factor * distance * distance;
+    impulses_.virial -= factor.value * distance * distance;
     impulses_.largest_overlap = std::max(impulses_.largest_overlap, 1.0 - distance / sigma);
     if (record == nullptr) return;
     record->push_back({now_.time, first, second, place(first), place(first) + apart, first_before,

@@ -1,6 +1,8 @@
 #include "physics/line/line.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 #include "physics/collision/flight.h"
@@ -8,6 +10,29 @@
 #include "physics/collision_error.h"
 
 namespace carom {
+namespace {
+
+// Of two beads that collide, in which ratio their velocities change: as their inverse masses do.
+// In masses where they are finite. 1 / 3 is no double: where masses are in a simple ratio, half of
+// all new velocities lie in the middle between two numbers, and such an error would round all of
+// them the same way.
+std::array<double, 2> shares_of_change(double first_inverse_mass, double second_inverse_mass) {
+    const double first = 1.0 / first_inverse_mass, second = 1.0 / second_inverse_mass;
+    if (std::isfinite(first) && std::isfinite(second)) return {second, first};
+    return {first_inverse_mass, second_inverse_mass};
+}
+
+// v + a b with one rounding.
+template <typename Scalar>
+Scalar sum_with_product(const Scalar& v, const Unrounded<Scalar>& a, const Unrounded<Scalar>& b) {
+    using std::fma;
+    const Scalar product = a.value * b.value;
+    const Unrounded<Scalar> sum = unrounded_sum(v, product);
+    return sum.value + (sum.error + (fma(a.value, b.value, -product) +
+                                     (a.value * b.error + a.error * b.value)));
+}
+
+}  // namespace
 
 template <typename Scalar, typename BodyType>
 Line<Scalar, BodyType>::Line(const Box& box, const Particles& particles, const Arithmetic&)
@@ -116,28 +141,28 @@ bool Line<Scalar, BodyType>::collide(Bodies& bodies, std::int32_t i, std::int32_
     const Body& left = a_is_left ? a : b;
     const Body& right = a_is_left ? b : a;
     if (!(left.v[0] > right.v[0])) return false;
-    const Scalar w = as_precise_as(a.v[0], a.inverse_mass) + b.inverse_mass;
-    if (!(w > 0.0))
+    const Scalar a_w = as_precise_as(a.v[0], a.inverse_mass),
+                 b_w = as_precise_as(a.v[0], b.inverse_mass);
+    if (!(a_w + b_w > 0.0))
         throw CollisionError(
             "two beads of infinite mass meet: on a line they can neither pass nor yield; give one "
             "of them a finite mass, or let them move apart");
     const double sigma = a.radius + b.radius;
     const bool around = &left > &right;
     const auto depth = static_cast<double>(-gap(left, right, a.time, around));
-    Scalar impulse = 2.0 * (left.v[0] - right.v[0]) / w;  // 2 v / (w1 + w2)
-    if constexpr (Falls<Body>)
-        impulse =
-            divided_by_sum<Scalar>(2.0 * (left.v[0] - right.v[0]), as_precise_as(w, a.inverse_mass),
-                                   as_precise_as(w, b.inverse_mass));
     contact.separation = {a_is_left ? sigma : -sigma};
-    contact.virial = sigma * static_cast<double>(impulse);
+    contact.virial = sigma * 2.0 * static_cast<double>((left.v[0] - right.v[0]) / (a_w + b_w));
     contact.overlap = sigma > 0.0 ? std::max(0.0, depth / sigma) : 0.0;
     if (a.inverse_mass == b.inverse_mass) {
         std::swap(a.v[0], b.v[0]);
         return true;
     }
-    a.v[0] += (a_is_left ? -impulse : impulse) * a.inverse_mass;
-    b.v[0] += (a_is_left ? impulse : -impulse) * b.inverse_mass;
+    const auto [a_share, b_share] = shares_of_change(a.inverse_mass, b.inverse_mass);
+    const Scalar a_part = as_precise_as(a.v[0], a_share), b_part = as_precise_as(a.v[0], b_share);
+    const Unrounded<Scalar> whole = unrounded_sum(a_part, b_part),
+                            change = unrounded_sum(Scalar(2.0 * b.v[0]), Scalar(-2.0 * a.v[0]));
+    a.v[0] = sum_with_product(a.v[0], quotient_of(a_part, whole), change);
+    b.v[0] = sum_with_product(b.v[0], quotient_of(Scalar(-b_part), whole), change);
     return true;
 }
 

@@ -30,12 +30,12 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
     const double sigma = first.radius + second.radius;
     RelativeMotion<double> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
     if (!separation_at_contact(a, b, sigma, m.x, m.y)) return false;
-    const double factor = impulse_factor(m, first.inverse_mass, second.inverse_mass);
+    const Unrounded<double> factor = impulse_factor(m, first.inverse_mass, second.inverse_mass);
     const TwoLanes r{m.x, m.y};
-    store_two(load_two(a.v.data()) + first.inverse_mass * factor * r, a.v.data());
-    store_two(load_two(b.v.data()) - second.inverse_mass * factor * r, b.v.data());
+    store_two(load_two(a.v.data()) + product_of(first.inverse_mass, factor) * r, a.v.data());
+    store_two(load_two(b.v.data()) - product_of(second.inverse_mass, factor) * r, b.v.data());
     const double square = m.x * m.x + m.y * m.y;
-    contact = {{m.x, m.y}, -factor * square, 0.5 * (1.0 - square / (sigma * sigma))};
+    contact = {{m.x, m.y}, -factor.value * square, 0.5 * (1.0 - square / (sigma * sigma))};
     return true;
 }
 

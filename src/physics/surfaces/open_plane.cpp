@@ -398,16 +398,17 @@ bool OpenPlane<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
     const double sigma = first.radius + second.radius;
     RelativeMotion<Scalar> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
     if (!this->separation_at_contact(a, b, sigma, m.x, m.y)) return false;
-    const Scalar factor = impulse_factor(m, as_precise_as(m.x, first.inverse_mass),
-                                         as_precise_as(m.x, second.inverse_mass));
+    const Scalar first_w = as_precise_as(m.x, first.inverse_mass),
+                 second_w = as_precise_as(m.x, second.inverse_mass);
+    const Unrounded<Scalar> factor = impulse_factor(m, first_w, second_w);
     const std::array<Scalar, 2> r{m.x, m.y};
-    accelerate(a, Scalar(first.inverse_mass * factor), r);
-    accelerate(b, Scalar(-second.inverse_mass * factor), r);
+    accelerate(a, product_of(first_w, factor), r);
+    accelerate(b, Scalar(-product_of(second_w, factor)), r);
     surfaces_.path_has_changed(a);
     surfaces_.path_has_changed(b);
     const auto distance_square = static_cast<double>(m.x * m.x + m.y * m.y);
     contact = {{static_cast<double>(m.x), static_cast<double>(m.y)},
-               -static_cast<double>(factor) * distance_square,
+               -static_cast<double>(factor.value) * distance_square,
                0.5 * (1.0 - distance_square / (sigma * sigma))};
     return true;
 }

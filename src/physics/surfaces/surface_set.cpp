@@ -176,18 +176,20 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scala
                               : m.x;
     const auto* mover = this->mover_of(barrier);
     const double other = mover != nullptr ? mover->inverse_mass : 0.0;
-    Scalar factor = -2.0 * dot(m.v, normal) / dot(normal, normal);
+    const Scalar change = -2.0 * dot(m.v, normal) / dot(normal, normal);
     if (!(other > 0.0)) {
-        for (std::size_t k = 0; k < 2; ++k) body.v[k] += factor * normal[k];
+        for (std::size_t k = 0; k < 2; ++k) body.v[k] += change * normal[k];
         return;
     }
     // One impulse for both: two with rounding errors of their own would make the energy drift.
-    factor = divided_by_sum(factor, as_precise_as(factor, body.inverse_mass),
-                            as_precise_as(factor, other));
-    for (std::size_t k = 0; k < 2; ++k) body.v[k] += body.inverse_mass * factor * normal[k];
+    const Scalar w = as_precise_as(change, body.inverse_mass),
+                 other_w = as_precise_as(change, other);
+    const Unrounded<Scalar> factor = quotient_of(change, unrounded_sum(w, other_w));
+    const Scalar own_change = product_of(w, factor);
+    for (std::size_t k = 0; k < 2; ++k) body.v[k] += own_change * normal[k];
     Mover<Scalar>& hit = at(movers_, barrier.surface);
     hit.advance(now);
-    hit.velocity -= other * factor * normal[hit.axis];
+    hit.velocity -= product_of(other_w, factor) * normal[hit.axis];
     ++hit.changes;
 }
 

@@ -1,12 +1,15 @@
 #include "media/libav.h"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cstdarg>
 #include <cstdio>
+#include <system_error>
 
 #include "util/diagnostics.h"
 
@@ -53,7 +56,17 @@ void* find(void* library, const char* name) {
     throw SystemError(fmt::format("cannot encode films: {}", words_of_loader()));
 }
 
+// libgcrypt, which libavformat needs, ends the program where it can open no file.
+void require_descriptor() {
+    const int descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        throw SystemError(fmt::format("cannot encode films: /dev/null cannot be opened: {}",
+                                      std::generic_category().message(errno)));
+    close(descriptor);
+}
+
 Functions loaded() {
+    require_descriptor();
     Functions all;
     void* library = nullptr;
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage)

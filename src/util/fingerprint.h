@@ -28,7 +28,8 @@ class GrowingFingerprint {
     std::unique_ptr<State> state_;
 };
 
-/// Of what is in a file; nothing if it is no ordinary file or cannot be read.
+/// Of what is in a file; nothing where there is none, or no ordinary one. Throws SystemError where
+/// it cannot be read.
 std::optional<std::string> fingerprint_of_file(const std::filesystem::path& path);
 
 }  // namespace carom

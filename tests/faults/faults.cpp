@@ -96,6 +96,11 @@ bool is_of_resources(const Fault& fault) {
 // name, and a plan without plan.json, for the next run to remove.
 bool is_end_of_glib(const std::string& err) { return has(err, "the libraries that set text"); }
 
+// libgcrypt, which is loaded with FFmpeg's libraries, aborts where it cannot open or read one file.
+bool is_end_of_libgcrypt(const std::string& err) {
+    return has(err, "FATAL: error reading `/proc/sys/crypto/fips_enabled' in libgcrypt");
+}
+
 std::string problem_of_message(const Fault& fault, const std::string& err, const Files& after) {
     std::istringstream lines(err);
     std::vector<std::string> messages;
@@ -140,8 +145,10 @@ std::string problem(const Fault& fault, const Outcome& outcome, const Files& bef
     for (const auto& [name, bytes] : now)
         if (is_temporary(name)) return name + " remains";
     if (outcome.exit_code == 0) return now == after ? "" : "other outputs with exit code 0";
-    if (!may_end_with(fault, outcome.exit_code)) return "a wrong exit code";
+    const bool is_aborted = outcome.exit_code == 134 && is_end_of_libgcrypt(outcome.err);
+    if (!is_aborted && !may_end_with(fault, outcome.exit_code)) return "a wrong exit code";
     const std::string found = problem_of_files(fault, outcome.err, before, after, now);
+    if (is_aborted) return found;
     return found.empty() ? problem_of_message(fault, outcome.err, after) : found;
 }
 

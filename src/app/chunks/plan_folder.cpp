@@ -252,12 +252,10 @@ std::vector<int> PlanFolder::missing() const {
 }
 
 void PlanFolder::finish(const PlannedChunk& chunk, const Json& build, double seconds) const {
-    errno = 0;
     const auto content = fingerprint_of_file(output(chunk));
     if (!content)
-        throw TemporaryError(fmt::format(
-            "cannot read back {}: {}", output(chunk).string(),
-            errno == 0 ? "it is no ordinary file" : std::generic_category().message(errno)));
+        throw TemporaryError(
+            fmt::format("cannot read back {}: it is no ordinary file", output(chunk).string()));
     const Json json{{"chunk", chunk.number},
                     {"plan", fingerprint()},
                     {"fingerprint", *content},

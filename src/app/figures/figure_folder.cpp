@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -96,12 +95,7 @@ std::vector<std::string> FigureFolder::foreign(std::span<const std::string> file
     for (const std::string& file : files) {
         if (!is_there(path_ / file)) continue;
         const auto known = manifest_.files.find(file);
-        errno = 0;
         const auto content = fingerprint_of_file(path_ / file);
-        if (const int error = errno; !content && error != 0 && fs::is_regular_file(path_ / file))
-            throw_system_error(fmt::format("cannot read {}: {}", (path_ / file).string(),
-                                           std::generic_category().message(error)),
-                               error);
         if (known == manifest_.files.end() || !content ||
             (content != known->second.content && content != known->second.coming))
             found.push_back(file);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
 #include "util/archive.h"
@@ -59,10 +61,14 @@ void ChunkWriter::commit() {
 }
 
 ChunkReader::ChunkReader(const std::filesystem::path& path, const ChunkIdentity& expected)
-    : path_(path), file_(path, std::ios::binary) {
+    : path_(path) {
+    errno = 0;
+    file_.open(path, std::ios::binary);
+    if (!file_) refuse();
     std::error_code error;
     left_ = std::filesystem::file_size(path, error);
-    if (!file_ || error) throw SystemError(fmt::format("cannot read {}", path_.string()));
+    errno = error.value();
+    if (error) refuse();
     Archive header(next(), path_.string());
     ChunkIdentity identity;
     header(identity);
@@ -73,16 +79,25 @@ ChunkReader::ChunkReader(const std::filesystem::path& path, const ChunkIdentity&
 
 std::string ChunkReader::next() {
     std::array<unsigned char, length_bytes> length{};
+    errno = 0;
     file_.read(reinterpret_cast<char*>(length.data()), length_bytes);
     std::uint64_t size = 0;
     for (std::size_t i = length_bytes; i-- > 0;) size = size << 8 | length[i];
-    if (!file_ || left_ < length_bytes || size > left_ - length_bytes)
-        throw SystemError(fmt::format("cannot read {}: it is cut short", path_.string()));
+    if (!file_ || left_ < length_bytes || size > left_ - length_bytes) refuse();
     left_ -= length_bytes + size;
     std::string bytes(size, '\0');
     file_.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!file_) throw SystemError(fmt::format("cannot read {}: it is cut short", path_.string()));
+    if (!file_) refuse();
     return bytes;
+}
+
+// By the error of the system, if there was one.
+void ChunkReader::refuse() const {
+    const int reason = errno;
+    throw_system_error(
+        fmt::format("cannot read {}: {}", path_.string(),
+                    reason == 0 ? "it is cut short" : std::generic_category().message(reason)),
+        reason);
 }
 
 void ChunkReader::read(FilmSegment& segment) {

@@ -56,6 +56,7 @@ class ChunkReader {
 
   private:
     std::string next();
+    [[noreturn]] void refuse() const;
 
     std::filesystem::path path_;
     std::ifstream file_;

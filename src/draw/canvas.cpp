@@ -247,9 +247,12 @@ void Canvas::fill_path(Color color) {
 }
 
 // Corners of a rectangle reach farthest: half a line's width times the root of 2.
-void Canvas::touch_stroke(double width) { implementation_->touch_path(0.75 * width + 1.0); }
-
 void Canvas::stroke(double width, Color color) {
+    implementation_->touch_path(0.75 * width + 1.0);
+    stroke_untouched(width, color);
+}
+
+void Canvas::stroke_untouched(double width, Color color) {
     set_color(handle(), color);
     cairo_set_line_width(handle(), width);
     cairo_stroke(handle());
@@ -282,14 +285,12 @@ void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
 void Canvas::stroke_circle(Point center, double radius, double width, Color color) {
     set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_ROUND);
     trace_circle(handle(), center, radius);
-    touch_stroke(width);
     stroke(width, color);
 }
 
 void Canvas::stroke_rect(Rect rect, double width, Color color) {
     set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
     cairo_rectangle(handle(), rect.x, rect.y, rect.width, rect.height);
-    touch_stroke(width);
     stroke(width, color);
 }
 
@@ -297,7 +298,6 @@ void Canvas::stroke_line(Point from, Point to, double width, Color color, double
     set_ends(handle(), CAIRO_LINE_CAP_BUTT, CAIRO_LINE_JOIN_MITER);
     cairo_set_dash(handle(), &dash, dash > 0.0 ? 1 : 0, 0.0);
     trace(handle(), std::array{from, to});
-    touch_stroke(width);
     stroke(width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
@@ -315,7 +315,7 @@ void Canvas::stroke_path(std::span<const Point> points, double width, Color colo
     } else {
         trace(handle(), points);  // to be looked at in any size
     }
-    stroke(width, color);
+    stroke_untouched(width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);
 }
 

@@ -121,7 +121,7 @@ class Canvas {
   private:
     void fill_path(Color color);
     void stroke(double width, Color color);
-    void touch_stroke(double width);
+    void stroke_untouched(double width, Color color);  ///< what it touches is told already
 
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;

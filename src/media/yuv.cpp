@@ -112,7 +112,7 @@ class RowPairs {
 
     // Converts the columns [begin, end), both even, of one pair; the filter of chroma sees one more
     // to the left.
-    void columns(int pair, int begin, int end) const {
+    void columns(int pair, int begin, int end) {
         const int row = 2 * pair, last = std::min(end, frame_.width);
         const std::uint32_t* rows[2];
         for (int k = 0; k < 2; ++k) {
@@ -139,7 +139,7 @@ class RowPairs {
     const PixelView& frame_;
     const YuvPlanes& planes_;
     std::size_t padded_;
-    mutable std::vector<std::uint32_t> sums_;  ///< of the two rows: red and blue, then green
+    std::vector<std::uint32_t> sums_;  ///< of the two rows: red and blue, then green
 };
 
 // Which parts of the rows must be converted, in blocks of so many columns.
@@ -162,8 +162,8 @@ class ChangedBlocks {
     // Calls visit(first column, end) for each run of changed blocks; the last may end beyond the
     // frame.
     template <typename Visit>
-    void for_runs_of(int pair, const Visit& visit) const {
-        const auto begin = is_changed_.begin() + std::ptrdiff_t{pair} * in_a_row_;
+    void for_runs_of(int pair, const Visit& visit) {
+        const auto begin = blocks_of(pair);
         const auto end = begin + in_a_row_;
         for (auto run = std::find(begin, end, 1); run != end;) {
             const auto behind = std::find(run, end, 0);
@@ -188,15 +188,15 @@ class ChangedBlocks {
 
 void to_yuv420(const PixelView& frame, const YuvPlanes& planes) {
     assert(frame.width > 0 && frame.height > 0);
-    const RowPairs convert(frame, planes);
+    RowPairs convert(frame, planes);
     for (int pair = 0; pair < convert.count(); ++pair)
         convert.columns(pair, 0, even_size(frame.width));
 }
 
 void to_yuv420(const PixelView& frame, std::span<const PixelBounds> changed,
                const YuvPlanes& planes) {
-    const RowPairs convert(frame, planes);
-    const ChangedBlocks blocks(frame, changed);
+    RowPairs convert(frame, planes);
+    ChangedBlocks blocks(frame, changed);
     for (int pair = 0; pair < convert.count(); ++pair)
         blocks.for_runs_of(pair, [&](int begin, int end) {
             convert.columns(pair, begin, std::min(end, even_size(frame.width)));

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -17,16 +16,6 @@ std::uint32_t to_byte(double channel) {
 // The transfer function of sRGB (IEC 61966-2-1), from code value to light.
 double linear(double channel) {
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
-
-std::array<double, 3> oklab(Color color) {
-    const double r = linear(color.red), g = linear(color.green), b = linear(color.blue);
-    const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
-    const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
-    const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-    return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
-            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
-            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
 }  // namespace
@@ -54,10 +43,21 @@ double relative_luminance(Color color) {
     return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
 }
 
-double difference(Color a, Color b) {
-    const std::array<double, 3> first = oklab(a), second = oklab(b);
-    return std::hypot(first[0] - second[0], first[1] - second[1], first[2] - second[2]);
+Oklab oklab(Color color) {
+    const double r = linear(color.red), g = linear(color.green), b = linear(color.blue);
+    const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+    const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+    const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+    return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
+
+double difference(const Oklab& one, const Oklab& other) {
+    return std::hypot(one.lightness - other.lightness, one.a - other.a, one.b - other.b);
+}
+
+double difference(Color one, Color other) { return difference(oklab(one), oklab(other)); }
 
 double contrast(Color a, Color b) {
     const auto [darker, lighter] = std::minmax({relative_luminance(a), relative_luminance(b)});

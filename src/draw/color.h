@@ -40,9 +40,17 @@ std::string hex_of(Color color);
 /// Relative luminance of WCAG 2.2, dimensionless in [0, 1].
 double relative_luminance(Color color);
 
+/// A colour in Oklab (Ottosson 2020, "A perceptual color space for image processing"): lightness in
+/// [0, 1], green to red, blue to yellow.
+struct Oklab {
+    double lightness = 0, a = 0, b = 0;
+};
+Oklab oklab(Color color);
+
 /// How different two colours look, about 0.02 where that is just seen side by side: their distance
-/// in Oklab (Ottosson 2020, "A perceptual color space for image processing").
-double difference(Color a, Color b);
+/// in Oklab.
+double difference(const Oklab& one, const Oklab& other);
+double difference(Color one, Color other);
 
 /// Contrast ratio of WCAG 2.2, dimensionless in [1, 21].
 double contrast(Color a, Color b);

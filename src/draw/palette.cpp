@@ -221,13 +221,16 @@ std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme
     constexpr double least_contrast_with_words = 1.6;
     std::vector<std::pair<double, Color>> kinds;
     const std::size_t count = theme.kind == ThemeKind::print ? in_print.size() : on_dark.size();
+    std::vector<Oklab> apart;
+    for (const Color other : {theme.highlight, theme.accent, theme.page})
+        apart.push_back(oklab(other));
+    for (const Color other : others) apart.push_back(oklab(other));
     for (std::size_t k = 0; k < count; ++k) {
         const Color color = kind_color(k, theme);
+        const Oklab own = oklab(color);
         double least = INFINITY;
-        for (const Color other : {theme.highlight, theme.accent, theme.page})
-            least = std::min(least, difference(color, other));
+        for (const Oklab& other : apart) least = std::min(least, difference(own, other));
         if (contrast(color, theme.ink) < least_contrast_with_words) least = 0.0;
-        for (const Color other : others) least = std::min(least, difference(color, other));
         const double stands_out = contrast(color, theme.page) / least_contrast_of_words;
         kinds.emplace_back(least * std::min(1.0, stands_out), color);
     }

@@ -8,6 +8,7 @@
 #include "media/formats.h"
 #include "panels/registry.h"
 #include "runs/json.h"
+#include "scene/keys/keys.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/set_reading.h"
 #include "scene/yaml/scalar.h"
@@ -52,9 +53,9 @@ Json text_schema(const Form& form) {
             {"pattern", text_pattern(form)}};
 }
 
-Json color_schema(const Form& form) {
+Json color_schema() {
     return {{"anyOf",
-             {{{"enum", form.words}}, {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}}}}};
+             {{{"enum", color_names()}}, {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}}}}};
 }
 
 Json list_schema(const Form& form) {
@@ -77,7 +78,7 @@ Json form_schema(const Form& form) {
         case Shape::word:
             return {{"enum", form.words}};
         case Shape::color:
-            return color_schema(form);
+            return color_schema();
         case Shape::list:
             return list_schema(form);
         case Shape::mapping:

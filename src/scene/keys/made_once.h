@@ -31,7 +31,9 @@ class FixedTable {
     Section section_;
 };
 
-/// Values for lists of kinds, which live to the end of the program. May be used by several threads.
+/// Values for lists of kinds, which live to the end of the program. Nothing of them is destroyed
+/// there: a command that only checks a scene would take noticeably longer to end. May be used by
+/// several threads.
 template <typename Value>
 class MadeOnce {
   public:
@@ -46,7 +48,7 @@ class MadeOnce {
 
   private:
     std::mutex mutex_;
-    std::map<const PanelKind*, Value> values_;
+    std::map<const PanelKind*, Value>& values_ = *new std::map<const PanelKind*, Value>;
 };
 
 }  // namespace carom

@@ -105,7 +105,7 @@ Notation<bool> flag() {
 }
 
 Notation<std::string> color() {
-    return {{{.shape = Shape::color, .words = color_names()}},
+    return {{{.shape = Shape::color}},
             [](const Node& node, Reading&) { return std::optional(color_hex(node.text)); }};
 }
 

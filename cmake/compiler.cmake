@@ -47,3 +47,9 @@ if(CAROM_UNITY)
         # GCC collects garbage less often: 7 % less time for units of this size, and a quarter more memory, up to 1.6 GB.
         $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=200> $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
 endif()
+
+# Where no inner loop of simulation or drawing is: half of the time to compile in a release, a third less with sanitizers.
+set(carom_quick_options $<$<CONFIG:Release>:-Og>)
+if(CAROM_SANITIZE)
+    set(carom_quick_options -O0)
+endif()

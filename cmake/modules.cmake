@@ -1,7 +1,7 @@
 # carom_module(NAME [QUICK] USES targets... PRIVATE targets... PROGRAM files... LOOPS files... UNITS "paths..."...):
 # the static library of src/NAME, without the files of PROGRAM.
 # USES is what its headers may show; PRIVATE stays inside its .cpp files.
-# QUICK: no inner loop of simulation or drawing is there, so that it is compiled with -Og, in half of the time.
+# QUICK: no inner loop of simulation or drawing is there, so that little is optimised (carom_quick_options).
 # LOOPS: files of a QUICK module with loops over all particles of a frame, which are compiled with -O3; one unit, see below.
 # UNITS: without ccache (CAROM_UNITY) the files of several folders are compiled as one, in half of the time. Each of UNITS lists
 # folders of src/NAME (. is itself) and single files; a folder that is in none is a unit by itself. Names in the unnamed namespaces
@@ -29,7 +29,7 @@ function(carom_module name)
             PRIVATE $<BUILD_INTERFACE:carom_rules> ${arg_PRIVATE})
     endforeach()
     if(arg_QUICK)
-        target_compile_options(carom_${name} PRIVATE $<$<CONFIG:Release>:-Og>)
+        target_compile_options(carom_${name} PRIVATE ${carom_quick_options})
     endif()
     if(CAROM_UNITY)
         set_target_properties(carom_${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

@@ -285,7 +285,7 @@ TEST_CASE("words on plates, and on captions, can be read over anything that move
 
 TEST_CASE("a print of a scene that names no colours has none") {
     int scenes = 0, number = 0;
-    const int share = test::every_nth(1, 4);
+    const int share = test::every_nth(1, 8);
     for (const std::filesystem::path& file : test::library_files()) {
         if (++number % share != 0) continue;
         CAPTURE(file.stem().string());

@@ -261,7 +261,7 @@ std::vector<std::size_t> starts_of_parts(const std::vector<Tick>& ticks) {
 TEST_CASE("the film of every scene can be drawn from a frame on, to its end") {
     const std::vector<fs::path> files = scene_files();
     CHECK(files.size() > 40);
-    const auto share = static_cast<std::size_t>(test::every_nth(1, 4));
+    const auto share = static_cast<std::size_t>(test::every_nth(1, 8));
     for (std::size_t k = 0; k < files.size(); k += share) {
         const fs::path& path = files[k];
         CAPTURE(path.string());

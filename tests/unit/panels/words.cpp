@@ -64,7 +64,7 @@ TEST_CASE(
     // In print there are samples before words; the other two themes differ in colours alone. Every
     // scene is seen with a third of the templates, in both themes, and every template with a third
     // of the scenes; the slow tests see all three together.
-    const auto share = static_cast<std::size_t>(test::every_nth(6, 24));
+    const auto share = static_cast<std::size_t>(test::every_nth(6, 48));
     const std::vector<fs::path> layouts = test::yaml_files(root / "templates/films");
     std::size_t scene_number = 0;
     for (const fs::path& file : test::library_files()) {

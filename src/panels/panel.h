@@ -103,6 +103,9 @@ class Panel {
     /// Whether its survey needs them.
     virtual bool surveys_collisions() const { return false; }
 
+    /// Whether its survey looks at positions; where none does, samples of the first pass have none.
+    virtual bool surveys_positions() const { return true; }
+
     /// Whether its survey needs the distances from the mirror states after a reversal.
     virtual bool wants_return_distances() const { return false; }
 

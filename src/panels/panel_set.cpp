@@ -157,15 +157,26 @@ bool PanelSet::wants_return_distances() const {
     return any;
 }
 
-void PanelSet::survey_run(Simulation simulation, const std::vector<Tick>& ticks,
+void PanelSet::survey_run(Simulation simulation, const std::vector<Tick>& ticks, int last_whole,
                           const Recording::Viewer& see) {
+    bool are_positions_wanted = false;
+    for_each_panel([&](const Panel& panel, std::size_t its) {
+        are_positions_wanted = are_positions_wanted || (its == own && panel.surveys_positions());
+    });
     with_places_of_errors(scene(), [&] {
         simulation.record_collisions(wants_collisions());
         simulation.measure_return(return_times(own, ticks));
+        VelocitySamples velocities;
         for (const Tick& tick : ticks) {
             throw_if_interrupted();
             const AdvanceResult advanced = simulation.advance_to(tick.time);
-            const Sample& sample = simulation.sample();
+            const bool is_whole = are_positions_wanted || tick.frame <= last_whole;
+            if (is_whole)
+                velocities.skip();
+            else
+                simulation.forget_sample();
+            const Sample& sample =
+                is_whole ? simulation.sample() : velocities.after(simulation, tick.time, advanced);
             survey(own, tick, sample, advanced);
             see(tick, sample, advanced);
         }

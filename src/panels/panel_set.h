@@ -75,8 +75,10 @@ class PanelSet {
     }
 
     /// The first pass over frames of a run with none beside it, of which nothing is kept; `see`
-    /// sees each after the panels. Throws SceneError, Interrupted.
-    void survey_run(Simulation start, const std::vector<Tick>& ticks, const Recording::Viewer& see);
+    /// sees each after the panels, with positions up to the frame `last_whole`, beyond it only if
+    /// the panels need them. Throws SceneError, Interrupted.
+    void survey_run(Simulation start, const std::vector<Tick>& ticks, int last_whole,
+                    const Recording::Viewer& see);
 
     /// Where the second pass takes the frames of the run beside it from, one for each frame_data().
     /// Refers to the recording.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "physics/advance_result.h"
+#include "physics/collision/velocity_changes.h"
 #include "physics/exact_positions.h"
 #include "physics/gas.h"
 #include "physics/particles.h"
@@ -124,6 +125,21 @@ class Simulation {
   private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
+};
+
+/// Samples of velocities alone, one after each advance of a simulation; where few velocities have
+/// changed, only these are looked at.
+class VelocitySamples {
+  public:
+    /// The sample after an advance to `time`, without positions. After advances of which it was not
+    /// told, skip() must be called before.
+    const Sample& after(Simulation& simulation, double time, const AdvanceResult& advanced);
+    void skip() { is_known_ = false; }
+
+  private:
+    Sample sample_;
+    bool is_known_ = false;  ///< what it was before the advance
+    VelocityFollowing following_{true};
 };
 
 }  // namespace carom

@@ -144,29 +144,6 @@ std::string fingerprint_of(const Simulation& simulation) {
     return all.digits();
 }
 
-// Decides from sample to sample whether the next is followed, seen by its changes alone: as long as
-// they are few.
-class Following {
-  public:
-    explicit Following(bool is_possible) : pause_(is_possible ? 0 : never) {}
-
-    bool is_on() const { return pause_ == 0; }
-
-    /// After each sample; whether its changes were known.
-    void see(bool were_known) {
-        constexpr int samples_in_pause = 16;
-        if (pause_ == never) return;
-        if (is_on() && !were_known)
-            pause_ = samples_in_pause;
-        else
-            pause_ = std::max(0, pause_ - 1);
-    }
-
-  private:
-    static constexpr int never = -1;
-    int pause_;
-};
-
 bool can_be_followed(const Simulation& simulation, const RunTakers& take) {
     constexpr Eigen::Index least = 1'000;  // below, looking at all takes no time
     return !take.sample && !take.collisions && simulation.particles().count() >= least;
@@ -365,7 +342,7 @@ class Course {
     SurfaceWatch surfaces_;
     StepLength step_;
     const RunTakers& take_;
-    Following following_;
+    VelocityFollowing following_;
     const RunCallbacks& on_progress_;
     const Stopwatch& watch_;
     AdvanceResult advanced_;

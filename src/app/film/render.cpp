@@ -95,7 +95,7 @@ std::vector<KeptFrame> survey(PanelSet& panels, Simulation start, const std::vec
     progress.begin("simulating", static_cast<double>(ticks.size()));
     std::vector<KeptFrame> kept;
     panels.survey_run(
-        std::move(start), ticks,
+        std::move(start), ticks, are_kept ? still : -1,
         [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
             if (are_kept && tick.frame <= still)
                 kept.push_back({tick,

@@ -16,6 +16,9 @@ class GasPanel : public ParticlePanel {
     explicit GasPanel(const PanelContext& context, const std::optional<View>& view = {});
 
     void survey(const FrameInput& input) override;
+    bool surveys_positions() const override {
+        return camera_.moves() || callouts_.any() || field_.shown();
+    }
     void fix_axes() override;
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;

@@ -44,7 +44,8 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         .last_title_names = false,
         .spreads = true,
         .quantity = Phrase{"mean energy"},
-        .unit = reduced::energy};
+        .unit = reduced::energy,
+        .needs_positions = false};
     const std::vector<Species>& species = context.scene.gas.species;
     for (std::size_t k = 0; k < species.size(); ++k) {
         subject.lines.push_back({species[k].name, species_role(context, k)});

@@ -61,6 +61,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     HistogramPanel(const PanelContext& context, const PanelSpec& spec, HistogramSubject subject);
 
     void survey(const FrameInput& input) override;
+    bool surveys_positions() const override { return subject_.position_axis.has_value(); }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override;

@@ -38,6 +38,7 @@ struct SeriesSubject {
     std::size_t compared = 0;  ///< the line that stands for a run beside others
     std::optional<plot::Text> compared_title = {};  ///< of that line; none: the title
     bool needs_collisions = false;                  ///< to measure
+    bool needs_positions = true;                    ///< to measure
     std::function<void(const SeriesRecord&, plot::Plot& whole)> add =
         {};  ///< layers, notes and words that come from the whole record
 };
@@ -60,6 +61,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     SeriesPanel(const PanelContext& context, const PanelSpec& spec, SeriesSubject subject);
 
     void survey(const FrameInput& input) override;
+    bool surveys_positions() const override { return subject_.needs_positions; }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;

@@ -44,7 +44,8 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
                               say(language, "slow &lt; ½, fast &gt; 1½")},
         .top = 100.0,
         .quantity = Phrase{"share"},
-        .unit = "per cent"};
+        .unit = "per cent",
+        .needs_positions = false};
     for (std::size_t k = 0; k < subject.lines.size(); ++k)
         subject.lines[k].role =
             plot::own_role([&](const Theme& theme) { return speed_class_color(k, theme); });

@@ -38,6 +38,7 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
         subject.references = [bath] { return ReferenceLevels{ReferenceLevel{"bath", *bath}}; };
     subject.quantity = Phrase{"temperature"};
     subject.unit = reduced::energy;
+    subject.needs_positions = false;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 

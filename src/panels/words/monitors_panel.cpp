@@ -121,6 +121,7 @@ class MonitorsPanel : public Panel {
     MonitorsPanel(const PanelContext& context, const PanelSpec& spec);
 
     void survey(const FrameInput& input) override;
+    bool surveys_positions() const override { return echo_.has_value(); }
     bool wants_return_distances() const override { return echo_.has_value(); }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;

@@ -2,6 +2,7 @@
 // again and again.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -50,6 +51,29 @@ class VelocityLog {
     std::vector<VelocityChange> changes_;
     std::vector<std::uint32_t> slots_;  ///< a hash table of numbers in changes_, from 1
     int slot_bits_ = 0;
+};
+
+/// Decides from advance to advance whether the changes of the next are followed: as long as they
+/// are few.
+class VelocityFollowing {
+  public:
+    explicit VelocityFollowing(bool is_possible) : pause_(is_possible ? 0 : never) {}
+
+    bool is_on() const { return pause_ == 0; }
+
+    /// After each advance; whether its changes were known.
+    void see(bool were_known) {
+        constexpr int advances_in_pause = 16;
+        if (pause_ == never) return;
+        if (is_on() && !were_known)
+            pause_ = advances_in_pause;
+        else
+            pause_ = std::max(0, pause_ - 1);
+    }
+
+  private:
+    static constexpr int never = -1;
+    int pause_;
 };
 
 }  // namespace carom

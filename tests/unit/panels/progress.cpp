@@ -228,6 +228,39 @@ TEST_CASE("panels of every kind go on from any frame as if they had seen all bef
         }
 }
 
+TEST_CASE("a first pass has positions only where panels ask for them, and fixes the same") {
+    // What looks at velocities alone.
+    const std::string drawn =
+        "], trails: {of: [heavy], seconds: 1}, velocities: true, monitors: [time, mean-speed]";
+    const std::string of_velocities = plane(
+        "panels: [speed-histogram, {kind: velocity-histogram, of: heavy}, temperature" + drawn,
+        "{at: 1, reverse: velocities}, {at: 2, pause: 0.5}");
+    std::vector<std::string> texts = all_kinds();
+    texts.push_back(of_velocities);
+    texts.push_back(plane("panels: [energy-histogram, energy-by-species, speed-classes" + drawn));
+    for (const std::string& text : texts) {
+        const Scene scene = test::scene_from(text);
+        if (scene.film.beside) continue;  // not surveyed alone
+        CAPTURE(text);
+        const test::SurveyedFilm recorded(scene);
+        for (const int last_whole : {-1, 7}) {
+            PanelSet panels(recorded.scene, recorded.particles, recorded.start);
+            int without = 0;
+            panels.survey_run(start_scene(scene).simulation, timeline(recorded.scene), last_whole,
+                              [&](const Tick& tick, const Sample& sample, const AdvanceResult&) {
+                                  if (sample.position.size() > 0) return;
+                                  CHECK(tick.frame > last_whole);
+                                  ++without;
+                              });
+            panels.fix_axes();
+            Archive written;
+            panels.archive(written);
+            CHECK((written.finished() == recorded.axes));
+            if (text == of_velocities) CHECK(without > 15);
+        }
+    }
+}
+
 namespace {
 
 std::vector<fs::path> scene_files() {

@@ -114,3 +114,28 @@ TEST_CASE("velocities are followed on a line, and not across a reversal") {
     CHECK_FALSE(changed_in_advance(simulation, 0.3));
     CHECK(changed_in_advance(simulation, 0.4));
 }
+
+TEST_CASE("samples of velocities are those of the simulation, however few have changed") {
+    Run run;
+    run.equilibrate = 0.5;
+    run.events = {{2.0, ReverseVelocities{}}};
+    Simulation simulation(test::equal_disks(0.3, 2'000), run);
+    VelocitySamples velocities;
+    int followed = 0;
+    double time = 0.0;
+    for (int k = 0; k < 60; ++k) {
+        time += k % 20 == 10 ? 1.0 : 0.01;  // after which nearly all have changed
+        const AdvanceResult advanced = simulation.advance_to(time);
+        followed += advanced.velocities.has_value();
+        if (k % 7 == 3) {
+            velocities.skip();
+            continue;
+        }
+        const Sample sample = velocities.after(simulation, time, advanced);
+        CHECK(sample.time == time);
+        CHECK(sample.position.size() == 0);
+        CHECK((sample.velocity == simulation.sample().velocity).all());
+    }
+    CHECK(followed > 5);
+    CHECK(followed < 50);
+}

@@ -15,6 +15,7 @@ namespace carom {
 class Callouts {
   public:
     explicit Callouts(const PanelContext& context);
+    bool any() const { return !callouts_.empty(); }
 
     /// First pass, every frame in order; `places` as they are drawn.
     void survey(const FrameInput& input, const Eigen::ArrayXXd& places);

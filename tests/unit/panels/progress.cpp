@@ -238,6 +238,13 @@ TEST_CASE("a first pass has positions only where panels ask for them, and fixes 
     std::vector<std::string> texts = all_kinds();
     texts.push_back(of_velocities);
     texts.push_back(plane("panels: [energy-histogram, energy-by-species, speed-classes" + drawn));
+    // Each of what looks at positions, alone.
+    for (const std::string keys :
+         {"speed-histogram], field: {of: concentration, species: light, cells: 5, over: 2}",
+          "speed-histogram], callouts: [{at: 0.5, on: 1, text: this one, for: 9}]",
+          "speed-histogram], camera: [{at: 1, follow: 1, width: 5}]", "position-histogram]",
+          "mean-squared-displacement]", "{kind: profile, quantity: density}]"})
+        texts.push_back(plane("panels: [" + keys));
     for (const std::string& text : texts) {
         const Scene scene = test::scene_from(text);
         if (scene.film.beside) continue;  // not surveyed alone

@@ -77,7 +77,7 @@ TEST_CASE("a scene cut off anywhere loads or is refused") {
 
 TEST_CASE("a scene with random errors loads or is refused") {
     Random random(1, "mutations");
-    const int scenes = 1500 / test::every_nth(1, 8);
+    const int scenes = 1500 / test::every_nth(1, 4);
     for (const std::string& scene : {good, surfaces}) {
         int loaded = 0;
         for (int i = 0; i < scenes; ++i) loaded += loads(mutated(scene, random)) ? 1 : 0;

@@ -167,7 +167,7 @@ TEST_CASE("an interruption between films tells how many there are") {
     const Outcome outcome =
         shell("'" + program +
                   "' render a.yaml b.yaml -o films --size 320x180 --seconds 120 & "
-                  "for i in $(seq 900); do [ -e films/a.mp4 ] && break; sleep 0.05; done; kill "
+                  "for i in $(seq 9000); do [ -e films/a.mp4 ] && break; sleep 0.05; done; kill "
                   "-INT $!; wait $!",
               folder.path());
     CHECK(outcome.exit_code == 130);

@@ -11,6 +11,10 @@
 
 namespace carom {
 
+/// The sum, added up in one order whatever processor the program is compiled for: that of Eigen's
+/// sum() with two numbers at a time. What begins a run is a sum by this.
+double sum_in_order(const Eigen::ArrayXd& values);
+
 /// Masses, N; infinite where the inverse is 0. Of the numbers whose inverse rounds to the same the
 /// one with the fewest decimals: as it was given.
 Eigen::ArrayXd masses(const Particles& particles);

@@ -60,7 +60,8 @@ void remove_momentum(const Box& box, const Eigen::ArrayXd& inverse_masses,
     const Eigen::ArrayXd masses = inverse_masses.inverse();
     for (int axis = 0; axis < box.dimension; ++axis)
         if (box.is_periodic(axis))
-            velocities.col(axis) -= (masses * velocities.col(axis)).sum() / masses.sum();
+            velocities.col(axis) -=
+                sum_in_order(masses * velocities.col(axis)) / sum_in_order(masses);
 }
 
 Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const Quantity& speed,

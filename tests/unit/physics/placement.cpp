@@ -9,6 +9,7 @@
 #include "physics/mechanics.h"
 #include "support/placement_error.h"
 #include "support/relative.h"
+#include "util/random.h"
 
 using namespace carom;
 using test::placement_error;
@@ -243,4 +244,17 @@ TEST_CASE("masses and velocities follow their rules") {
     CHECK(std::abs(drifting.velocity.col(0).segment(5, 400).sum()) < 1e-12);
     CHECK(std::abs(drifting.velocity.col(0).segment(405, 2000).sum()) < 1e-12);
     CHECK(std::abs(drifting.velocity.col(1).segment(5, 400).sum()) > 1e-3);
+}
+
+TEST_CASE("sums are added up in the order of Eigen's with two numbers at a time") {
+    Random random(3, "sums");
+    for (Eigen::Index count = 0; count <= 40; ++count) {
+        CAPTURE(count);
+        Eigen::ArrayXd values(count);
+        for (double& value : values) value = random.normal();
+#if defined(__SSE2__) && !defined(__AVX__)
+        CHECK(sum_in_order(values) == values.sum());
+#endif
+        CHECK(sum_in_order(values) == doctest::Approx(values.sum()));
+    }
 }

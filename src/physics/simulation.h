@@ -131,14 +131,15 @@ class Simulation {
 /// changed, only these are looked at.
 class VelocitySamples {
   public:
-    /// The sample after an advance to `time`, without positions. After advances of which it was not
-    /// told, skip() must be called before.
+    /// The sample after an advance to `time`, without positions; valid until the next call.
     const Sample& after(Simulation& simulation, double time, const AdvanceResult& advanced);
+
+    /// To be called for an advance after which no sample is wanted.
     void skip() { is_known_ = false; }
 
   private:
     Sample sample_;
-    bool is_known_ = false;  ///< what it was before the advance
+    bool is_known_ = false;  ///< whether sample_ is that of the advance before
     VelocityFollowing following_{true};
 };
 

@@ -1,6 +1,6 @@
 // What a still of a large gas costs beside the run that its axes need, from its placement on: at
-// most twice its time, and bounded memory. And that colours by mass cost
-// as those by speed where each disk has a mass of its own. Fails if not.
+// most twice its time, of a million disks without `--quick` too, and bounded memory. And that
+// colours by mass cost as those by speed where each disk has a mass of its own. Fails if not.
 #include <fmt/format.h>
 
 #include <algorithm>

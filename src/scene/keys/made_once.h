@@ -31,9 +31,8 @@ class FixedTable {
     Section section_;
 };
 
-/// Values for lists of kinds, which live to the end of the program. Nothing of them is destroyed
-/// there: a command that only checks a scene would take noticeably longer to end. May be used by
-/// several threads.
+/// Values for lists of kinds. They are not destroyed at the end of the program, as their thousands
+/// of small parts would be for nothing. May be used by several threads.
 template <typename Value>
 class MadeOnce {
   public:

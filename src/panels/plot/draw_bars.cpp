@@ -64,47 +64,20 @@ void draw_on_plate(Canvas& canvas, const Frame& frame, Point at, const std::stri
     draw_text(canvas, at, markup, label_style(frame.dc));
 }
 
-// What the axis cannot hold is said: a bar that is broken, with its count beside it; of several
-// side by side, all counts beside the last. Where there is no room its break says that it is
-// taller.
-void draw_breaks(Canvas& canvas, const Frame& frame, const Plot& plot,
-                 const std::vector<const Bars*>& all) {
+bool is_any_broken(const std::vector<const Bars*>& all, std::size_t bin) {
+    return std::ranges::any_of(all, [&](const Bars* bars) { return is_broken(*bars, bin); });
+}
+
+// Two strokes across each bar that is taller than the axis.
+void draw_breaks(Canvas& canvas, const Frame& frame, const std::vector<const Bars*>& all) {
     const double u = frame.dc.unit;
-    const Rect& area = frame.area;
     const Bars& first = *all.front();
-    Text words;
-    double free_from = area.x;
     for (std::size_t i = 0; i < first.value.size(); ++i) {
-        for (const Bars* bars : all) {
-            if (!is_broken(*bars, i)) continue;
-            if (!words.empty()) words += ", ";
-            words += named(bars->broken[i], bars->role);
-        }
-        const auto is_any_broken = [&](std::size_t bin) {
-            return std::ranges::any_of(all,
-                                       [&](const Bars* bars) { return is_broken(*bars, bin); });
-        };
-        if (!is_any_broken(i)) continue;
+        if (!is_any_broken(all, i)) continue;
         const double left = frame.x(first.from[i]), right = frame.x(first.to[i]);
-        for (const double y : {area.y + 0.9 * u, area.y + 1.3 * u})
+        for (const double y : {frame.area.y + 0.9 * u, frame.area.y + 1.3 * u})
             canvas.stroke_line({left - 0.15 * u, y + 0.25 * u}, {right + 0.15 * u, y - 0.25 * u},
                                0.14 * u, frame.dc.theme.page);
-        if (i + 1 < first.value.size() && is_any_broken(i + 1)) continue;
-        const std::string markup = markup_of(words, frame.dc.theme);
-        words = {};
-        const double width = measure_text(markup, label_style(frame.dc)).width;
-        // Beside the bar, off the names of marks and off the count before.
-        double most_left = free_from, most_right = frame.dc.area.right();
-        if (frame.notes.side == PlaceOfNotes::Side::right && plot.bar_notes &&
-            !plot.bar_notes->names.empty())
-            most_right = area.right() - frame.notes.width - u;
-        if (frame.notes.side == PlaceOfNotes::Side::left)
-            most_left = std::max(most_left, area.x + u + frame.notes.width);
-        const double after = right + 0.4 * u, before = left - 0.4 * u - width;
-        const bool is_after = after > most_left && after + width < most_right;
-        if (!is_after && (before < most_left || before + width > most_right)) continue;
-        free_from = (is_after ? after : before) + width + 0.5 * u;
-        draw_on_plate(canvas, frame, {is_after ? after : before, area.y + 1.05 * u}, markup);
     }
 }
 
@@ -195,10 +168,45 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars) {
 void draw_over_bars(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const std::vector<const Bars*> all = bars_of(plot);
     if (all.empty()) return;
-    draw_breaks(canvas, frame, plot, all);
+    draw_breaks(canvas, frame, all);
     if (all.size() == 1 && all.front()->alpha == 1.0)
         draw_casings(canvas, frame, plot, *all.front());
     for (const Bars* bars : all) draw_errors(canvas, frame, *bars);
+}
+
+void draw_counts_of_broken(Canvas& canvas, const Frame& frame, const Plot& plot) {
+    const std::vector<const Bars*> all = bars_of(plot);
+    if (all.empty()) return;
+    const double u = frame.dc.unit;
+    const Rect& area = frame.area;
+    const Bars& first = *all.front();
+    Text words;
+    double free_from = area.x;
+    for (std::size_t i = 0; i < first.value.size(); ++i) {
+        for (const Bars* bars : all) {
+            if (!is_broken(*bars, i)) continue;
+            if (!words.empty()) words += ", ";
+            words += named(bars->broken[i], bars->role);
+        }
+        if (!is_any_broken(all, i)) continue;
+        if (i + 1 < first.value.size() && is_any_broken(all, i + 1)) continue;
+        const double left = frame.x(first.from[i]), right = frame.x(first.to[i]);
+        const std::string markup = markup_of(words, frame.dc.theme);
+        words = {};
+        const double width = measure_text(markup, label_style(frame.dc)).width;
+        // Beside the bar, off the names of marks and off the count before.
+        double most_left = free_from, most_right = frame.dc.area.right();
+        if (frame.notes.side == PlaceOfNotes::Side::right && plot.bar_notes &&
+            !plot.bar_notes->names.empty())
+            most_right = area.right() - frame.notes.width - u;
+        if (frame.notes.side == PlaceOfNotes::Side::left)
+            most_left = std::max(most_left, area.x + u + frame.notes.width);
+        const double after = right + 0.4 * u, before = left - 0.4 * u - width;
+        const bool is_after = after > most_left && after + width < most_right;
+        if (!is_after && (before < most_left || before + width > most_right)) continue;
+        free_from = (is_after ? after : before) + width + 0.5 * u;
+        draw_on_plate(canvas, frame, {is_after ? after : before, area.y + 1.05 * u}, markup);
+    }
 }
 
 }  // namespace carom::plot

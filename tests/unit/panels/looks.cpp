@@ -15,6 +15,7 @@
 #include "support/first_frame.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
+#include "support/shot.h"
 #include "util/text.h"
 
 using namespace carom;
@@ -203,6 +204,38 @@ TEST_CASE("the means' names keep clear of their marks") {
             }
     }
     CHECK(seen > 1000);
+}
+
+TEST_CASE("the mark of a mean does not cross out the count of a broken bar") {
+    // One bar of 400, beyond the axis, which fits the gas in equilibrium, and its count beside it;
+    // the mean is 0.73, in the middle of that count.
+    Scene scene = scene_of(
+        "{name: slow, count: 400, radius: 0.5, speed: 0.3}, "
+        "{name: fast, count: 40, radius: 0.5, speed: 5}",
+        "template: lecture, panels: [{kind: speed-histogram, range: [0, 6], bins: 12}]");
+    scene.film.size = {1600, 900};
+    const test::Shot film(scene, 1);
+    FramePainter painter(*film.panels);
+    const PixelView view = painter.paint(film.frames.front()).pixels();
+    const PanelSet::Placed& placed = film.panels->panels().back();
+    DiskPainter disks;
+    const Grid grid(scene.film.layout, scene.film.size);
+    const Rect area =
+        plot_area({grid.place(placed.slot), grid.unit(), theme(ThemeKind::dark), disks});
+    const std::uint32_t ink = to_pixel(theme(ThemeKind::dark).ink) & 0xFFFFFF;
+    const int x = static_cast<int>(area.x + area.width * 0.727 / 6.0);
+    const auto rows_of_mark = [&](double from, double to) {
+        int rows = 0;
+        for (int y = int(area.y + from * grid.unit()); y < int(area.y + to * grid.unit()); ++y)
+            for (int near = x - 3; near <= x + 3; ++near)
+                if ((view.data[y * view.stride + near] & 0xFFFFFF) == ink) {
+                    ++rows;
+                    break;
+                }
+        return rows;
+    };
+    CHECK(rows_of_mark(0.3, 1.2) == 0);
+    CHECK(rows_of_mark(2.0, 2.9) >= int(0.9 * grid.unit()));
 }
 
 TEST_CASE("as many numbers stand in a row as it has room for") {

@@ -21,6 +21,7 @@ elseif(CAROM_SANITIZE)
     set(carom_sanitizers ${CAROM_SANITIZE})
 endif()
 if(carom_sanitizers)
+    target_compile_definitions(carom_rules INTERFACE CAROM_SANITIZERS)
     target_compile_options(carom_rules INTERFACE
         -fsanitize=${carom_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer
         # False alarms of GCC 12 on variants; and its warning that the thread sanitizer does not know fences.

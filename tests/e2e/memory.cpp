@@ -13,7 +13,7 @@
 #include "e2e/program.h"
 #include "support/process.h"
 
-#ifndef __SANITIZE_ADDRESS__  // whose own memory is many times that
+#ifndef CAROM_SANITIZERS  // whose own memory is many times that
 
 using namespace carom::test;
 using nlohmann::json;

@@ -6,7 +6,7 @@
 
 #include "faults/faults.h"
 
-#if defined(__linux__) && defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__linux__) && defined(__GLIBC__) && !defined(CAROM_SANITIZERS)
 
 using namespace carom::test;
 

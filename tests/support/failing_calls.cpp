@@ -134,7 +134,7 @@ OPENING(open)
 OPENING(open64)
 
 // A sanitizer takes these calls itself.
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GLIBC__) && !defined(CAROM_SANITIZERS)
 
 OPENING_AT(openat)
 OPENING_AT(openat64)

@@ -5,7 +5,7 @@
 
 namespace carom::test {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef CAROM_SANITIZERS
 constexpr bool has_sanitizers = true;
 #else
 constexpr bool has_sanitizers = false;

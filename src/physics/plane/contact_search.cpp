@@ -12,8 +12,8 @@
 // Only GCC takes the attribute at the definition; its resolver would run before a sanitizer is
 // ready. CAROM_ONE_VERSION: for comparison.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) &&      \
-    !defined(CAROM_ONE_VERSION) && !(defined(__AVX2__) && defined(__FMA__))
+    !defined(CAROM_SANITIZERS) && !defined(CAROM_ONE_VERSION) &&            \
+    !(defined(__AVX2__) && defined(__FMA__))
 #define CAROM_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
 #else
 #define CAROM_FOR_EACH_PROCESSOR

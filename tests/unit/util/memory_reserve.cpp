@@ -16,8 +16,7 @@
 #include "util/interrupt.h"
 
 // The address space of a sanitizer has no useful limit, and QEMU grants beyond it.
-#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
-    !defined(CAROM_EMULATED)
+#if defined(__linux__) && !defined(CAROM_SANITIZERS) && !defined(CAROM_EMULATED)
 
 using namespace carom;
 

@@ -100,8 +100,9 @@ TEST_CASE("--cache keeps axes of each scene, seed and change apart, and makes da
 TEST_CASE("a folder for --cache that cannot be made is refused before any work") {
     const TemporaryFolder folder;
     folder.write("file", "mine");
-    for (const auto& [command, output] :
-         {std::pair{"render", "a.mp4"}, std::pair{"still", "a.png"}}) {
+    for (const auto& asked : {std::pair{"render", "a.mp4"}, std::pair{"still", "a.png"}}) {
+        const auto& command = asked.first;
+        const auto& output = asked.second;
         CAPTURE(std::string(command));
         const Outcome outcome =
             shell(fmt::format("'{}' {} '{}' --quiet --cache file/in -o {}", program, command,

@@ -159,7 +159,9 @@ TEST_CASE("the rough size of each kind of film is between half and twice it") {
     const Outcome outcome = shell("'" + program + "' check --json" + options, folder.path());
     const json formats = json::parse(outcome.out).at(0).at("film").at("rough").at("formats");
     CHECK(formats.size() == 4);
-    for (const auto& [format, rough] : formats.items()) {
+    for (const auto& one : formats.items()) {
+        const auto& format = one.key();
+        const auto& rough = one.value();
         CAPTURE(format);
         REQUIRE(
             shell("'" + program + "' render --quiet --format " + format + options, folder.path())

@@ -184,8 +184,10 @@ TEST_CASE("a WebM is VP9 of the promised length and words, and its frames are th
     // Gases move so little from frame to frame that a film which is one frame late has some 35 dB:
     // a film that is right has more in every frame. 41 dB are 2.3 of 255 in the mean square.
     constexpr double late_by_one = 36.0;
-    for (const auto& [quality, bound] :
+    for (const auto& asked :
          {std::pair{"draft", late_by_one}, std::pair{"standard", 39.0}, std::pair{"final", 41.0}}) {
+        const auto& quality = asked.first;
+        const auto& bound = asked.second;
         CAPTURE(std::string(quality));
         const Outcome outcome = run({program, "render", scene, "-o", "film.webm", "--size",
                                      "320x180", "--seconds", "6", "--quality", quality},
@@ -234,9 +236,10 @@ TEST_CASE("a WebM is the same, byte for byte, on any number of threads") {
 }
 
 TEST_CASE("a WebM or GIF that cannot be written, or is interrupted, leaves the earlier one") {
-    for (const auto& [film, slowly] :
-         {std::pair<std::string, std::string>{"film.webm", "--quality final"},
-          {"film.gif", "--size 2160p"}}) {
+    for (const auto& asked : {std::pair<std::string, std::string>{"film.webm", "--quality final"},
+                              {"film.gif", "--size 2160p"}}) {
+        const auto& film = asked.first;
+        const auto& slowly = asked.second;
         CAPTURE(film);
         const TemporaryFolder folder;
         folder.write(film, "earlier");

@@ -113,9 +113,12 @@ TEST_CASE("carom check takes what carom render takes of a film") {
 TEST_CASE("a film takes at most --max-size, and most of it") {
     const TemporaryFolder folder;
     const std::string scene = "'" + library_scene("mixed-masses") + "' --size 640x360 --seconds 2 ";
-    for (const auto& [file, size, most] : {std::tuple{"a.mp4", "150kB", 1.5e5},
-                                           {"b.gif", "0.3MB", 3e5},
-                                           {"c.webm", "300000", 3e5}}) {
+    for (const auto& asked : {std::tuple{"a.mp4", "150kB", 1.5e5},
+                              {"b.gif", "0.3MB", 3e5},
+                              {"c.webm", "300000", 3e5}}) {
+        const auto& file = std::get<0>(asked);
+        const auto& size = std::get<1>(asked);
+        const auto& most = std::get<2>(asked);
         CAPTURE(file);
         const Outcome outcome =
             shell(fmt::format("'{}' render {} -o {} --max-size {}", program, scene, file, size),

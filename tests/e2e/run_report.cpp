@@ -162,7 +162,9 @@ TEST_CASE("the report is what the samples say") {
           relative(sums["heavy"].second / (44.0 * 5.0), 1e-13));
     CHECK(report["temperature"].get<double>() ==
           relative((sums["light"].first + sums["heavy"].first) / double(rows.size()), 1e-13));
-    for (const auto& [name, values] : {std::pair("speed", speeds), {"energy", energies}}) {
+    for (const auto& measured : {std::pair("speed", speeds), {"energy", energies}}) {
+        const auto& name = measured.first;
+        const auto& values = measured.second;
         CAPTURE(name);
         const std::vector<double> edges = report["histograms"][name]["edges"];
         const std::vector<std::int64_t> counts = report["histograms"][name]["counts"];

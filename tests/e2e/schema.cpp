@@ -293,7 +293,9 @@ TEST_CASE("every good scene fits the schema") {
     for (const fs::path& scene : yaml_files(root / "tests/golden")) scenes.push_back(scene);
     CHECK(scenes.size() >= 5);
     const json found = verdicts(scenes);
-    for (const auto& [file, verdict] : found.items()) {
+    for (const auto& one : found.items()) {
+        const auto& file = one.key();
+        const auto& verdict = one.value();
         CAPTURE(file);
         CAPTURE(verdict);
         CHECK(verdict.is_null());
@@ -307,7 +309,9 @@ TEST_CASE("every bad scene is refused by the schema, where a schema can") {
     });
     std::size_t taken = 0;
     const json found = verdicts(scenes);
-    for (const auto& [file, verdict] : found.items()) {
+    for (const auto& one : found.items()) {
+        const auto& file = one.key();
+        const auto& verdict = one.value();
         const auto reason = beyond_the_schema.find(fs::path(file).stem().string());
         CAPTURE(file);
         CAPTURE(verdict);

@@ -140,7 +140,9 @@ TEST_CASE("a click is heard when the film shows a collision, with the pitch of i
         const std::vector<double> clicks = clicks_in(samples);
         REQUIRE(clicks.size() == 2);
         // A film of 140 frames: 15 before the gas moves, 104 steps for 10 units of time.
-        for (const auto& [time, click] : {std::pair{3.0, clicks[0]}, {7.0, clicks[1]}}) {
+        for (const auto& heard : {std::pair{3.0, clicks[0]}, {7.0, clicks[1]}}) {
+            const auto& time = heard.first;
+            const auto& click = heard.second;
             CAPTURE(time);
             const double shown = 1.5 + time * 10.4 / 10.0;
             // It rises within 3 ms; a packet of AAC has 21 ms, one of Opus 20.

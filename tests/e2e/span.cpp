@@ -55,8 +55,9 @@ TEST_CASE("--from and --to give the frames of the whole film between two times")
                     .exit_code == 0);
         return contents(folder.path() / "still.png");
     };
-    for (const auto& [from, to] :
-         {std::pair{"2", "5.5"}, {"10", "14"}, {"12", "24"}, {"0", "12"}}) {
+    for (const auto& span : {std::pair{"2", "5.5"}, {"10", "14"}, {"12", "24"}, {"0", "12"}}) {
+        const auto& from = span.first;
+        const auto& to = span.second;
         CAPTURE(std::string(from));
         const std::vector<std::string> part =
             frames_of(folder.path(), std::string("--from ") + from + " --to " + to);

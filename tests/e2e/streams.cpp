@@ -143,11 +143,13 @@ TEST_CASE("--format chooses the kind of all films, and the ending where none is 
     CHECK(fs::exists(folder.path() / "out/cradle.mp4"));
 
     const std::string one = "render '" + scene + "'" + short_film;
-    for (const auto& [arguments, path] : {std::pair{"--format gif", "out/two-to-one.gif"},
-                                          {"--format png", "out/two-to-one/frame-00001.png"},
-                                          {"--format webm -o films/", "films/two-to-one.webm"},
-                                          {"--format png -o a/", "a/frame-00001.png"},
-                                          {"--format png -o b", "b/frame-00001.png"}}) {
+    for (const auto& asked : {std::pair{"--format gif", "out/two-to-one.gif"},
+                              {"--format png", "out/two-to-one/frame-00001.png"},
+                              {"--format webm -o films/", "films/two-to-one.webm"},
+                              {"--format png -o a/", "a/frame-00001.png"},
+                              {"--format png -o b", "b/frame-00001.png"}}) {
+        const auto& arguments = asked.first;
+        const auto& path = asked.second;
         CAPTURE(std::string(arguments));
         REQUIRE(call(one + arguments, folder.path()).exit_code == 0);
         CHECK(fs::exists(folder.path() / path));

@@ -69,7 +69,8 @@ Pressures pressures(const Gas& gas, double length = 40.0) {
 
 // Within five standard errors, beyond what the equation itself claims.
 void check_pressure(const std::vector<double>& blocks, double expected, double claimed) {
-    const auto [mean, error] = test::estimate(blocks);
+    const test::Estimate found = test::estimate(blocks);
+    const double mean = found.mean, error = found.error;
     CAPTURE(mean);
     CAPTURE(error);
     CAPTURE(expected);

@@ -220,7 +220,9 @@ TEST_CASE("the force on the ends of a line is twice the energy over the free len
 // Where masses are in a simple ratio, half of the new velocities lie in the middle between two
 // numbers: an error of 1 / 3 would round all of them one way, and the energy grow evenly.
 TEST_CASE("the energy of beads does not drift, whatever their masses") {
-    for (const auto& [first, second] : {std::pair{1.0, 3.0}, {3.0, 7.0}, {0.1, 0.7}}) {
+    for (const auto& masses : {std::pair{1.0, 3.0}, {3.0, 7.0}, {0.1, 0.7}}) {
+        const auto& first = masses.first;
+        const auto& second = masses.second;
         CAPTURE(first);
         CAPTURE(second);
         Gas gas;

@@ -234,11 +234,13 @@ TEST_CASE("a nudge into another particle or a wall is refused") {
 
 TEST_CASE("a nudged echo fails when the growth law says") {
     const std::map<double, double> growth = test::measured_growth();
-    for (const auto& [packing, by] : {std::pair{0.1, "1e-20"},
-                                      {0.2, "1e-20"},
-                                      {0.3, "1e-20"},
-                                      {0.4, "1e-20"},
-                                      {0.4, "1e-60"}}) {
+    for (const auto& tried : {std::pair{0.1, "1e-20"},
+                              {0.2, "1e-20"},
+                              {0.3, "1e-20"},
+                              {0.4, "1e-20"},
+                              {0.4, "1e-60"}}) {
+        const auto& packing = tried.first;
+        const auto& by = tried.second;
         CAPTURE(packing);
         CAPTURE(by);
         const double expected = -std::log2(std::stod(by)) / growth.at(packing);
@@ -256,7 +258,9 @@ TEST_CASE("trials of a precision tell how far they are, while they equilibrate t
         times.emplace(tried, std::pair{time, time}).first->second.second = time;
     });
     REQUIRE(times.contains(bits));
-    for (const auto& [tried, of_trial] : times) {
+    for (const auto& trial : times) {
+        const auto& tried = trial.first;
+        const auto& of_trial = trial.second;
         CAPTURE(tried);
         CHECK(of_trial.first < -100.0);
         CHECK(of_trial.second > 0.0);

@@ -164,10 +164,13 @@ TEST_CASE("the numbers of each picture are those of its table, within half a pix
 
 TEST_CASE("a wrong number in a table, of any column, is seen in the picture") {
     std::size_t columns = 0;
-    for (const auto& [kind, check] : checks()) {
+    for (const auto& checked : checks()) {
+        const auto& kind = checked.first;
+        const auto& check = checked.second;
         const DrawnFigure& figure = gallery().at(kind);
         if (figure.table.empty()) continue;
-        for (const auto& [column, cell] : figure.table.front()) {
+        for (const auto& in_row : figure.table.front()) {
+            const auto& column = in_row.first;
             if (!is_read(kind, column)) continue;
             if (!changed(figure, column, 0.0)) continue;  // words
             CAPTURE(kind);

@@ -27,7 +27,8 @@ inline Estimate estimate(const std::vector<double>& blocks) {
 /// Within five standard errors, which chance fails once in two million; and these are at most a
 /// share of what is expected, so that the test can tell.
 inline void check_mean(const std::vector<double>& blocks, double expected, double most_error) {
-    const auto [mean, error] = estimate(blocks);
+    const Estimate found = estimate(blocks);
+    const double mean = found.mean, error = found.error;
     CAPTURE(mean);
     CAPTURE(error);
     CAPTURE(expected);

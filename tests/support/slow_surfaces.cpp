@@ -96,13 +96,14 @@ void SlowSurfaces::add_obstacle(const Obstacle& obstacle, std::int32_t surface) 
         parts_.push_back({false, center, center, {}, 0.0L, disk->radius, surface});
         return;
     }
-    const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
+    const auto& lines = std::get<Obstacle::Lines>(obstacle.shape);
+    const auto& corners = lines.corners;
     const auto corner = [&](std::size_t k) {
         return Vector{corners[k % corners.size()][0], corners[k % corners.size()][1]};
     };
     for (std::size_t k = 0; k < corners.size(); ++k)
         parts_.push_back({false, corner(k), corner(k), {}, 0.0L, 0.0L, surface});
-    for (std::size_t k = 0; k + (is_closed ? 0 : 1) < corners.size(); ++k) {
+    for (std::size_t k = 0; k + (lines.is_closed ? 0 : 1) < corners.size(); ++k) {
         const Vector line = corner(k + 1) - corner(k);
         const long double length = size(line);
         parts_.push_back(

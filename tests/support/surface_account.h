@@ -28,7 +28,9 @@ inline LongRun long_run_of_surfaces(double clock, std::int64_t events, double st
     gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{3.0, 3.0}, 0.7}},
                                   {"shelf", Obstacle::Lines{{{8.0, 2.0}, {10.0, 2.5}}, false}}};
     gas.species = {{.name = "disks", .count = 40, .radius = radius, .velocity = Temperature{3.0}}};
-    auto [particles, now] = place(gas);
+    std::pair<Particles, Sample> placed = place(gas);
+    const Particles& particles = placed.first;
+    Sample& now = placed.second;
     now.time = clock;
     EventLoop<2, double, true> loop(gas.box, particles);
     loop.start(now);

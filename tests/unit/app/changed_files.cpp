@@ -87,7 +87,7 @@ const Json huge = 1e300, large = 9223372036854775807;
 TEST_CASE("a plan of a stranger is read, or refused with a message") {
     const PlannedFilm plan;
     CHECK(PlanFolder(plan.path()).chunks().size() == 2);
-    for (const auto& [pointer, value] :
+    for (const auto& change :
          std::vector<std::pair<std::string, Json>>{{"/chunks", nullptr},
                                                    {"/chunks/0", 1},
                                                    {"/chunks/0/chunk", 2},
@@ -103,9 +103,10 @@ TEST_CASE("a plan of a stranger is read, or refused with a message") {
                                                    {"/files", 1},
                                                    {"/request", Json::array()},
                                                    {"/request/build", 0}}) {
+        const std::string& pointer = change.first;
         CAPTURE(pointer);
         const PlannedFilm changed;
-        changed.change(pointer, value);
+        changed.change(pointer, change.second);
         CHECK_THROWS_AS(PlanFolder(changed.path()), UsageError);
     }
     plan.change("/film/format", "exe");
@@ -156,14 +157,16 @@ TEST_CASE("the parts of a film's plan fit together, and its output leads nowhere
 
 TEST_CASE("the summary of a sweep that cannot be is refused") {
     CHECK_NOTHROW(sweep_summary(summary("/title", "T"), "summary.json"));
-    for (const auto& [pointer, value] :
+    for (const auto& change :
          std::vector<std::pair<std::string, Json>>{{"/seeds/first", -1},
                                                    {"/seeds/last", large},
                                                    {"/seeds/last", huge},
                                                    {"/axes/0/values", Json::array()},
                                                    {"/points/0/runs", huge},
                                                    {"/points/0/numbers/pressure/n", huge}}) {
+        const std::string& pointer = change.first;
         CAPTURE(pointer);
-        CHECK_THROWS_AS(sweep_summary(summary(pointer, value), "summary.json"), SystemError);
+        CHECK_THROWS_AS(sweep_summary(summary(pointer, change.second), "summary.json"),
+                        SystemError);
     }
 }

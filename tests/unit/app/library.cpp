@@ -307,8 +307,10 @@ TEST_CASE("what is above the top of the atmosphere has escaped for good") {
 }
 
 TEST_CASE("gases that mix come to one mean energy, each as many as in the original") {
-    for (const auto& [name, counts] : {std::pair{"two-gas", std::pair{100, 217}},
-                                       std::pair{"hot-and-cold-mix", std::pair{150, 150}}}) {
+    for (const auto& mixed : {std::pair{"two-gas", std::pair{100, 217}},
+                              std::pair{"hot-and-cold-mix", std::pair{150, 150}}}) {
+        const auto* const name = mixed.first;
+        const auto counts = mixed.second;
         CAPTURE(name);
         Simulation simulation = started(name);
         const auto& species = simulation.particles().species;

@@ -38,7 +38,8 @@ TEST_CASE("each command has three examples, which are calls of it with scenes th
         CAPTURE(command.name);
         CHECK(command.text.examples.size() == 3);
         CHECK_FALSE(command.text.description.empty());
-        for (const auto& [call, meaning] : command.text.examples) {
+        for (const auto& example : command.text.examples) {
+            const std::string call = example.call;
             CAPTURE(call);
             const std::vector<std::string> words = words_of(call);
             CHECK(words.front() == command.name);

@@ -202,9 +202,9 @@ TEST_CASE("no folder holds more than 25 files") {
     for (const fs::directory_entry& entry :
          fs::recursive_directory_iterator(carom::test::checkout() / "src"))
         if (entry.is_regular_file()) ++files[entry.path().parent_path()];
-    for (const auto& [folder, count] : files) {
-        CAPTURE(folder.string());
-        CHECK(count <= 25);
+    for (const auto& folder : files) {
+        CAPTURE(folder.first.string());
+        CHECK(folder.second <= 25);
     }
 }
 

@@ -191,10 +191,15 @@ TEST_CASE("profiles of runs side by side are those of each, with its law and its
                      "{label: high, set: \"box.size=[20, 60]\"}]"));
     const Table table = table_of(together.figures()[0]);
     std::size_t k = 0;
-    for (const auto& [label, set, height] : {std::tuple{"one", "seed=5", 40.0},
-                                             {"hot", "gas.0.temperature.exact=2", 40.0},
-                                             {"high", "box.size=[20, 60]", 60.0}}) {
-        CAPTURE(label);
+    struct Compared {
+        const char *label, *set;
+        double height;
+    };
+    for (const Compared& compared : {Compared{"one", "seed=5", 40.0},
+                                     {"hot", "gas.0.temperature.exact=2", 40.0},
+                                     {"high", "box.size=[20, 60]", 60.0}}) {
+        const auto& [label, set, height] = compared;
+        CAPTURE(compared.label);
         const FigureRun alone = run_of(scene("", {set}));
         const std::vector<std::vector<Cell>> its = rows_of(table, label);
         CHECK(its == table_of(alone.figures()[0]).rows);
@@ -318,8 +323,10 @@ TEST_CASE("a key that is longer than a column takes several rows") {
 }
 
 TEST_CASE("pressure and area of two runs are two paths, with theory where they begin alike") {
-    for (const auto& [change, alike] :
+    for (const auto& changed :
          {std::pair{"box.walls.top.velocity=-0.1", true}, std::pair{"gas.0.count=10", false}}) {
+        const std::string change = changed.first;
+        const bool alike = changed.second;
         CAPTURE(change);
         const FigureRun run = run_of(test::scene_from(
             "title: T\nbox: {size: [10, 14], walls: {top: {velocity: -0.5}}}\n"

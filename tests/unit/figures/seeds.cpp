@@ -152,10 +152,12 @@ TEST_CASE("all runs together tell how far they have come, each of its two passes
     const std::string two = ", compare: [{label: a, set: seed=7}, {label: b, set: run.until=8}]}\n";
     const std::string later =
         ", compare: [{label: a, set: run.equilibrate=3}, {label: b, set: seed=7}]}\n";
-    for (const auto& [figures, expected] : {std::pair{bars + "}\n", 12.0},
-                                            {bars + ", seeds: 4}\n", 48.0},
-                                            {bars + two, 28.0},
-                                            {bars + later, 27.0}}) {
+    for (const auto& asked : {std::pair{bars + "}\n", 12.0},
+                              {bars + ", seeds: 4}\n", 48.0},
+                              {bars + two, 28.0},
+                              {bars + later, 27.0}}) {
+        const std::string& figures = asked.first;
+        const double expected = asked.second;
         CAPTURE(figures);
         std::mutex mutex;
         double all = 0.0, done = 0.0;

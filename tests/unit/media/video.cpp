@@ -126,12 +126,14 @@ TEST_CASE("the encoder's own record of its settings names one thread and no cuts
 
 TEST_CASE("ffmpeg decodes every frame, in order, with the colours that were drawn") {
     const FilmFolder folder;
-    for (const auto& [film, quality] : {std::pair{folder.film(), Quality::draft},
-                                        {folder.film(), Quality::standard},
-                                        {folder.film(), Quality::final_},
-                                        {folder.webm(), Quality::draft},
-                                        {folder.webm(), Quality::standard},
-                                        {folder.webm(), Quality::final_}}) {
+    for (const auto& made : {std::pair{folder.film(), Quality::draft},
+                             {folder.film(), Quality::standard},
+                             {folder.film(), Quality::final_},
+                             {folder.webm(), Quality::draft},
+                             {folder.webm(), Quality::standard},
+                             {folder.webm(), Quality::final_}}) {
+        const auto& film = made.first;
+        const Quality quality = made.second;
         CAPTURE(int(quality));
         CAPTURE(film);
         write_film(film, small_film(quality));

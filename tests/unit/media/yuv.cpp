@@ -89,8 +89,9 @@ std::array<double, 3> filtered(Picture& picture, int column, int row) {
 TEST_CASE("every byte is the nearest to BT.709 in double precision") {
     // Rounding to the nearest errs by at most 0.5; the fixed-point weights add less than 1e-4.
     const double tolerance = 0.5 + 1e-4;
-    for (const auto& [width, height] :
+    for (const auto& size :
          {std::pair{1, 1}, {2, 2}, {3, 5}, {37, 21}, {64, 48}, {319, 17}, {1921, 9}}) {
+        const int width = size.first, height = size.second;
         CAPTURE(width);
         CAPTURE(height);
         Picture picture = noise(width, height, 5);
@@ -161,8 +162,9 @@ TEST_CASE("an odd picture is converted as one whose last row and column are repe
 
 TEST_CASE("converting what has changed gives the bytes of converting all") {
     Random random(11, "boxes");
-    for (const auto& [width, height] :
+    for (const auto& size :
          {std::pair{1, 1}, {2, 3}, {63, 5}, {64, 64}, {65, 31}, {127, 8}, {129, 66}, {300, 40}}) {
+        const int width = size.first, height = size.second;
         CAPTURE(width);
         CAPTURE(height);
         Picture picture = noise(width, height, 3);

@@ -148,7 +148,9 @@ TEST_CASE("beads on a wire stand one above the other") {
 }
 
 TEST_CASE("beads on a wire have world lines only where there is room for them") {
-    for (const auto& [layout, lines] : {std::pair{"wide-gas", 2}, std::pair{"side-by-side", 0}}) {
+    for (const auto& expected : {std::pair{"wide-gas", 2}, std::pair{"side-by-side", 0}}) {
+        const std::string layout = expected.first;
+        const int lines = expected.second;
         CAPTURE(layout);
         const test::Shot both(test::scene_from(
             "title: T\nbox: {length: 12}\ngas: [{count: 6, radius: 0.1, speed: 1}]\nrun: {until: "

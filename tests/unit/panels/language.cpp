@@ -100,8 +100,9 @@ TEST_CASE("frames speak the scene's language, and write its numbers") {
     for (const char* name :
          {"one-hot-particle", "mixed-masses", "single-collision", "heat-flow", "tonks-gas",
           "equal-masses-in-one-dimension", "reversal-precision", "gas-under-a-weight"}) {
-        for (const auto& [language, code] :
-             {std::pair{Language::german, "de"}, {Language::spanish, "es"}}) {
+        for (const auto& spoken : {std::pair{Language::german, "de"}, {Language::spanish, "es"}}) {
+            const Language language = spoken.first;
+            const char* const code = spoken.second;
             const Scene scene = library_scene(name, code);
             std::set<std::string> known = words_in(language);
             add_own_words(scene, known);

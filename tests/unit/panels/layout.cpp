@@ -92,12 +92,14 @@ double share_of_gas(const LayoutSpec& layout) {
 }  // namespace
 
 TEST_CASE("no words are smaller than those at the back of a lecture hall can read") {
-    for (const auto& [name, least] : {std::pair{"lecture", 32.0},
-                                      {"minimal", 32.0},
-                                      {"wide-gas", 32.0},
-                                      {"square", 30.0},
-                                      {"portrait", 27.0},
-                                      {"data", 26.5}}) {
+    for (const auto& expected : {std::pair{"lecture", 32.0},
+                                 {"minimal", 32.0},
+                                 {"wide-gas", 32.0},
+                                 {"square", 30.0},
+                                 {"portrait", 27.0},
+                                 {"data", 26.5}}) {
+        const std::string name = expected.first;
+        const double least = expected.second;
         CAPTURE(name);
         PictureSize size;
         const LayoutSpec layout = layout_of(name, &size);

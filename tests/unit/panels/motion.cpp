@@ -48,10 +48,11 @@ std::vector<std::vector<bool>> breaks_of(const Shot& film, std::size_t index) {
 
 TEST_CASE("numbers in words stay the same for a fifth of a second") {
     // Nothing but numbers changes here: no caption comes, the pace stays.
-    for (const auto& [name, events] :
+    for (const auto& changed :
          {std::pair{"one-hot-particle", "run.events=[]"},
           {"entropy-reversed", "run.events=[{at: 40, reverse: velocities}]"}}) {
-        CAPTURE(std::string(name));
+        const std::string name = changed.first, events = changed.second;
+        CAPTURE(name);
         const Shot film(scene_of(name, {events, "film.slow=[]"}), 260);
         FramePainter painter(*film.panels);
         painter.paint(film.frames[199]);  // with what is the same in every frame

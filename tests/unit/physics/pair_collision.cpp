@@ -192,7 +192,8 @@ TEST_CASE("the rounding errors of impulses have no mean") {
     // Errors of four products, two sums, quotients and the result spread by less than a unit and a
     // half. Five standard errors: of three means one is beyond once in half a million.
     constexpr double most = 5.0 * 1.5 / 200.0;  // the root of the number of pairs
-    for (const auto& [w1, w2] : {std::pair{1.0, 1.0}, {1.0 / 3, 1.0 / 3}, {0.1, 7.0}}) {
+    for (const auto& shares : {std::pair{1.0, 1.0}, {1.0 / 3, 1.0 / 3}, {0.1, 7.0}}) {
+        const double w1 = shares.first, w2 = shares.second;
         CAPTURE(w1);
         Random random(21, "impulses");
         double sum = 0.0;

@@ -90,7 +90,9 @@ TEST_CASE("the reference page is current") {
     fs::current_path(carom::test::checkout());
     const std::map<fs::path, std::string> files{{"docs/scene-reference.md", reference_page()},
                                                 {"docs/colors.svg", color_chart()}};
-    for (const auto& [file, text] : files) {
+    for (const auto& made : files) {
+        const auto& file = made.first;
+        const auto& text = made.second;
         if (std::getenv("CAROM_UPDATE_DOCS") != nullptr) std::ofstream(file) << text;
         CAPTURE(file);
         const bool current = contents(file) == text;
@@ -132,7 +134,9 @@ TEST_CASE("every kind of panel has a valid scene of a few lines that shows it") 
 TEST_CASE("the page shows every kind of panel, with a picture and its scene") {
     const std::string page = reference_page();
     const std::string gallery = page.substr(0, page.find("\n## A scene\n"));
-    for (const auto& [kind, example] : panel_examples()) {
+    for (const auto& shown : panel_examples()) {
+        const auto& kind = shown.first;
+        const auto& example = shown.second;
         CAPTURE(kind);
         const std::size_t begin = gallery.find("\n### `" + kind + "`\n");
         REQUIRE(begin != std::string::npos);

@@ -360,8 +360,10 @@ TEST_CASE("the overlap is the deepest at a collision or in a sample") {
 
 TEST_CASE("samples given by their changes have the very statistics of whole samples") {
     // With walls, in a periodic box, and in one whose gas drifts as a whole.
-    for (const auto& [wall, drift] :
+    for (const auto& gas :
          {std::pair{Wall::solid, 0.0}, {Wall::periodic, 0.1}, {Wall::periodic, 10.0}}) {
+        const Wall wall = gas.first;
+        const double drift = gas.second;
         CAPTURE(drift);
         Random random(4, "velocities");
         std::vector<Body> bodies;

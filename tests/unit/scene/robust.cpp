@@ -1,7 +1,7 @@
 // Broken scenes of every sort: they load or are refused, they never crash or hang.
 #include <doctest/doctest.h>
 
-#include <chrono>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -87,7 +87,7 @@ TEST_CASE("a scene with random errors loads or is refused") {
 }
 
 TEST_CASE("large hostile files are refused within seconds") {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     std::string listed = "gas: [";
     for (int i = 0; i < 100'000; ++i) listed += "x, ";
     std::string keys;
@@ -107,6 +107,6 @@ TEST_CASE("large hostile files are refused within seconds") {
           "a: " + std::string(1 << 20, '"'), std::string(1 << 20, '?') + "\n",
           "\"" + std::string(1 << 20, '\\')})
         CHECK(!loads(text));
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    CHECK(taken.count() < 60.0);  // a hang, not a slow machine
+    const double taken = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    CHECK(taken < 60.0);  // a hang, not a slow machine; nor one that is busy with something else
 }

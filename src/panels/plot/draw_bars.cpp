@@ -174,7 +174,7 @@ void draw_over_bars(Canvas& canvas, const Frame& frame, const Plot& plot) {
     for (const Bars* bars : all) draw_errors(canvas, frame, *bars);
 }
 
-void draw_counts_of_broken(Canvas& canvas, const Frame& frame, const Plot& plot) {
+void draw_counts_of_broken_bars(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const std::vector<const Bars*> all = bars_of(plot);
     if (all.empty()) return;
     const double u = frame.dc.unit;
@@ -188,8 +188,8 @@ void draw_counts_of_broken(Canvas& canvas, const Frame& frame, const Plot& plot)
             if (!words.empty()) words += ", ";
             words += named(bars->broken[i], bars->role);
         }
-        if (!is_any_broken(all, i)) continue;
-        if (i + 1 < first.value.size() && is_any_broken(all, i + 1)) continue;
+        const bool is_next_broken = i + 1 < first.value.size() && is_any_broken(all, i + 1);
+        if (words.empty() || is_next_broken) continue;
         const double left = frame.x(first.from[i]), right = frame.x(first.to[i]);
         const std::string markup = markup_of(words, frame.dc.theme);
         words = {};

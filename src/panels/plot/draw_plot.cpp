@@ -464,7 +464,7 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         draw_over_bars(canvas, frame, plot);
         draw_counts_beyond(canvas, frame, plot);
     }
-    if (last_bars != layers.rend()) draw_counts_of_broken(canvas, frame, plot);
+    if (last_bars != layers.rend()) draw_counts_of_broken_bars(canvas, frame, plot);
     if (!still) draw_names(canvas, frame, plot);
 }
 

@@ -31,6 +31,13 @@ Scene scene_of(const std::string& gas, const std::string& film,
         (film.find("template") == std::string::npos ? "template: wide-gas, " : "") + film + "}\n");
 }
 
+// Where the data of the last panel lie on a picture.
+Rect area_of_last_plot(const PanelSet& panels, const Grid& grid) {
+    DiskPainter disks;
+    const Slot& slot = panels.panels().back().slot;
+    return plot_area({grid.place(slot), grid.unit(), theme(ThemeKind::dark), disks});
+}
+
 // The first frame of a scene.
 struct Picture : test::FirstFrame {
     using FirstFrame::FirstFrame;
@@ -172,11 +179,8 @@ TEST_CASE("the means' names keep clear of their marks") {
                                    std::to_string(top) + "], bins: 1000}]");
         scene.film.size = {narrow ? 900 : 1600, 900};
         const Picture picture(std::move(scene));
-        const PanelSet::Placed& placed = picture.panels.panels().back();
-        DiskPainter disks;
         const Grid grid(picture.scene.film.layout, picture.scene.film.size);
-        const Rect area =
-            plot_area({grid.place(placed.slot), grid.unit(), theme(ThemeKind::dark), disks});
+        const Rect area = area_of_last_plot(picture.panels, grid);
         const int x = static_cast<int>(std::lround(area.x + area.width / top));
         const auto at = [&](int column, int row) {
             return picture.view.data[row * picture.view.stride + column] & 0xFFFFFF;
@@ -217,11 +221,8 @@ TEST_CASE("the mark of a mean does not cross out the count of a broken bar") {
     const test::Shot film(scene, 1);
     FramePainter painter(*film.panels);
     const PixelView view = painter.paint(film.frames.front()).pixels();
-    const PanelSet::Placed& placed = film.panels->panels().back();
-    DiskPainter disks;
     const Grid grid(scene.film.layout, scene.film.size);
-    const Rect area =
-        plot_area({grid.place(placed.slot), grid.unit(), theme(ThemeKind::dark), disks});
+    const Rect area = area_of_last_plot(*film.panels, grid);
     const std::uint32_t ink = to_pixel(theme(ThemeKind::dark).ink) & 0xFFFFFF;
     const int x = static_cast<int>(area.x + area.width * 0.727 / 6.0);
     const auto rows_of_mark = [&](double from, double to) {

@@ -57,7 +57,7 @@ Seconds median(std::vector<Seconds> all) {
 int main(int argc, char** argv) {
     const bool quick = argc > 1 && std::strcmp(argv[1], "--quick") == 0;
     const Scene scene = scene_of(quick ? 20'000 : 100'000);
-    constexpr int runs = 3;
+    constexpr int runs = 5;
     constexpr double most_wall = 1.2, most_again = 0.2;
     Progress silent(Progress::Form::silent, "");
     std::vector<Seconds> bare, first, again;

@@ -5,14 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-// Three versions of the inner loops, chosen when the program starts: the arithmetic is the same.
-// What chooses runs before a sanitizer is ready. CAROM_ONE_VERSION: for comparison.
-#if defined(__x86_64__) && defined(__GLIBC__) && !defined(CAROM_SANITIZERS) && \
-    !defined(CAROM_ONE_VERSION)
-#define CAROM_SIMD __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define CAROM_SIMD
-#endif
+#include "util/processors.h"
+
+#define CAROM_SIMD CAROM_FOR_PROCESSORS("arch=x86-64-v4", "arch=x86-64-v3")
 
 namespace carom {
 namespace {

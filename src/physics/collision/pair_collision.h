@@ -151,7 +151,8 @@ template <typename Number>
 
 /// x / d.
 template <typename Scalar>
-Unrounded<Scalar> quotient_of(const Scalar& x, const Unrounded<Scalar>& d) {
+[[gnu::always_inline]] inline Unrounded<Scalar> quotient_of(const Scalar& x,
+                                                            const Unrounded<Scalar>& d) {
     using std::fma;
     const Scalar quotient = x / d.value;
     return {quotient, (fma(-quotient, d.value, x) - quotient * d.error) / d.value};
@@ -159,7 +160,7 @@ Unrounded<Scalar> quotient_of(const Scalar& x, const Unrounded<Scalar>& d) {
 
 /// a b with one rounding.
 template <typename Scalar>
-Scalar product_of(const Scalar& a, const Unrounded<Scalar>& b) {
+[[gnu::always_inline]] inline Scalar product_of(const Scalar& a, const Unrounded<Scalar>& b) {
     using std::fma;
     const Scalar product = a * b.value;
     return product + (fma(a, b.value, -product) + a * b.error);
@@ -173,8 +174,9 @@ Scalar product_of(const Scalar& a, const Unrounded<Scalar>& b) {
 /// other way round. The energy would drift: of equal disks of diameter 1 and mass 1 it rose by
 /// 4e-18 of a disk's at each collision.
 template <typename Scalar>
-Unrounded<Scalar> impulse_factor(const RelativeMotion<Scalar>& m, const Scalar& first_inverse_mass,
-                                 const Scalar& second_inverse_mass) {
+[[gnu::always_inline]] inline Unrounded<Scalar> impulse_factor(const RelativeMotion<Scalar>& m,
+                                                               const Scalar& first_inverse_mass,
+                                                               const Scalar& second_inverse_mass) {
     using std::fma;
     const Unrounded<Scalar> square = square_of_distance(m);
     const Unrounded<Scalar> sum = unrounded_sum(first_inverse_mass, second_inverse_mass);

@@ -262,14 +262,16 @@ template <std::size_t Firsts, std::size_t Seconds>
             append(fine_slots_[static_cast<std::size_t>(first[k] + second[l])], list, size);
 }
 
-inline void CellGrid::append_around(Cell cell, std::vector<std::int32_t>& list,
-                                    std::size_t& size) const {
+[[gnu::always_inline]] inline void CellGrid::append_around(Cell cell,
+                                                           std::vector<std::int32_t>& list,
+                                                           std::size_t& size) const {
     append_cells<3, 3>(&around_[1][cell[1]], &around_[0][cell[0]], list, size);
     if (has_large_) append_large_around(cell, list, size);
 }
 
-inline void CellGrid::append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
-                                          std::size_t& size) const {
+[[gnu::always_inline]] inline void CellGrid::append_newly_around(Cell cell, int side,
+                                                                 std::vector<std::int32_t>& list,
+                                                                 std::size_t& size) const {
     const std::array around{&around_[0][cell[0]], &around_[1][cell[1]]};
     const auto axis = static_cast<std::size_t>(side / 2);
     append_cells<1, 3>(around[axis] + (side % 2 == 0 ? 0 : 2), around[1 - axis], list, size);

@@ -6,18 +6,7 @@
 
 #include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
-
-// One version for each kind of processor, unless the compiler is told to build for one that has the
-// better instructions anyway (-march=native): there GCC 12 fails on a version for a lesser one.
-// Only GCC takes the attribute at the definition; its resolver would run before a sanitizer is
-// ready. CAROM_ONE_VERSION: for comparison.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
-    !defined(CAROM_SANITIZERS) && !defined(CAROM_ONE_VERSION) &&            \
-    !(defined(__AVX2__) && defined(__FMA__))
-#define CAROM_FOR_EACH_PROCESSOR __attribute__((target_clones("default", "arch=x86-64-v3")))
-#else
-#define CAROM_FOR_EACH_PROCESSOR
-#endif
+#include "util/processors.h"
 
 namespace carom {
 namespace {
@@ -293,7 +282,7 @@ Pairing Pairing::shifted(double x, double y) {
             .several_images = false};
 }
 
-CAROM_FOR_EACH_PROCESSOR
+CAROM_FOR_PROCESSORS_WITH_FMA
 void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
@@ -301,14 +290,14 @@ void search_contact(const DiskStates& disks, const DiskProperties& properties, s
                    first);
 }
 
-CAROM_FOR_EACH_PROCESSOR
+CAROM_FOR_PROCESSORS_WITH_FMA
 void search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
     search_falling(disks, properties, pairing, near, now, i, count, first);
 }
 
-CAROM_FOR_EACH_PROCESSOR
+CAROM_FOR_PROCESSORS_WITH_FMA
 void search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
@@ -317,7 +306,7 @@ void search_two_contacts(const DiskStates& disks, const DiskProperties& properti
                    split, count, firsts);
 }
 
-CAROM_FOR_EACH_PROCESSOR
+CAROM_FOR_PROCESSORS_WITH_FMA
 void search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,

@@ -232,8 +232,9 @@ inline void PairSearch<Body>::fill_up_lanes(std::int32_t i) {
 
 // The first contact with one of those listed.
 template <typename Body>
-inline void PairSearch<Body>::search(const Bodies& bodies, std::int32_t i, double now,
-                                     const Pairing& pairing, FirstContact& first) {
+[[gnu::always_inline]] inline void PairSearch<Body>::search(const Bodies& bodies, std::int32_t i,
+                                                            double now, const Pairing& pairing,
+                                                            FirstContact& first) {
     fill_up_lanes(i);
     const std::size_t count = near_count_;
     near_count_ = 0;
@@ -247,7 +248,7 @@ inline void PairSearch<Body>::search(const Bodies& bodies, std::int32_t i, doubl
 
 // Of those in the cells around.
 template <typename Body>
-inline const Pairing& PairSearch<Body>::pairing_near(Cell cell) const {
+[[gnu::always_inline]] inline const Pairing& PairSearch<Body>::pairing_near(Cell cell) const {
     const auto inner = [&](std::size_t a) {
         return cell[a] - grid_.inner()[a].first < grid_.inner()[a].count;
     };
@@ -268,8 +269,9 @@ inline auto PairSearch<Body>::search_slots(const Bodies& bodies, std::int32_t i,
 }
 
 template <typename Body>
-inline FirstContact PairSearch<Body>::first_contact(const Bodies& bodies, std::int32_t i,
-                                                    double now) {
+[[gnu::always_inline]] inline FirstContact PairSearch<Body>::first_contact(const Bodies& bodies,
+                                                                           std::int32_t i,
+                                                                           double now) {
     const Cell cell = at(bodies, i).cell;
     const double radius = properties_[i].radius;
     FirstContact first;
@@ -284,8 +286,9 @@ inline FirstContact PairSearch<Body>::first_contact(const Bodies& bodies, std::i
 
 // The nearest image of the other recedes, and no other image comes into question.
 template <typename Body>
-inline bool PairSearch<Body>::first_contacts(const Bodies& bodies, std::int32_t i, std::int32_t j,
-                                             double now, std::array<FirstContact, 2>& contacts) {
+[[gnu::always_inline]] inline bool PairSearch<Body>::first_contacts(
+    const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+    std::array<FirstContact, 2>& contacts) {
     const Cell a = at(bodies, i).cell, b = at(bodies, j).cell;
     if (!grid_.plain(properties_[i].radius) || !grid_.plain(properties_[j].radius)) return false;
     grid_.append_around(a, near_, near_count_);
@@ -303,9 +306,8 @@ inline bool PairSearch<Body>::first_contacts(const Bodies& bodies, std::int32_t 
 }
 
 template <typename Body>
-inline FirstContact PairSearch<Body>::first_contact_after_crossing(const Bodies& bodies,
-                                                                   std::int32_t i, int side,
-                                                                   double now) {
+[[gnu::always_inline]] inline FirstContact PairSearch<Body>::first_contact_after_crossing(
+    const Bodies& bodies, std::int32_t i, int side, double now) {
     const Body& a = at(bodies, i);
     const Prediction& before = a.prediction;
     FirstContact first(before.contact_time, before.partner, before.partner_collisions);

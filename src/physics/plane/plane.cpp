@@ -1,6 +1,7 @@
 #include "physics/plane/plane.h"
 
 #include "physics/collision/pair_collision.h"
+#include "util/processors.h"
 
 namespace carom {
 
@@ -24,6 +25,7 @@ Plane::Bodies Plane::bodies_of(const Particles& particles) {
     return Bodies(static_cast<std::size_t>(particles.count()));
 }
 
+CAROM_FOR_PROCESSORS_WITH_FMA
 bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const {
     Body &a = at(bodies, i), &b = at(bodies, j);
     const Properties &first = properties_[i], &second = properties_[j];
@@ -41,8 +43,8 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
 
 // The contact, or the first of the borders ahead on each axis, of the cell with its overhang or of
 // the box. A large disk touches the wall from several cells away.
-inline double Plane::next_event(Body& d, double radius, double now,
-                                const FirstContact& contact) const {
+[[gnu::always_inline]] inline double Plane::next_event(Body& d, double radius, double now,
+                                                       const FirstContact& contact) const {
     const TwoLanes none = both(never<double>), zero{};
     const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
     const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
@@ -73,10 +75,12 @@ inline double Plane::next_event(Body& d, double radius, double now,
     return select(contact_time < border_time, contact_time, border_time)[0];
 }
 
+CAROM_FOR_PROCESSORS_WITH_FMA
 double Plane::predict(Bodies& bodies, std::int32_t i, double now) {
     return next_event(at(bodies, i), properties_[i].radius, now, first_contact(bodies, i, now));
 }
 
+CAROM_FOR_PROCESSORS_WITH_FMA
 bool Plane::predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
                          std::array<double, 2>& when) {
     std::array<FirstContact, 2> contacts;
@@ -86,6 +90,7 @@ bool Plane::predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double 
     return true;
 }
 
+CAROM_FOR_PROCESSORS_WITH_FMA
 double Plane::predict_after_crossing(Bodies& bodies, std::int32_t i, int side, double now) {
     return next_event(at(bodies, i), properties_[i].radius, now,
                       first_contact_after_crossing(bodies, i, side, now));

@@ -98,12 +98,19 @@ FcConfig* machine() {
     return all.get();
 }
 
-// The folders in which Fontconfig looks by its defaults, with its caches on Debian and Fedora.
-constexpr const char* usual_folders =
-    "<fontconfig><dir>/usr/share/fonts</dir><dir>/usr/local/share/fonts</dir>"
-    "<dir prefix=\"xdg\">fonts</dir><dir>~/.fonts</dir>"
-    "<cachedir>/var/cache/fontconfig</cachedir><cachedir>/usr/lib/fontconfig/cache</cachedir>"
-    "<cachedir prefix=\"xdg\">fontconfig</cachedir></fontconfig>";
+// The folders in which Fontconfig looks by its defaults, with its caches on Debian and Fedora; of
+// the fonts there only the declared family. They are known from the caches: no file is read for it.
+std::string declared_in_usual_folders() {
+    return fmt::format(
+        "<fontconfig><dir>/usr/share/fonts</dir><dir>/usr/local/share/fonts</dir>"
+        "<dir prefix=\"xdg\">fonts</dir><dir>~/.fonts</dir>"
+        "<cachedir>/var/cache/fontconfig</cachedir><cachedir>/usr/lib/fontconfig/cache</cachedir>"
+        "<cachedir prefix=\"xdg\">fontconfig</cachedir>"
+        "<selectfont><rejectfont><pattern/></rejectfont><acceptfont><pattern>"
+        "<patelt name=\"family\"><string>{}</string></patelt>"
+        "</pattern></acceptfont></selectfont></fontconfig>",
+        font_family);
+}
 
 bool is_configured_by_environment() {
     return std::ranges::any_of(
@@ -119,15 +126,18 @@ class DeclaredFonts {
         require_memory(first_text_bytes, "setting text");
         require_threads(threads_of_pango, [] {});
         g_log_set_writer_func(on_glib_message, nullptr, nullptr);
-        usual_.reset(FcConfigCreate());
         own_.reset(FcConfigCreate());
-        const auto* text = reinterpret_cast<const FcChar8*>(usual_folders);
-        if (!usual_ || !own_ || !FcConfigParseAndLoadFromMemory(usual_.get(), text, FcTrue) ||
-            !FcConfigBuildFonts(usual_.get()))
+        const std::string text =
+            is_configured_by_environment() ? "<fontconfig/>" : declared_in_usual_folders();
+        if (!own_ ||
+            !FcConfigParseAndLoadFromMemory(
+                own_.get(), reinterpret_cast<const FcChar8*>(text.c_str()), FcTrue) ||
+            !FcConfigBuildFonts(own_.get()))
             refuse_configuration();
         // Pango would read the machine's.
-        if (!FcConfigSetCurrent(usual_.get())) refuse_configuration();
-        if (!is_configured_by_environment()) add_from(usual_.get());
+        if (!FcConfigSetCurrent(own_.get())) refuse_configuration();
+        const FcFontSet* found = FcConfigGetFonts(own_.get(), FcSetSystem);
+        has_font_ = found != nullptr && found->nfont > 0;
         if (!has_font_) add_from(machine());
     }
 
@@ -151,7 +161,6 @@ class DeclaredFonts {
         }
     }
 
-    FontConfig usual_;
     FontConfig own_;
     bool has_font_ = false;
 };

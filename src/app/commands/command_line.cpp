@@ -59,8 +59,17 @@ CLI::Option& declare(CLI::App& app, const Option& option, const TakeValue& take)
     return *app.add_option_function<std::string>(flags_of(option), take, option.meaning);
 }
 
-void add_command(CLI::App& app, const Command& command) {
+// "" where there is none.
+std::string first_command_among(const std::vector<std::string>& words,
+                                const std::vector<Command>& commands) {
+    const auto first = std::ranges::find_first_of(words, commands, {}, {}, &Command::name);
+    return first == words.end() ? "" : *first;
+}
+
+// With the options of the one that is called: to declare those of all takes a millisecond.
+void add_command(CLI::App& app, const Command& command, bool is_called) {
     CLI::App& declared = *app.add_subcommand(command.name, command.meaning);
+    if (!is_called) return;
     for (const Option& option : command.options) {
         CLI::Option& its = std::visit(
             [&](const auto& value) -> CLI::Option& { return declare(declared, option, value); },
@@ -196,7 +205,8 @@ int parse_and_run(int argc, const char* const* argv, const std::vector<Command>&
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
-    for (const Command& command : commands) add_command(app, command);
+    const std::string called = first_command_among({argv + 1, argv + std::max(argc, 1)}, commands);
+    for (const Command& command : commands) add_command(app, command, command.name == called);
     app.formatter_fn([&commands](const CLI::App*, const std::string&, CLI::AppFormatMode) {
         return text_of(help_of(commands));
     });

@@ -74,6 +74,13 @@ TEST_CASE("a set has a page in HTML, unless it says otherwise") {
 TEST_CASE("a scene is no set, nor is what cannot be read") {
     CHECK_FALSE(is_figure_set(carom::test::checkout() / "scenes/cradle.yaml"));
     CHECK_FALSE(is_figure_set("nowhere.yaml"));
+    CHECK_FALSE(is_figure_set(
+        Example("title: T\nbox: {size: [9, 9]}\ngas: []  # as in other scenes\n").path));
+}
+
+TEST_CASE("a set is known by its key, however that is written") {
+    CHECK(is_figure_set(Example("{title: T, 'scenes': [beside.yaml]}\n").path));
+    CHECK(is_figure_set(Example("title: T\n\"sc\\x65nes\": [beside.yaml]\n").path));
 }
 
 TEST_CASE("mistakes in a set are told with their places") {

@@ -191,7 +191,8 @@ double top_of(const std::vector<HistogramCurve>& curves) {
     return top;
 }
 
-// Of each probe the tallest bar of all series, in order of time.
+// Of each probe the tallest bar of all series, in order of time; only of the last before `only_at`,
+// if that is the only time shown.
 std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramRules& rules,
                                  const HistogramAxes& axes) {
     std::vector<double> tallest;
@@ -199,12 +200,14 @@ std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramR
         RunningHistogram running(axes.bins, rules.window);
         for (std::size_t i = 0; i < record.probes[k].size(); ++i) {
             const HistogramProbe& probe = record.probes[k][i];
+            if (i > 0 && rules.only_at && probe.time > *rules.only_at) break;
             running.add(probe.time, probe.values);
             if (i == tallest.size()) tallest.push_back(0.0);
             tallest[i] = std::max(tallest[i], record.series[k].unit * probe.stands_for *
                                                   std::ranges::max(running.mean().counts));
         }
     }
+    if (rules.only_at && !tallest.empty()) tallest = {tallest.back()};
     return tallest;
 }
 

@@ -9,6 +9,7 @@
 #include "draw/text.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
+#include "panels/plots/histogram_panel.h"
 #include "support/figure_run.h"
 #include "support/scene_text.h"
 
@@ -108,6 +109,25 @@ TEST_CASE("`over` of a figure is an interval, or as a panel has it") {
     CHECK(picture("at: 6") == picture("at: 6, over: now"));
     CHECK(picture("at: 6, over: start") != picture("at: 6"));
     CHECK(picture("over: [2, 6]") != picture("at: 6"));
+}
+
+// All begin with the same speed, in one bar.
+TEST_CASE("the vertical axis of a mean over an interval is that of its own bars") {
+    const FigureRun run = run_of(test::scene_from(
+        "title: A gas\nbox: {size: [40, 30]}\ngas: [{count: 200, radius: 0.5, speed: 2}]\n"
+        "run: {until: 12}\nfilm: {seconds: 2}\nfigures:\n"
+        "  - {name: a, kind: speed-histogram, theory: false, over: [4, 12]}\n"
+        "  - {name: b, kind: speed-histogram, theory: false, at: 0, over: {window: 8}}\n"));
+    const auto fills = [&](std::size_t index) {
+        const Figure& figure = run.figures()[index];
+        const auto& panel = dynamic_cast<const HistogramPanel&>(*figure.panel);
+        const auto& bars = HistogramPanel::histograms(*figure.moments.back().state);
+        return std::ranges::max(bars.front().counts) / panel.tallest();
+    };
+    for (const std::size_t index : {0U, 1U}) {
+        CHECK(fills(index) > 0.5);
+        CHECK(fills(index) <= 1.0);
+    }
 }
 
 TEST_CASE("two runs give the same bytes in every format") {

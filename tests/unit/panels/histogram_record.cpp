@@ -196,6 +196,32 @@ TEST_CASE("the bars of a settled gas fit under the end of the axis, with all tha
     CHECK(axes.top < 400);
 }
 
+TEST_CASE("where a mean is shown at one time only, its bars fill the height") {
+    HistogramRecord record = run_from(spread(0, 1), spread(0, 4));
+    record.probes.front().clear();
+    for (int i = 0; i < 40; ++i) {
+        const std::vector<double> now = spread(0, i < 25 ? 0.5 : 4.0);
+        record.probes.front().push_back(
+            {double(i), Eigen::Map<const Eigen::ArrayXd>(now.data(), std::ssize(now))});
+    }
+    const auto axes_at = [&](std::optional<double> only) {
+        return axes_of(record, {.bins = 8, .window = 10.0, .only_at = only});
+    };
+    const auto tallest_at = [&](int time) {
+        RunningHistogram running(axes_at({}).bins, 10.0);
+        for (int i = 0; i <= time; ++i)
+            running.add(i, record.probes.front()[std::size_t(i)].values);
+        return std::ranges::max(running.mean().counts);
+    };
+    for (const int time : {20, 39}) {
+        CAPTURE(time);
+        const double top = axes_at(time).top;
+        CHECK(top >= tallest_at(time));
+        CHECK(top <= 2.0 * tallest_at(time));
+    }
+    CHECK(axes_at({}).top > 2.0 * tallest_at(39));  // of a film, in which those before are seen
+}
+
 TEST_CASE("probes of a part of all values give the axis that whole ones give") {
     const std::vector<double> all = spread(0, 1);
     const auto top_with = [&](Eigen::Index step) {

@@ -50,7 +50,7 @@ summary() {
 record() {
     local row date commit
     date=$(date -u +%F) commit=$(git rev-parse --short HEAD)
-    git diff --quiet HEAD -- . ":!$page" || commit="$commit and changes"
+    git diff --quiet HEAD -- . ":!$page" ":!docs/validation*" || commit="$commit and changes"
     row="| $1 | $date | $commit | $(($2 / 60)):$(printf %02d $(($2 % 60))) | $3 |"
     awk -v step="| $1 |" -v row="$row" '
         index($0, step) == 1 { if (!done) print row; done = 1; next }

@@ -11,8 +11,8 @@ std::string csv_field(const std::string& text) {
     return field + "\"";
 }
 
-std::string csv_number(double value) { return fmt::format("{:.17g}", value); }
+std::string csv_number(double value) { return fmt::format("{}", value); }
 
-std::string csv_number(float value) { return fmt::format("{:.9g}", value); }
+std::string csv_number(float value) { return fmt::format("{}", value); }
 
 }  // namespace carom

@@ -8,11 +8,9 @@ namespace carom {
 /// Text as a field: one with a comma, a quote or a line break stands in quotes, its quotes doubled.
 std::string csv_field(const std::string& text);
 
-/// A number with 17 significant digits, which give back every bit, and a decimal point wherever
-/// the machine is.
+/// A number with the fewest digits that give back every bit, at most 17 (of single precision 9),
+/// and a decimal point wherever the machine is.
 std::string csv_number(double value);
-
-/// The same for single precision: 9 significant digits.
 std::string csv_number(float value);
 
 }  // namespace carom

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Numbers with all their digits: 14 in a row of --events, 7 in one of --xyz.
-constexpr double most_xyz = 3.0, most_events = 9.0;
+constexpr double most_xyz = 2.2, most_events = 6.0;
 constexpr double most_growth = 1.02;  // pages of the heap come and go
 constexpr double length = 100.0;
 

@@ -1,5 +1,6 @@
 #include "app/report/collisions_csv.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -40,7 +41,7 @@ void CollisionsCsv::add(const Eigen::Array2d& value) {
         if (std::isnan(value[axis]))
             *out = ',';
         else
-            fmt::format_to(out, ",{:.17g}", value[axis]);
+            fmt::format_to(out, FMT_COMPILE(",{}"), value[axis]);
 }
 
 void CollisionsCsv::add(const Particles& particles, std::span<const Collision> collisions) {

@@ -1,5 +1,6 @@
 #include "app/report/samples_csv.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -18,7 +19,7 @@ SamplesCsv::SamplesCsv(const Gas& gas, Output& output) : rows_(output) {
 void SamplesCsv::name_rows(const Particles& particles) {
     const Eigen::ArrayXd mass = masses(particles);
     for (Eigen::Index i = 0; i < particles.count(); ++i)
-        labels_.push_back(fmt::format(",{},{},{:.17g},{:.17g}", i,
+        labels_.push_back(fmt::format(",{},{},{},{}", i,
                                       species_[static_cast<std::size_t>(particles.species[i])],
                                       mass[i], particles.radius[i]));
 }
@@ -29,8 +30,8 @@ void SamplesCsv::add(const Particles& particles, const Sample& sample) {
     auto out = rows_.end();
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         fmt::format_to(out, "{}{}", time, labels_[static_cast<std::size_t>(i)]);
-        for (const double x : sample.position.row(i)) fmt::format_to(out, ",{:.17g}", x);
-        for (const double v : sample.velocity.row(i)) fmt::format_to(out, ",{:.17g}", v);
+        for (const double x : sample.position.row(i)) fmt::format_to(out, FMT_COMPILE(",{}"), x);
+        for (const double v : sample.velocity.row(i)) fmt::format_to(out, FMT_COMPILE(",{}"), v);
         *out = '\n';
         rows_.end_row();
     }

@@ -1,5 +1,6 @@
 #include "app/report/samples_xyz.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -37,7 +38,7 @@ std::string plain(std::string name) {
 
 std::string lattice_of(const Box& box) {
     const double height = box.dimension == 2 ? box.size[1] : 1.0;
-    return fmt::format("Lattice=\"{:.17g} 0 0 0 {:.17g} 0 0 0 1\"", box.size[0], height);
+    return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 1\"", box.size[0], height);
 }
 
 std::string periodic_sides(const Box& box) {
@@ -64,7 +65,7 @@ SamplesXyz::SamplesXyz(const Gas& gas, Output& output) : rows_(output) {
 void SamplesXyz::name_lines(const Particles& particles) {
     const Eigen::ArrayXd mass = masses(particles);
     for (Eigen::Index i = 0; i < particles.count(); ++i)
-        ends_.push_back(fmt::format(" {:.17g} {:.17g} {}\n", particles.radius[i], mass[i], i));
+        ends_.push_back(fmt::format(" {} {} {}\n", particles.radius[i], mass[i], i));
 }
 
 void SamplesXyz::add(const Particles& particles, const Sample& sample) {
@@ -74,7 +75,7 @@ void SamplesXyz::add(const Particles& particles, const Sample& sample) {
     fmt::format_to(out, "{}\n{}{}{}", particles.count(), before_time_, csv_number(sample.time),
                    after_time_);
     const auto add_vector = [&](const Eigen::ArrayXXd& values, Eigen::Index i) {
-        fmt::format_to(out, " {:.17g} {:.17g} 0", values(i, 0), is_plane ? values(i, 1) : 0.0);
+        fmt::format_to(out, FMT_COMPILE(" {} {} 0"), values(i, 0), is_plane ? values(i, 1) : 0.0);
     };
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         fmt::format_to(out, "{}", begins_[static_cast<std::size_t>(particles.species[i])]);

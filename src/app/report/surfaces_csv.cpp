@@ -19,10 +19,9 @@ void SurfacesCsv::add(double time, const std::vector<SurfaceState>& surfaces) {
         if (names_[k].empty()) continue;
         const SurfaceState& its = surfaces[k];
         rows += fmt::format("{},{},", csv_number(time), names_[k]);
-        rows += its.motion ? fmt::format("{:.17g},{:.17g}", its.motion->place, its.motion->velocity)
-                           : ",";
-        rows += fmt::format(",{},{:.17g},{:.17g},{:.17g},{:.17g}\n", its.hits, its.impulse[0],
-                            its.impulse[1], its.work, its.heat);
+        rows += its.motion ? fmt::format("{},{}", its.motion->place, its.motion->velocity) : ",";
+        rows += fmt::format(",{},{},{},{},{}\n", its.hits, its.impulse[0], its.impulse[1], its.work,
+                            its.heat);
     }
     output_.write(rows);
 }

@@ -52,9 +52,9 @@ int main() {
     const double shell = milliseconds("bash -c :");
     const double version = milliseconds(program + " --version");
     fmt::print("{:<28} {:6.1f} ms\n", "a shell that does nothing", shell);
-    bool good = is_good("carom --version", version, "that", shell, 8.0);
+    bool good = is_good("carom --version", version, "that", shell, 7.0);
     good &= is_good("carom check SCENE", milliseconds(program + " check " + scene), "that", shell,
-                    22.0);
+                    14.0);
     const std::string launcher = (checkout / "carom").string();
     if (fs::exists(checkout / "build/release/.current"))
         good &= is_good("./carom --version", milliseconds(launcher + " --version") - shell,

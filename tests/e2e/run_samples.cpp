@@ -1,6 +1,7 @@
 // carom run, by the program itself: its samples, and that they depend on scene and seed only.
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 

@@ -205,7 +205,7 @@ int parse_and_run(int argc, const char* const* argv, const std::vector<Command>&
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
     app.set_version_flag("--version", "carom " CAROM_VERSION);
     app.require_subcommand(1);
-    const std::string called = first_command_among({argv + 1, argv + std::max(argc, 1)}, commands);
+    const std::string called = first_command_among({argv + 1, argv + argc}, commands);
     for (const Command& command : commands) add_command(app, command, command.name == called);
     app.formatter_fn([&commands](const CLI::App*, const std::string&, CLI::AppFormatMode) {
         return text_of(help_of(commands));

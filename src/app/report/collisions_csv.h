@@ -17,7 +17,7 @@ namespace carom {
 /// the surface that it met (the other of these two fields is empty); where both were, of a surface
 /// the point of contact, in a periodic box of the partner's nearest image; the velocities of both
 /// before and after; the momentum that the partner received. On a line without the fields of y.
-/// Numbers have 17 significant digits; an impulse is empty where both masses are infinite.
+/// Numbers are as csv_number() has them; an impulse is empty where both masses are infinite.
 class CollisionsCsv {
   public:
     /// Writes the header to `output`, which must outlive the table.

@@ -12,8 +12,8 @@
 namespace carom {
 
 /// A header, then a row for each sample and particle:
-/// time,particle,species,mass,radius,x,y,vx,vy (in 1-D x,vx), numbers with 17 significant digits,
-/// which give back every bit; an infinite mass is `inf`.
+/// time,particle,species,mass,radius,x,y,vx,vy (in 1-D x,vx), numbers as csv_number() has them; an
+/// infinite mass is `inf`.
 class SamplesCsv {
   public:
     /// Writes the header to `output`, which must outlive the table.

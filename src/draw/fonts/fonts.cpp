@@ -138,19 +138,20 @@ class DeclaredFonts {
         if (!FcConfigSetCurrent(own_.get())) refuse_configuration();
         const FcFontSet* found = FcConfigGetFonts(own_.get(), FcSetSystem);
         has_font_ = found != nullptr && found->nfont > 0;
-        if (!has_font_) add_from(machine());
+        if (!has_font_) add_machine_fonts();
     }
 
     bool has_font() const { return has_font_; }
     FcConfig* get() const { return own_.get(); }
 
   private:
-    void add_from(FcConfig* configuration) {
+    // The declared family from wherever the machine is configured to have fonts.
+    void add_machine_fonts() {
         const Pattern wanted{FcPatternCreate()};
         const ObjectSet fields{FcObjectSetBuild(FC_FILE, FC_WEIGHT, nullptr)};
         if (!wanted || !fields) refuse_configuration();
         FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(font_family));
-        const FontSet found{FcFontList(configuration, wanted.get(), fields.get())};
+        const FontSet found{FcFontList(machine(), wanted.get(), fields.get())};
         if (!found) refuse_configuration();
         for (int i = 0; i < found->nfont; ++i) {
             if (!has_a_used_weight(found->fonts[i])) continue;  // each takes a millisecond to read

@@ -145,8 +145,8 @@ HistogramRules HistogramPanel::rules() const {
                          .symmetric = subject_.symmetric,
                          .window = window()};
     if (!rules.range) rules.range = subject_.extent;
-    // What is there at one moment has the axis of the film, beside which it stands; a mean does
-    // not.
+    // A figure of one moment has the film's axis, so that it can be compared with frames; a mean
+    // over time has its own.
     if (window() != 0.0) rules.only_at = spec_.at;
     if (!spec_.theory) return rules;
     rules.density = subject_.density;

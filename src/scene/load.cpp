@@ -125,7 +125,7 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
     }
     const FixedTable<FilmDraft>& table = template_table(resources.panels);
     check_mapping(tree.template_file, table.section(), errors);
-    tree.film = lay_over(tree.film, tree.template_file, table.table().choices);
+    tree.film = lay_over(tree.film, tree.template_file, table.section().choices);
 }
 
 double usual_sample_every(const Scene& scene, bool has_film) {

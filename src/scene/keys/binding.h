@@ -10,7 +10,9 @@
 // functions that a table names.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -31,39 +33,35 @@ struct Binding {
 
     /// The same field in what is derived from T.
     template <std::derived_from<T> Derived>
-    operator Binding<Derived>() const {
-        return {key, read, reads_default};
+    operator Binding<Derived>() && {
+        return {std::move(key), std::move(read), reads_default};
     }
 
     /// A key that must be there.
-    Binding required() const {
-        Binding binding = *this;
-        binding.key.required = true;
-        binding.key.default_value.clear();
-        return binding;
+    Binding required() && {
+        key.required = true;
+        key.default_value.clear();
+        return std::move(*this);
     }
 
     /// A default that the field does not have of itself, as it would be written.
-    Binding default_value(std::string written) const {
-        Binding binding = *this;
-        binding.key.default_value = std::move(written);
-        binding.reads_default = true;
-        return binding;
+    Binding default_value(std::string written) && {
+        key.default_value = std::move(written);
+        reads_default = true;
+        return std::move(*this);
     }
 
     /// A default that is no fixed value, in words.
-    Binding default_text(std::string words) const {
-        Binding binding = *this;
-        binding.key.default_value.clear();
-        binding.key.default_text = std::move(words);
-        return binding;
+    Binding default_text(std::string words) && {
+        key.default_value.clear();
+        key.default_text = std::move(words);
+        return std::move(*this);
     }
 
     /// A key that only some kinds of panel take.
-    Binding only_with(std::vector<std::string> kinds) const {
-        Binding binding = *this;
-        binding.key.kinds = std::move(kinds);
-        return binding;
+    Binding only_with(std::vector<std::string> kinds) && {
+        key.kinds = std::move(kinds);
+        return std::move(*this);
     }
 };
 
@@ -119,9 +117,13 @@ Binding<T> bind_with(std::string name, Fill fill, const Notation<V>& notation,
 
 /// Bindings of a T and of its bases, one after another.
 template <typename T, typename... Bases>
-std::vector<Binding<T>> joined(const std::vector<Binding<Bases>>&... parts) {
+std::vector<Binding<T>> joined(std::vector<Binding<Bases>>... parts) {
     std::vector<Binding<T>> all;
-    (all.insert(all.end(), parts.begin(), parts.end()), ...);
+    all.reserve((parts.size() + ...));
+    const auto append = [&all](auto&& part) {
+        for (auto& binding : part) all.push_back(std::move(binding));
+    };
+    (append(std::move(parts)), ...);
     return all;
 }
 
@@ -138,50 +140,90 @@ struct KeyTable {
 
     /// Rules between several keys, after all have been read.
     std::function<void(T&, const Node&, Reading&)> rule = {};
+};
 
-    Section section() const {
-        Section section{.name = name, .keys = {}, .choices = choices, .refused = refused};
-        for (const Binding<T>& binding : keys) section.keys.push_back(binding.key);
-        return section;
+/// A table that no key is added to, as a section and what reads its keys. Copies share both.
+template <typename T>
+class FixedTable {
+  public:
+    FixedTable(KeyTable<T> table) : rule_(std::make_shared<const Rule>(std::move(table.rule))) {
+        Section section{.name = std::move(table.name),
+                        .keys = {},
+                        .choices = std::move(table.choices),
+                        .refused = std::move(table.refused)};
+        std::vector<Reader> readers;
+        for (Binding<T>& binding : table.keys) {
+            section.keys.push_back(std::move(binding.key));
+            readers.push_back({std::move(binding.read), binding.reads_default});
+        }
+        section_ = std::make_shared<const Section>(std::move(section));
+        readers_ = std::make_shared<const std::vector<Reader>>(std::move(readers));
+    }
+
+    const Section& section() const { return *section_; }
+
+    /// The form of a mapping with these keys; `phrase` is how a message calls it.
+    Form form(std::string phrase) const {
+        return {.shape = Shape::mapping, .section = section_, .phrase = std::move(phrase)};
     }
 
     /// Reads a checked mapping into `value`; what is wrong or not there keeps its default.
     void read(const Node& mapping, T& value, Reading& reading) const {
-        for (const Binding<T>& binding : keys) {
-            if (const Node* node = given(mapping, binding.key.name))
-                binding.read(value, *node, reading);
-            else if (binding.reads_default && find(mapping, binding.key.name) == nullptr)
-                binding.read(value, default_node(binding.key.default_value), reading);
+        for (std::size_t k = 0; k < readers_->size(); ++k) {
+            const Key& key = section_->keys[k];
+            const Reader& reader = (*readers_)[k];
+            if (const Node* node = given(mapping, key.name))
+                reader.read(value, *node, reading);
+            else if (reader.reads_default && find(mapping, key.name) == nullptr)
+                reader.read(value, default_node(key.default_value), reading);
         }
-        if (rule) rule(value, mapping, reading);
+        if (*rule_) (*rule_)(value, mapping, reading);
     }
+
+    /// Whether all required keys have valid values.
+    bool is_complete(const Node& mapping) const {
+        return std::ranges::all_of(section_->keys, [&](const Key& key) {
+            return !key.required || given(mapping, key.name) != nullptr;
+        });
+    }
+
+  private:
+    using Rule = std::function<void(T&, const Node&, Reading&)>;
+    struct Reader {
+        SharedFunction<void(T&, const Node&, Reading&)> read;
+        bool reads_default;
+    };
+
+    std::shared_ptr<const Rule> rule_;
+    std::shared_ptr<const Section> section_;
+    std::shared_ptr<const std::vector<Reader>> readers_;
 };
 
 /// A mapping as a value: of a table's keys.
 template <typename T>
-Notation<T> mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
-    const auto table = std::make_shared<const KeyTable<T>>(std::move(keys));
-    return {{{.shape = Shape::mapping,
-              .section = std::make_shared<const Section>(table->section()),
-              .phrase = std::move(phrase)}},
+Notation<T> mapping(const FixedTable<T>& table, std::string phrase = "a mapping") {
+    return {{table.form(std::move(phrase))},
             [table](const Node& node, Reading& reading) -> std::optional<T> {
                 if (!node.is_mapping()) return std::nullopt;
                 std::optional<T> value(std::in_place);
-                table->read(node, *value, reading);
+                table.read(node, *value, reading);
                 return value;
             }};
+}
+template <typename T>
+Notation<T> mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
+    return mapping(FixedTable<T>(std::move(keys)), std::move(phrase));
 }
 
 /// The same, but nothing where a required key has no valid value.
 template <typename T>
 Notation<T> complete_mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
-    Notation<T> notation = mapping(keys, std::move(phrase));
-    notation.read = [keys = std::move(keys), read = notation.read](
-                        const Node& node, Reading& reading) -> std::optional<T> {
+    const FixedTable<T> table(std::move(keys));
+    Notation<T> notation = mapping(table, std::move(phrase));
+    notation.read = [table, read = notation.read](const Node& node,
+                                                  Reading& reading) -> std::optional<T> {
         auto value = read(node, reading);
-        for (const Binding<T>& binding : keys.keys)
-            if (value && binding.key.required && given(node, binding.key.name) == nullptr)
-                value.reset();
+        if (!table.is_complete(node)) value.reset();
         return value;
     };
     return notation;

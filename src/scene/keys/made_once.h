@@ -12,25 +12,6 @@
 
 namespace carom {
 
-/// A table that no key is added to, with its section.
-template <typename T>
-class FixedTable {
-  public:
-    FixedTable(KeyTable<T> table) : table_(std::move(table)), section_(table_.section()) {}
-
-    const KeyTable<T>& table() const { return table_; }
-    const Section& section() const { return section_; }
-
-    /// As KeyTable::read().
-    void read(const Node& mapping, T& value, Reading& reading) const {
-        table_.read(mapping, value, reading);
-    }
-
-  private:
-    KeyTable<T> table_;
-    Section section_;
-};
-
 /// Values for lists of kinds. They are not destroyed at the end of the program, as their thousands
 /// of small parts would be for nothing. May be used by several threads.
 template <typename Value>

@@ -64,7 +64,7 @@ KeyTable<PositionDraft> part_table(int dimension) {
                      parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
                             region_in),
                      "A part of the box, with the particles entirely inside it.")}};
-    if (dimension == 1) table.keys.front() = table.keys.front().required();
+    if (dimension == 1) table.keys.front().key.required = true;
     if (dimension == 2) {
         table.choices = {{{"within", "side"}, true}};
         table.refused = {

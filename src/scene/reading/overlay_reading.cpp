@@ -343,7 +343,8 @@ Binding<Film> beside_key() {
                                     .required()};
     const KeyTable<Written> table{
         .name = "`beside`",
-        .keys = joined<Written>(std::vector{label.required(), changes_key()}, file, own_label),
+        .keys = joined<Written>(std::vector{std::move(label).required(), changes_key()}, file,
+                                own_label),
         .choices = {{.names = {"set", "scene"}, .required = true}},
         .rule = check};
     const auto made = [](const Written& written) { return std::optional<Beside>(written); };

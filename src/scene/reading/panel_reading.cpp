@@ -67,7 +67,7 @@ std::vector<Binding<PanelSpec>> bar_keys(PanelKinds kinds) {
         bind_key("mean_start", &PanelSpec::mean_start, flag(),
                  "Whether to mark the mean at the start.")
             .default_text("true for speeds and energies")};
-    for (Binding<PanelSpec>& key : keys) key = key.only_with(kinds_that_can(kinds, Ability::bars));
+    for (Binding<PanelSpec>& key : keys) key.key.kinds = kinds_that_can(kinds, Ability::bars);
     return keys;
 }
 
@@ -79,7 +79,7 @@ std::vector<Binding<PanelSpec>> own_keys(PanelKinds kinds) {
             const auto other = std::ranges::find_if(
                 keys, [&](const Binding<PanelSpec>& key) { return key.key.name == own.key.name; });
             if (other == keys.end())
-                keys.push_back(own.only_with({kind.name}));
+                keys.push_back(Binding(own).only_with({kind.name}));
             else
                 other->key.kinds.push_back(kind.name);
         }

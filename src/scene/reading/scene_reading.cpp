@@ -45,7 +45,7 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                  bind_key("run", &SceneDraft::written_run, run_notation(dimension),
                           "What happens to the gas.")
                      .required(),
-                 bind_key("film", &SceneDraft::film_node, kept(mapping(film_table(kinds).table())),
+                 bind_key("film", &SceneDraft::film_node, kept(mapping(film_table(kinds))),
                           "What the viewer sees.")
                      .default_text("the template's"),
                  bind_key("figures", &SceneDraft::figures_node, kept(figures_notation(kinds)),

@@ -151,15 +151,15 @@ std::string template_of(const std::string& name, const Node& written, const fs::
 
 }  // namespace
 
-KeyTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
-                            const fs::path& path) {
+FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
+                              const fs::path& path) {
     const auto page =
         parsed(text(1, most_title_letters),
                [path](const std::string& name, const Node& node, Reading& reading) {
                    return std::optional(template_of(name, node, path, reading.errors));
                });
     const auto pages = one_or_list(page, {page_names.size()}, "a list of templates");
-    return {
+    return KeyTable<SetFile>{
         .name = "a figure set",
         .keys = {
             bind_key("title", &SetFile::title, text(1, most_title_letters),
@@ -223,7 +223,7 @@ SetFile load_figure_set(const fs::path& path, PanelKinds kinds,
                                                            : "expected a set (a mapping with "
                                                              "`title` and `scenes`)");
     errors.throw_if_any();
-    const KeyTable<SetFile> table = set_table(kinds, formats, path);
+    const FixedTable<SetFile> table = set_table(kinds, formats, path);
     check_mapping(root.value(), table.section(), errors);
     SetFile set;
     const Gas no_gas;

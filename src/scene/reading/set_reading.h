@@ -61,7 +61,7 @@ SetFile load_figure_set(const std::filesystem::path& path, PanelKinds kinds,
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds);
 
 /// The keys of the set that lies at `path`.
-KeyTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
-                            const std::filesystem::path& path = {});
+FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
+                              const std::filesystem::path& path = {});
 
 }  // namespace carom

@@ -183,13 +183,14 @@ struct Lamp {
     std::optional<double> seconds;
 };
 
-KeyTable<Lamp> lamp_table() {
-    return {.name = "a lamp",
-            .keys = {bind_key("watts", &Lamp::watts, whole(1, most_seeds), "Its power."),
-                     bind_key("lit", &Lamp::lit, one_of<bool>({{"on", true}, {"off", false}}),
-                              "Whether it shines."),
-                     bind_key("seconds", &Lamp::seconds, number(positive), "How long.")
-                         .default_text("for ever")}};
+FixedTable<Lamp> lamp_table() {
+    return KeyTable<Lamp>{
+        .name = "a lamp",
+        .keys = {bind_key("watts", &Lamp::watts, whole(1, most_seeds), "Its power."),
+                 bind_key("lit", &Lamp::lit, one_of<bool>({{"on", true}, {"off", false}}),
+                          "Whether it shines."),
+                 bind_key("seconds", &Lamp::seconds, number(positive), "How long.")
+                     .default_text("for ever")}};
 }
 
 }  // namespace

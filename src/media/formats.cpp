@@ -9,29 +9,34 @@
 namespace carom {
 namespace {
 
-// MP4's costs are those in docs/encoding.md ("Wall time": 900 frames in 6.86 and 9.04 s on two
-// cores, 5.8 and 12.2 MB), the others by their ratio to it ("Rough costs" there). They hold to a
-// third up to 20,000 disks. The memory is that of the slowest quality (docs/scaling.md).
-constexpr double frames_measured = 900.0, pixels_measured = 1920.0 * 1080.0;
-constexpr PowerLaw mp4_seconds{2 * 6.86 / frames_measured, 2 * 9.04 / frames_measured};
+// Those in docs/encoding.md ("Rough costs": 300 frames of two films): MP4's time is that of 900
+// such frames on two idle cores, 6.86 and 9.04 s, the others' by their ratio to it. Up to 20,000
+// disks times hold to a third; bytes depend more on how fast all moves. The memory is that of the
+// slowest quality (docs/scaling.md).
+constexpr double frames_measured = 300.0, pixels_measured = 1920.0 * 1080.0;
+constexpr PowerLaw mp4_seconds{2 * 6.86 / 900.0, 2 * 9.04 / 900.0};
+
+constexpr PowerLaw bytes_of(double megabytes_at_200, double megabytes_at_1000) {
+    return {megabytes_at_200 * 1e6 / frames_measured, megabytes_at_1000 * 1e6 / frames_measured};
+}
 
 constexpr FormatCost mp4_cost{.core_seconds = mp4_seconds,
-                              .bytes = {5.8e6 / frames_measured, 12.2e6 / frames_measured},
+                              .bytes = bytes_of(2.51, 5.36),
                               .power_of_pixels = 0.5,
                               .memory_per_pixel = 48,
-                              .seconds_by_quality = {.draft = 0.75, .final_ = 2.6},
-                              .bytes_by_quality = {.draft = 2.5, .final_ = 1.5}};
+                              .seconds_by_quality = {.draft = 0.6, .final_ = 2.3},
+                              .bytes_by_quality = {.draft = 2.2, .final_ = 1.4}};
 constexpr FormatCost webm_cost{
-    .core_seconds = {2.1 * mp4_seconds.at_200, 2.2 * mp4_seconds.at_1000},
-    .bytes = {10.0e3, 21.0e3},
+    .core_seconds = {2.4 * mp4_seconds.at_200, 2.3 * mp4_seconds.at_1000},
+    .bytes = bytes_of(3.62, 8.12),
     .power_of_pixels = 0.5,
     .memory_per_pixel = 100,
-    .seconds_by_quality = {.draft = 0.8, .final_ = 5.6},
-    .bytes_by_quality = {.draft = 0.8, .final_ = 0.9}};
+    .seconds_by_quality = {.draft = 0.65, .final_ = 4.8},
+    .bytes_by_quality = {.draft = 0.8, .final_ = 1.0}};
 constexpr FormatCost gif_cost{
-    {1.3 * mp4_seconds.at_200, 1.2 * mp4_seconds.at_1000}, {27.3e3, 52.7e3}, 0.7, 30, 0.7};
+    {1.3 * mp4_seconds.at_200, 1.2 * mp4_seconds.at_1000}, bytes_of(10.89, 20.42), 0.7, 30, 0.7};
 constexpr FormatCost png_cost{
-    {5.1 * mp4_seconds.at_200, 6.2 * mp4_seconds.at_1000}, {269e3, 401e3}, 0.8, 48};
+    {5.6 * mp4_seconds.at_200, 4.6 * mp4_seconds.at_1000}, bytes_of(73.1, 108.9), 0.8, 48};
 
 // Of 200 and 1000 disks at 1080p, roughly: pages are drawn one by one, and only their memory
 // counts.

@@ -1,12 +1,14 @@
 // The program's malloc, which libraries call too: where the system grants no memory, it gives back
-// what the program keeps for that (util/memory/memory_reserve.h) and tries once more. A part of the
-// program, not of the library: other programs keep their own. Only with glibc, whose functions may
-// be replaced so (its manual, "Replacing malloc"), and without sanitizers, which replace them.
+// what the program keeps for that (util/memory/memory_reserve.h) and tries once more; and what is
+// freed in large blocks goes back to the system. A part of the program, not of the library: other
+// programs keep their own. Only with glibc, whose functions may be replaced so (its manual,
+// "Replacing malloc"), and without sanitizers, which replace them.
 #include <cstdlib>
 
 #if defined(__GLIBC__)
 
 #include <dlfcn.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <cerrno>
@@ -59,6 +61,15 @@ void* with_reserve(const Allocate& allocate) noexcept {
     if (void* const made = allocate()) return made;
     carom::note_failed_allocation();
     return allocate();
+}
+
+// By default glibc keeps blocks of up to 32 MB for later once one of them was freed, in pieces that
+// the next do not fit into. The encoder of each segment of a film takes some 70 MB in blocks of a
+// few: a film of many segments took 90 MB more.
+[[gnu::constructor(101)]] void give_back_large_blocks() {
+    constexpr int large = 1 << 20;
+    mallopt(M_MMAP_THRESHOLD, large);
+    mallopt(M_TRIM_THRESHOLD, 4 * large);
 }
 
 }  // namespace

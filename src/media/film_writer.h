@@ -2,6 +2,7 @@
 // side, each on one thread, and joined in order; the result depends on the frames alone.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -38,6 +39,10 @@ struct VideoSettings {
     std::vector<FilmChapter> chapters = {};  ///< in order; none: the film has no chapters
     bool has_sound = false;                  ///< and add_sound() is called; not in every format
 };
+
+/// Bytes of encoded frames that a segment keeps in memory, at most: more wait in a temporary file
+/// where there is room for one.
+inline constexpr std::size_t most_encoded_bytes = 2 << 20;
 
 /// What becomes of one run of frames. It may refer to its FilmWriter.
 class FilmSegment {

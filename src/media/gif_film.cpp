@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstring>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/spool.h"
 
 namespace carom {
 
@@ -89,7 +91,7 @@ std::size_t header_bytes(std::span<const std::uint8_t> packet) {
 }
 
 // A graphic control extension and an image of GIF89a, without colours of its own.
-Bytes image_of(std::span<const std::uint8_t> packet) {
+std::string image_of(std::span<const std::uint8_t> packet) {
     const std::span<const std::uint8_t> image = packet.subspan(header_bytes(packet));
     constexpr std::array<std::uint8_t, 3> control = {0x21, 0xf9, 0x04};
     if (image.size() < 8 || !std::equal(control.begin(), control.end(), image.begin()))
@@ -159,11 +161,11 @@ class GifFilm : public FilmWriter {
             const Owned<AVPacket> packet = owned(api().av_packet_alloc());
             libav::check_encoder(encoder_name,
                                  api().avcodec_receive_packet(context_.get(), packet.get()));
-            images_.push_back(image_of({packet->data, static_cast<std::size_t>(packet->size)}));
+            images_.add(image_of({packet->data, static_cast<std::size_t>(packet->size)}));
         }
         void archive(Archive& archive) override { archive(images_); }
         void join() override {
-            for (Bytes& image : images_) film_.write(image);
+            for (std::size_t k = 0; k < images_.size(); ++k) film_.write(images_.piece(k));
         }
 
       private:
@@ -187,13 +189,13 @@ class GifFilm : public FilmWriter {
         ColorFinder finder_;
         Owned<AVCodecContext> context_;
         Owned<AVFrame> indices_;
-        std::vector<Bytes> images_;
+        Spool images_{most_encoded_bytes};
     };
 
-    void write(Bytes& image) {
+    void write(std::string image) {
         const int delay = gif_delay(frames_++, settings_.fps);
-        image[delay_at] = static_cast<std::uint8_t>(delay & 255);
-        image[delay_at + 1] = static_cast<std::uint8_t>(delay >> 8);
+        image[delay_at] = static_cast<char>(delay & 255);
+        image[delay_at + 1] = static_cast<char>(delay >> 8);
         file_.write(image);
     }
 

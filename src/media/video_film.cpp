@@ -8,6 +8,7 @@
 #include <limits>
 #include <new>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/spool.h"
 
 namespace carom {
 
@@ -125,6 +127,7 @@ void archive_side_data(Archive& archive, AVPacket& packet, int index) {
     std::ranges::copy(bytes, data);
 }
 
+// What an encoder gives of a packet, in decoding order.
 void archive_packet(Archive& archive, AVPacket& packet) {
     std::vector<std::uint8_t> bytes(packet.data, packet.data + packet.size);
     std::int64_t time = packet.pts;
@@ -140,6 +143,20 @@ void archive_packet(Archive& archive, AVPacket& packet) {
     auto count = static_cast<std::int32_t>(packet.side_data_elems);
     archive(count);
     for (int k = 0; k < count; ++k) archive_side_data(archive, packet, k);
+}
+
+std::string bytes_of(AVPacket& packet) {
+    Archive archive;
+    archive_packet(archive, packet);
+    return archive.finished();
+}
+
+Owned<AVPacket> packet_of(std::string bytes) {
+    Owned<AVPacket> packet = owned(api().av_packet_alloc());
+    Archive archive(std::move(bytes), "an encoded frame");
+    archive_packet(archive, *packet);
+    archive.expect_end();
+    return packet;
 }
 
 class VideoFilm : public FilmWriter {
@@ -176,8 +193,8 @@ class VideoFilm : public FilmWriter {
         VideoFilm& film_;
         Owned<AVCodecContext> context_;
         Owned<AVFrame> frame_;
-        std::uint64_t converted_ = 0;           ///< the picture that `frame_` holds
-        std::vector<Owned<AVPacket>> packets_;  ///< in decoding order
+        std::uint64_t converted_ = 0;        ///< the picture that `frame_` holds
+        Spool packets_{most_encoded_bytes};  ///< as bytes_of(), in decoding order
         Owned<AVCodecParameters> parameters_;
         AVRational time_base_ = {1, 1};
         int reordering_ = 0;  ///< frames by which decoding runs ahead of showing
@@ -245,7 +262,7 @@ void VideoFilm::Segment::encode(const AVFrame* frame) {
         const int result = api().avcodec_receive_packet(context_.get(), packet.get());
         if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
         check(result);
-        packets_.push_back(std::move(packet));
+        packets_.add(bytes_of(*packet));
     }
 }
 
@@ -283,12 +300,7 @@ void VideoFilm::Segment::archive(Archive& archive) {
     const std::vector<std::uint8_t> own = header;
     archive(header);
     if (header != own) archive.refuse("it was encoded with other parameters");
-    auto count = static_cast<std::int64_t>(packets_.size());
-    archive(count);
-    for (std::int64_t k = 0; k < count; ++k) {
-        if (archive.is_reading()) packets_.push_back(owned(api().av_packet_alloc()));
-        archive_packet(archive, *packets_[static_cast<std::size_t>(k)]);
-    }
+    archive(packets_);
 }
 
 // A failed write is reported by libav late, in other words, or only by the context's error field.
@@ -340,14 +352,14 @@ void VideoFilm::append(Segment& segment) {
                         file_.path().string()));
 
     std::int64_t index = frames_;
-    for (Owned<AVPacket>& packet : segment.packets_) {
+    for (std::size_t k = 0; k < segment.packets_.size(); ++k) {
+        const Owned<AVPacket> packet = packet_of(segment.packets_.piece(k));
         write_sound_until(index);
         packet->pts += frames_;
         // At a constant rate the decoding time is the number in the file, whatever its segment.
         packet->dts = index++ - segment.reordering_;
         packet->duration = 1;
         write(*packet, 0, segment.time_base_);
-        packet.reset();
     }
     frames_ = index;
 }

@@ -12,6 +12,7 @@
 
 #include "e2e/program.h"
 #include "support/process.h"
+#include "support/share_of_cases.h"
 
 #ifndef CAROM_SANITIZERS  // whose own memory is many times that
 
@@ -89,6 +90,25 @@ TEST_CASE("a film takes at most the memory that carom check names, and at least 
         CHECK(peak.exit_code == 0);
         CHECK(peak.bytes <= named);
         CHECK(peak.bytes >= 0.25 * named);
+    }
+}
+
+// Large disks that all move fast fill the segments that wait for their turn, and the encoder of
+// each segment takes its memory anew.
+TEST_CASE(
+    "a film of many segments, whose frames are large, takes at most the memory that is named") {
+    const TemporaryFolder folder;
+    const char* const size = every_nth(2, 2) == 1 ? "1080p" : "640x360";
+    for (const char* scene : {"a-hundred-never-overlap", "freezing"}) {
+        const std::string options =
+            fmt::format(" '{}' --size {} --threads 2 ", library_scene(scene), size);
+        CAPTURE(options);
+        const Outcome check = shell("'" + program + "' check --json" + options, folder.path());
+        REQUIRE(check.exit_code == 0);
+        const json rough = json::parse(check.out).at(0).at("film").at("rough");
+        const Peak peak = peak_of("render --quiet -o film.mp4" + options, folder.path());
+        CHECK(peak.exit_code == 0);
+        CHECK(peak.bytes <= rough.at("formats").at("mp4").at("memory_bytes").get<double>());
     }
 }
 

@@ -150,11 +150,11 @@ bool comes_before(const std::string& header, const std::string& file) {
 
 bool is_own(const std::string& header) { return allowed_modules.contains(module(header)); }
 
-// Headers of C and POSIX, with their folders; all others with a slash or .h are third-party.
+// Headers of C, POSIX and glibc, with their folders; all others with a slash or .h are third-party.
 bool is_system(const std::string& header) {
-    static const std::set<std::string> posix{"dirent.h",       "fcntl.h",       "sys/file.h",
-                                             "unistd.h",       "sys/stat.h",    "sys/mman.h",
-                                             "sys/resource.h", "sys/statvfs.h", "dlfcn.h"};
+    static const std::set<std::string> posix{
+        "dirent.h",   "fcntl.h",        "sys/file.h",    "unistd.h", "sys/stat.h",
+        "sys/mman.h", "sys/resource.h", "sys/statvfs.h", "dlfcn.h",  "malloc.h"};
     return posix.contains(header) || header.find_first_of("/.") == std::string::npos;
 }
 

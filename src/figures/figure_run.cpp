@@ -13,7 +13,7 @@ namespace carom {
 namespace {
 
 // The film's ticks without its cards, and one at each time that a figure shows: axes are the
-// film's, moments exact.
+// film's where they do not depend on the time, moments exact.
 std::vector<Tick> ticks_of(const Scene& scene) {
     std::vector<Tick> ticks = timeline(scene);
     std::erase_if(ticks, [](const Tick& tick) { return is_card(tick.phase); });

@@ -1,8 +1,8 @@
 // The figures of a scene before they are drawn: their panels with axes that hold for the whole run,
-// as in a film, and what they show at their times. All figures of a scene share one run of the
-// physics; those that show means of several seeds share one for each of these; one that compares
-// runs has its own, and so has one that shows a sweep. A run that is too large for memory is
-// simulated twice.
+// as in a film, but for histograms of means, which have their own; and what they show at their
+// times. All figures of a scene share one run of the physics; those that show means of several
+// seeds share one for each of these; one that compares runs has its own, and so has one that shows
+// a sweep. A run that is too large for memory is simulated twice.
 #pragma once
 
 #include <functional>
@@ -55,7 +55,8 @@ struct RunsCallbacks {
 class FigureRun {
   public:
     /// Runs the physics of `scene`, of each further seed and of each run that is compared, on
-    /// `threads` threads at most. The axes are those of the scene's film. Throws SceneError (a gas
+    /// `threads` threads at most. The axes are those of the scene's film,
+    /// but for histograms of means. Throws SceneError (a gas
     /// cannot be placed, or does not return), Interrupted.
     explicit FigureRun(const Scene& scene, int threads = 1, const RunsCallbacks& on_progress = {});
     ~FigureRun();

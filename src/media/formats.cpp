@@ -9,38 +9,36 @@
 namespace carom {
 namespace {
 
-// Those in docs/encoding.md ("Rough costs": 300 frames of two films): MP4's time is that of 900
-// such frames on two idle cores, 6.86 and 9.04 s, the others' by their ratio to it. Up to 20,000
-// disks times hold to a third; bytes depend more on how fast all moves. The memory is that of the
-// slowest quality (docs/scaling.md).
-constexpr double frames_measured = 300.0, pixels_measured = 1920.0 * 1080.0;
-constexpr PowerLaw mp4_seconds{2 * 6.86 / 900.0, 2 * 9.04 / 900.0};
+// Those in docs/encoding.md ("Rough costs"), of films of 300 frames with 200 and 1,000 disks. Up to
+// 20,000 disks times hold to a third; bytes depend more on how fast all moves. The memory is that
+// of the slowest quality (docs/scaling.md).
+constexpr double pixels_measured = 1920.0 * 1080.0;
 
-constexpr PowerLaw bytes_of(double megabytes_at_200, double megabytes_at_1000) {
-    return {megabytes_at_200 * 1e6 / frames_measured, megabytes_at_1000 * 1e6 / frames_measured};
+constexpr PowerLaw milliseconds(double at_200, double at_1000) {
+    return {1e-3 * at_200, 1e-3 * at_1000};
+}
+constexpr PowerLaw megabytes_of_300(double at_200, double at_1000) {
+    return {1e6 / 300 * at_200, 1e6 / 300 * at_1000};
 }
 
-constexpr FormatCost mp4_cost{.core_seconds = mp4_seconds,
-                              .bytes = bytes_of(2.51, 5.36),
+constexpr FormatCost mp4_cost{.core_seconds = milliseconds(16.7, 25.3),
+                              .bytes = megabytes_of_300(2.51, 5.36),
                               .power_of_pixels = 0.5,
                               .memory_per_pixel = 48,
                               .seconds_by_quality = {.draft = 0.6, .final_ = 2.3},
                               .bytes_by_quality = {.draft = 2.2, .final_ = 1.4}};
-constexpr FormatCost webm_cost{
-    .core_seconds = {2.4 * mp4_seconds.at_200, 2.3 * mp4_seconds.at_1000},
-    .bytes = bytes_of(3.62, 8.12),
-    .power_of_pixels = 0.5,
-    .memory_per_pixel = 100,
-    .seconds_by_quality = {.draft = 0.65, .final_ = 4.8},
-    .bytes_by_quality = {.draft = 0.8, .final_ = 1.0}};
-constexpr FormatCost gif_cost{
-    {1.3 * mp4_seconds.at_200, 1.2 * mp4_seconds.at_1000}, bytes_of(10.89, 20.42), 0.7, 30, 0.7};
-constexpr FormatCost png_cost{
-    {5.6 * mp4_seconds.at_200, 4.6 * mp4_seconds.at_1000}, bytes_of(73.1, 108.9), 0.8, 48};
+constexpr FormatCost webm_cost{.core_seconds = milliseconds(40.7, 57.5),
+                               .bytes = megabytes_of_300(3.62, 8.12),
+                               .power_of_pixels = 0.5,
+                               .memory_per_pixel = 100,
+                               .seconds_by_quality = {.draft = 0.65, .final_ = 4.8},
+                               .bytes_by_quality = {.draft = 0.8, .final_ = 1.0}};
+constexpr FormatCost gif_cost{milliseconds(21.7, 28.3), megabytes_of_300(10.9, 20.4), 0.7, 30, 0.7};
+constexpr FormatCost png_cost{milliseconds(94.1, 96.6), megabytes_of_300(73.1, 109), 0.8, 24};
 
 // Of 200 and 1000 disks at 1080p, roughly: pages are drawn one by one, and only their memory
 // counts.
-constexpr FormatCost pdf_cost{.core_seconds = mp4_seconds,
+constexpr FormatCost pdf_cost{.core_seconds = mp4_cost.core_seconds,
                               .bytes = {26e3, 50e3},
                               .power_of_pixels = 0,
                               .memory_per_pixel = 4};

@@ -2,11 +2,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "media/film_writer.h"
 #include "util/archive.h"
 #include "util/files/atomic_file.h"
+#include "util/files/spool.h"
 
 namespace carom {
 namespace {
@@ -28,12 +31,18 @@ class FrameFolder : public FilmWriter {
     class Segment : public FilmSegment {
       public:
         Segment(FrameFolder& film, int first) : film_(film), first_(first) {}
-        void add(const Canvas& frame) override { pictures_.push_back(frame.png()); }
+        void add(const Canvas& frame) override {
+            const std::vector<std::uint8_t> png = frame.png();
+            pictures_.add({png.begin(), png.end()});
+        }
         void archive(Archive& archive) override { archive(pictures_); }
         void join() override {
             int number = first_;  // from 0; files count from 1
-            for (const std::vector<std::uint8_t>& png : pictures_) {
-                film_.folder_.write(fmt::format("frame-{:0{}}.png", ++number, film_.digits_), png);
+            for (std::size_t k = 0; k < pictures_.size(); ++k) {
+                const std::string png = pictures_.piece(k);
+                film_.folder_.write(
+                    fmt::format("frame-{:0{}}.png", ++number, film_.digits_),
+                    {reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
                 film_.bytes_ += static_cast<std::int64_t>(png.size());
             }
         }
@@ -41,7 +50,7 @@ class FrameFolder : public FilmWriter {
       private:
         FrameFolder& film_;
         int first_;
-        std::vector<std::vector<std::uint8_t>> pictures_;
+        Spool pictures_{most_encoded_bytes};
     };
 
     AtomicFolder folder_;

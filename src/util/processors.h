@@ -2,11 +2,13 @@
 // start. The arithmetic is the same in all, and so are the bits of the results.
 #pragma once
 
+#include <cstddef>  // which defines __GLIBC__
+
 /// Before the definition of a function: one version for each kind of processor that is named, as
 /// `target_clones` of GCC and Clang names it, and one for all others. Nothing with other compilers
 /// and systems, and with sanitizers, which are not ready when the program chooses.
 /// CAROM_ONE_VERSION: for comparison.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(CAROM_SANITIZERS) && \
+#if defined(__x86_64__) && defined(__GLIBC__) && !defined(CAROM_SANITIZERS) && \
     !defined(CAROM_ONE_VERSION)
 #define CAROM_FOR_PROCESSORS(...) __attribute__((target_clones(__VA_ARGS__, "default")))
 #else

@@ -136,20 +136,20 @@ TEST_CASE("carom check names words that have no room, and a field of blank cells
     CHECK(told("4").find("on average") == std::string::npos);  // of 12: 8 in each
 }
 
-// As measured: docs/encoding.md has 2.51 MB in 300 frames of 200 disks, 5.36 of 1,000, and for 900
-// 6.86 and 9.04 s of two cores.
+// As measured: docs/encoding.md has 16.7 and 25.3 ms of one core a frame, and 2.51 and 5.36 MB in
+// 300 frames, of 200 and 1,000 disks.
 TEST_CASE("the rough cost of a film is that of the films that were measured") {
-    const std::string rest = "run: {until: 0.001}\nfilm: {seconds: 30}\n";
-    for (const auto& [disks, seconds, bytes] :
-         {std::tuple{200, 6.86, 3 * 2.51e6}, {1000, 9.04, 3 * 5.36e6}}) {
+    const std::string rest = "run: {until: 0.001}\nfilm: {seconds: 10}\n";
+    for (const auto& [disks, milliseconds, megabytes] :
+         {std::tuple{200, 16.7, 2.51}, {1000, 25.3, 5.36}}) {
         const json rough =
             checked("box: {size: [64, 48]}\ngas: [{radius: 0.3, count: " + std::to_string(disks) +
                     "}]\n" + rest)
                 .at("film")
                 .at("rough");
-        const double cores = rough.at("cores");
-        CHECK(std::abs(rough.at("seconds").get<double>() * cores / (2 * seconds) - 1) < 0.01);
-        CHECK(std::abs(rough.at("bytes").get<double>() / bytes - 1) < 0.01);
+        const double seconds = rough.at("seconds").get<double>() * rough.at("cores").get<double>();
+        CHECK(std::abs(seconds / (300 * 1e-3 * milliseconds) - 1) < 0.01);
+        CHECK(std::abs(rough.at("bytes").get<double>() / (1e6 * megabytes) - 1) < 0.01);
     }
 }
 

@@ -74,6 +74,7 @@ TEST_CASE("a film takes at most the memory that carom check names, and at least 
                             {"1280x720", "mp4", "--quality final"},
                             {"1280x720", "webm", ""},
                             {"1920x1080", "gif", ""},
+                            {"1920x1080", "png", ""},
                             {"3840x2160", "mp4", ""}}) {
         CAPTURE(one.size);
         CAPTURE(one.format);
@@ -84,12 +85,13 @@ TEST_CASE("a film takes at most the memory that carom check names, and at least 
         const json rough = json::parse(check.out).at(0).at("film").at("rough");
         const double named = rough.at("formats").at(one.format).at("memory_bytes");
         const Peak peak =
-            peak_of(fmt::format("render --quiet --threads {} -o film.{} {} {}",
+            peak_of(fmt::format("render --quiet --threads {} --format {} {} {}",
                                 rough.at("cores").get<int>(), one.format, one.more, options),
                     folder.path());
         CHECK(peak.exit_code == 0);
         CHECK(peak.bytes <= named);
-        CHECK(peak.bytes >= 0.25 * named);
+        // What of the program is there for encoders is not there for pictures.
+        CHECK(peak.bytes >= (one.format == "png" ? 0.15 : 0.25) * named);
     }
 }
 

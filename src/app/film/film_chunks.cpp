@@ -72,11 +72,11 @@ struct Memory {
     std::int64_t bytes, bytes_per_thread;
 };
 
-// Upper estimates from measured peaks (docs/scaling.md). What is encoded stays in memory until the
-// chunk is written.
+// Upper estimates from measured peaks (docs/scaling.md), with some room for films in which all
+// moves fast. A segment is in memory, encoded, while it is written.
 Memory memory_of_chunk(const FilmPlan& plan, const PlannedChunk& chunk, const FormatCost& cost,
                        Quality quality, std::size_t start_bytes) {
-    constexpr double of_program = 80e6, of_particle = 1500.0, of_start = 2.5;
+    constexpr double of_program = 100e6, of_particle = 1500.0, of_start = 2.5;
     const double pixels = pixels_of(plan), disks = disks_of(plan);
     const double per_thread = cost.memory_per_pixel * pixels;
     const double encoded =

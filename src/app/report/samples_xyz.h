@@ -15,8 +15,8 @@ namespace carom {
 /// the second says what follows: Lattice (the box; what a plane or a line lacks has length 1),
 /// Properties, Time, pbc, and what the species are called. A particle has the symbol of a chemical
 /// element as its species, as ASE takes no other names: H for the first, He for the second, and
-/// so on; X beyond the elements. Positions and velocities have three components. Numbers have 17
-/// significant digits; an infinite mass is `inf`.
+/// so on; X beyond the elements. Positions and velocities have three components. Numbers are
+/// as csv_number() has them; an infinite mass is `inf`.
 class SamplesXyz {
   public:
     /// `output` must outlive it.

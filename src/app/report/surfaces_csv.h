@@ -11,8 +11,8 @@
 namespace carom {
 
 /// A header, then a row for each sample and surface:
-/// time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat, numbers with 17 significant
-/// digits; position and velocity are empty of what has not moved. A line has no bottom and no top.
+/// time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat, numbers as csv_number() has
+/// them; position and velocity are empty of what has not moved. A line has no bottom and no top.
 class SurfacesCsv {
   public:
     /// Writes the header to `output`, which must outlive the table.

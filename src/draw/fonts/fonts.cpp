@@ -47,6 +47,19 @@ bool has_a_used_weight(FcPattern* pattern) {
            weight >= FC_WEIGHT_BLACK;
 }
 
+// All that carom draws in, by fonts of one weight each or by one that has a range.
+bool have_used_weights(std::span<FcPattern* const> fonts) {
+    return std::ranges::all_of(
+        std::array{FC_WEIGHT_REGULAR, FC_WEIGHT_MEDIUM, FC_WEIGHT_DEMIBOLD, FC_WEIGHT_BLACK},
+        [&](int used) {
+            return std::ranges::any_of(fonts, [used](FcPattern* font) {
+                double weight = 0.0;
+                return FcPatternGetDouble(font, FC_WEIGHT, 0, &weight) != FcResultMatch ||
+                       weight == used;
+            });
+        });
+}
+
 // The libraries do not tell why they could not read it: as the system says when it is opened again.
 [[noreturn]] void refuse(const std::string& file) {
     const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
@@ -99,7 +112,8 @@ FcConfig* machine() {
 }
 
 // The folders in which Fontconfig looks by its defaults, with its caches on Debian and Fedora; of
-// the fonts there only the declared family. They are known from the caches: no file is read for it.
+// the fonts there only the declared family. They are known from the caches, as the machine's rules
+// for scanning fonts have them: no file is read for it.
 std::string declared_in_usual_folders() {
     return fmt::format(
         "<fontconfig><dir>/usr/share/fonts</dir><dir>/usr/local/share/fonts</dir>"
@@ -138,7 +152,8 @@ class DeclaredFonts {
         if (!FcConfigSetCurrent(own_.get())) refuse_configuration();
         const FcFontSet* found = FcConfigGetFonts(own_.get(), FcSetSystem);
         has_font_ = found != nullptr && found->nfont > 0;
-        if (!has_font_) add_machine_fonts();
+        if (!has_font_ || !have_used_weights({found->fonts, std::size_t(found->nfont)}))
+            add_machine_fonts();
     }
 
     bool has_font() const { return has_font_; }

@@ -103,6 +103,22 @@ std::optional<double> HistogramPanel::window() const {
     return window_of(spec_.over.value_or(Over{}));
 }
 
+bool HistogramPanel::shows_one_mean() const { return spec_.at && window() != 0.0; }
+
+// Of a few particles every frame: their bars waver most. Of a mean at one time what it is a mean
+// of, the last always.
+bool HistogramPanel::is_probe(double time, double numbers) const {
+    const auto probes = static_cast<int>(std::max(most_kept_of_film / numbers, probe_frames));
+    double frames = context_.frames;
+    if (shows_one_mean()) {
+        const double end = *spec_.at, length = window().value_or(end);
+        if (time > end || time < end - length) return false;
+        if (time == end) return true;
+        frames *= std::min(1.0, length / context_.scene.run.until);
+    }
+    return surveyed_ % std::max(1, static_cast<int>(frames) / probes) == 0;
+}
+
 void HistogramPanel::survey(const FrameInput& input) {
     const ValuesOfInput all = subject_.values(input);
     Eigen::ArrayXXd place;
@@ -111,9 +127,7 @@ void HistogramPanel::survey(const FrameInput& input) {
     if (subject_.position_axis)
         widen_to_sides(*subject_.extent, context_.scene.gas.box, *subject_.position_axis, input);
     const double numbers = record_.values();
-    // Of a few particles every frame: their bars waver most.
-    const auto probes = static_cast<int>(std::max(most_kept_of_film / numbers, probe_frames));
-    const bool probe = surveyed_ % std::max(1, context_.frames / probes) == 0;
+    const bool probe = is_probe(input.tick.time, numbers);
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         HistogramSeries& one = record_.series[k];
         const Values values = values_of(choices_[k].members, all, place);
@@ -147,7 +161,7 @@ HistogramRules HistogramPanel::rules() const {
     if (!rules.range) rules.range = subject_.extent;
     // A figure of one moment has the film's axis, so that it can be compared with frames; a mean
     // over time has its own.
-    if (window() != 0.0) rules.only_at = spec_.at;
+    rules.only_last = shows_one_mean();
     if (!spec_.theory) return rules;
     rules.density = subject_.density;
     rules.probability = subject_.probability;

@@ -101,6 +101,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void begin_counting();
     std::vector<bool> broken_bars(const MeanHistogram& now, int frame, std::size_t k);
     std::optional<double> window() const;
+    bool shows_one_mean() const;  ///< over a time up to that of a figure
+    bool is_probe(double time, double numbers) const;
     HistogramRules rules() const;
     Expected expected(const HistogramSeries& series) const;
     void require_testable(const HistogramSeries& series) const;

@@ -191,24 +191,25 @@ double top_of(const std::vector<HistogramCurve>& curves) {
     return top;
 }
 
-// Of each probe the tallest bar of all series, in order of time; only of the last before `only_at`,
-// if that is the only time shown.
+// Of each probe the tallest bar of all series, in order of time; or only that of the last of each.
 std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramRules& rules,
                                  const HistogramAxes& axes) {
     std::vector<double> tallest;
+    double of_last = 0.0;
     for (std::size_t k = 0; k < record.series.size(); ++k) {
         RunningHistogram running(axes.bins, rules.window);
+        double bar = 0.0;
         for (std::size_t i = 0; i < record.probes[k].size(); ++i) {
             const HistogramProbe& probe = record.probes[k][i];
-            if (i > 0 && rules.only_at && probe.time > *rules.only_at) break;
             running.add(probe.time, probe.values);
+            bar =
+                record.series[k].unit * probe.stands_for * std::ranges::max(running.mean().counts);
             if (i == tallest.size()) tallest.push_back(0.0);
-            tallest[i] = std::max(tallest[i], record.series[k].unit * probe.stands_for *
-                                                  std::ranges::max(running.mean().counts));
+            tallest[i] = std::max(tallest[i], bar);
         }
+        of_last = std::max(of_last, bar);
     }
-    if (rules.only_at && !tallest.empty()) tallest = {tallest.back()};
-    return tallest;
+    return rules.only_last ? std::vector{of_last} : tallest;
 }
 
 // Room for the whole curve, and for the bars of the second half of the run with all that they

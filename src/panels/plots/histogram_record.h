@@ -77,7 +77,7 @@ struct HistogramRules {
     std::optional<int> bins = {};
     bool symmetric = false;              ///< about 0; else values are never negative
     std::optional<double> window = 0.0;  ///< of the means, in time; none: from the start
-    std::optional<double> only_at = {};  ///< the only time that is shown; none: several
+    bool only_last = false;  ///< of each series what its last probe ends is all that is shown
     std::function<double(const EquilibriumGas&, double value)> density = {};  ///< none: no curves
     std::function<double(const EquilibriumGas&, double low, double high)> probability =
         {};  ///< of a value in between; wanted where the density is not finite

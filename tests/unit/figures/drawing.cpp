@@ -32,6 +32,20 @@ Canvas drawn(const FigureRun& run, std::size_t index, std::optional<VectorFormat
     return draw_figure(run, run.figures()[index], format, {"title", "words"});
 }
 
+// How much of the vertical axis the tallest bar of each figure takes.
+std::vector<double> shares_of_height(const std::string& scene) {
+    const FigureRun run = run_of(test::scene_from(scene));
+    std::vector<double> shares;
+    for (const Figure& figure : run.figures()) {
+        const auto& panel = dynamic_cast<const HistogramPanel&>(*figure.panel);
+        double tallest = 0.0;
+        for (const MeanHistogram& bars : HistogramPanel::histograms(*figure.moments.back().state))
+            tallest = std::max(tallest, std::ranges::max(bars.counts));
+        shares.push_back(tallest / panel.tallest());
+    }
+    return shares;
+}
+
 }  // namespace
 
 TEST_CASE("a figure has the width of a column, a page or a slide, and type to match") {
@@ -111,22 +125,34 @@ TEST_CASE("`over` of a figure is an interval, or as a panel has it") {
     CHECK(picture("over: [2, 6]") != picture("at: 6"));
 }
 
-// All begin with the same speed, in one bar.
 TEST_CASE("the vertical axis of a mean over an interval is that of its own bars") {
-    const FigureRun run = run_of(test::scene_from(
-        "title: A gas\nbox: {size: [40, 30]}\ngas: [{count: 200, radius: 0.5, speed: 2}]\n"
-        "run: {until: 12}\nfilm: {seconds: 2}\nfigures:\n"
-        "  - {name: a, kind: speed-histogram, theory: false, over: [4, 12]}\n"
-        "  - {name: b, kind: speed-histogram, theory: false, at: 0, over: {window: 8}}\n"));
-    const auto fills = [&](std::size_t index) {
-        const Figure& figure = run.figures()[index];
-        const auto& panel = dynamic_cast<const HistogramPanel&>(*figure.panel);
-        const auto& bars = HistogramPanel::histograms(*figure.moments.back().state);
-        return std::ranges::max(bars.front().counts) / panel.tallest();
-    };
-    for (const std::size_t index : {0U, 1U}) {
-        CHECK(fills(index) > 0.5);
-        CHECK(fills(index) <= 1.0);
+    const std::string figure = "  - {kind: speed-histogram, theory: false, ";
+    for (const std::string& scene :
+         {// All begin with the same speed, in one bar.
+          "title: A gas\nbox: {size: [40, 30]}\ngas: [{count: 200, radius: 0.5, speed: 2}]\n"
+          "run: {until: 12}\nfilm: {seconds: 2}\nfigures:\n" +
+              figure + "name: a, over: [4, 12]}\n" + figure +
+              "name: b, at: 0, over: {window: 8}}\n",
+          // Of so many not every frame is looked at: in one such interval lie two frames.
+          "title: A gas\nbox: {size: [60, 60]}\ngas: [{count: 2000, radius: 0.4, speed: 10}]\n"
+          "run: {until: 20}\nfilm: {seconds: 30}\nfigures:\n" +
+              figure + "name: a, over: [0.12, 0.195]}\n" + figure +
+              "name: b, over: [0.12, 0.205]}\n",
+          // Runs of other lengths, whose frames are others.
+          "title: A gas\nbox: {size: [100, 100]}\n"
+          "gas: [{count: 100, radius: 0.01, speed: {uniform: [0.5, 3]}}]\n"
+          "run: {until: 10}\nfilm: {seconds: 2}\nfigures:\n" +
+              figure +
+              "name: a, over: start, compare: [{label: a}, {label: b, "
+              "set: [gas.0.speed=1.5, run.until=40]}]}\n" +
+              figure +
+              "name: b, over: [2, 8], compare: [{label: a}, {label: b, "
+              "set: [gas.0.speed=1.55, run.until=40]}]}\n"}) {
+        CAPTURE(scene);
+        for (const double share : shares_of_height(scene)) {
+            CHECK(share > 0.45);
+            CHECK(share <= 1.0);
+        }
     }
 }
 

@@ -196,30 +196,47 @@ TEST_CASE("the bars of a settled gas fit under the end of the axis, with all tha
     CHECK(axes.top < 400);
 }
 
+// Of 40 probes the first 25 are twice as narrow as the others.
 TEST_CASE("where a mean is shown at one time only, its bars fill the height") {
     HistogramRecord record = run_from(spread(0, 1), spread(0, 4));
     record.probes.front().clear();
-    for (int i = 0; i < 40; ++i) {
-        const std::vector<double> now = spread(0, i < 25 ? 0.5 : 4.0);
-        record.probes.front().push_back(
-            {double(i), Eigen::Map<const Eigen::ArrayXd>(now.data(), std::ssize(now))});
-    }
-    const auto axes_at = [&](std::optional<double> only) {
-        return axes_of(record, {.bins = 8, .window = 10.0, .only_at = only});
+    const auto record_until = [&](int last) {
+        HistogramRecord its = record;
+        for (int i = 0; i <= last; ++i) {
+            const std::vector<double> now = spread(0, i < 25 ? 0.5 : 4.0);
+            its.probes.front().push_back(
+                {double(i), Eigen::Map<const Eigen::ArrayXd>(now.data(), std::ssize(now))});
+        }
+        return its;
     };
-    const auto tallest_at = [&](int time) {
-        RunningHistogram running(axes_at({}).bins, 10.0);
-        for (int i = 0; i <= time; ++i)
-            running.add(i, record.probes.front()[std::size_t(i)].values);
+    const auto axes = [&](const HistogramRecord& its, bool only_last) {
+        return axes_of(its, {.bins = 8, .window = 10.0, .only_last = only_last});
+    };
+    const auto tallest = [&](const HistogramRecord& its) {
+        RunningHistogram running(axes(its, false).bins, 10.0);
+        for (const HistogramProbe& probe : its.probes.front())
+            running.add(probe.time, probe.values);
         return std::ranges::max(running.mean().counts);
     };
-    for (const int time : {20, 39}) {
-        CAPTURE(time);
-        const double top = axes_at(time).top;
-        CHECK(top >= tallest_at(time));
-        CHECK(top <= 2.0 * tallest_at(time));
+    for (const int last : {20, 39}) {
+        CAPTURE(last);
+        const HistogramRecord its = record_until(last);
+        CHECK(axes(its, true).top >= tallest(its));
+        CHECK(axes(its, true).top <= 2.0 * tallest(its));
     }
-    CHECK(axes_at({}).top > 2.0 * tallest_at(39));  // of a film, in which those before are seen
+    // Of a film, in which those before are seen.
+    const HistogramRecord whole = record_until(39);
+    CHECK(axes(whole, false).top > 2.0 * tallest(whole));
+    // A comparison has room for the tallest bars of each, which has probes of its own.
+    for (const bool narrow_first : {true, false}) {
+        CAPTURE(narrow_first);
+        const HistogramRecord narrow = record_until(20);
+        const HistogramRecord both = narrow_first ? compare({narrow, whole}, {"a", "b"})
+                                                  : compare({whole, narrow}, {"b", "a"});
+        const double top = axes(both, true).top;
+        CHECK(top >= tallest(narrow));
+        CHECK(top <= 2.0 * tallest(narrow));
+    }
 }
 
 TEST_CASE("probes of a part of all values give the axis that whole ones give") {

@@ -105,9 +105,10 @@ std::optional<double> HistogramPanel::window() const {
 
 bool HistogramPanel::shows_one_mean() const { return spec_.at && window() != 0.0; }
 
-// Of a few particles every frame: their bars waver most. Of a mean at one time what it is a mean
-// of, the last always.
+// The first always, as bins depend on it. Of a few particles every frame: their bars waver most. Of
+// a mean at one time what it is a mean of, the last always.
 bool HistogramPanel::is_probe(double time, double numbers) const {
+    if (surveyed_ == 0) return true;
     const auto probes = static_cast<int>(std::max(most_kept_of_film / numbers, probe_frames));
     double frames = context_.frames;
     if (shows_one_mean()) {

@@ -51,7 +51,8 @@ struct HistogramProbe {
 /// What the first pass recorded of a run, or of several.
 struct HistogramRecord {
     std::vector<HistogramSeries> series;
-    std::vector<std::vector<HistogramProbe>> probes;  ///< of each series, at a few frames
+    std::vector<std::vector<HistogramProbe>> probes;  ///< of each series, at a few frames, the
+                                                      ///< first among them
     std::vector<std::vector<double>> pools;  ///< values of all frames, thinned; one for each run
                                              ///< that is compared
     double independent = 0.0;  ///< values in the bars of one series at the end of the film,

@@ -156,6 +156,21 @@ TEST_CASE("the vertical axis of a mean over an interval is that of its own bars"
     }
 }
 
+// Equal speeds at the start lie inside a bar, of a film and of a mean long after that.
+TEST_CASE("the bars of a mean over an interval are those of the film") {
+    const FigureRun run = run_of(test::scene_from(
+        "title: A gas\nbox: {size: [60, 40]}\ngas: [{count: 300, radius: 0.5, speed: 1}]\n"
+        "run: {until: 200}\nfigures:\n"
+        "  - {name: a, kind: speed-histogram, at: 200}\n"
+        "  - {name: b, kind: speed-histogram, over: [100, 200]}\n"));
+    const auto width = [&](std::size_t index) {
+        return HistogramPanel::histograms(*run.figures()[index].moments.back().state)
+            .front()
+            .bins.width();
+    };
+    CHECK(width(1) == width(0));
+}
+
 TEST_CASE("two runs give the same bytes in every format") {
     const Scene scene =
         scene_of("  - {name: a, kind: gas, strip: [0, 5]}\n  - {name: b, kind: speed-histogram}\n");

@@ -156,7 +156,9 @@ std::vector<TickMark> ticks(double low, double high, int most, bool whole) {
     const double largest = std::max(std::abs(first), std::abs(last)) * step.size();
 
     std::vector<TickMark> marks;
-    for (double count = first; count <= last; ++count) {
+    for (int k = 0; k < most && first + k <= last; ++k) {
+        const double count = first + k;  // of a narrow range far from 0 the same again and again
+        if (k > 0 && count == first + (k - 1)) break;
         const double value = count == 0.0 ? 0.0 : count * step.size();
         marks.push_back({value, label_of(value, step, largest)});
     }

@@ -170,6 +170,12 @@ void check_sweep(const Sweep& sweep) {
         if (axis.values.empty()) throw SweepError(fmt::format("{} has no values", axis.key));
         if (!keys.insert(axis.key).second)
             throw SweepError(fmt::format("{} is varied twice", axis.key));
+        for (const std::string& other : keys)
+            if (axis.key.starts_with(other + ".") || other.starts_with(axis.key + "."))
+                throw SweepError(
+                    fmt::format("{} and {} are varied, one of which is part of the "
+                                "other",
+                                other, axis.key));
     }
     double points = 1.0;
     for (const SweepAxis& axis : sweep.axes) points *= static_cast<double>(axis.values.size());

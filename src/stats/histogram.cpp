@@ -8,12 +8,16 @@ namespace carom {
 Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins) {
     Histogram result{bins, std::vector<std::int64_t>(static_cast<std::size_t>(bins.count)), 0, 0};
     const double scale = bins.count / (bins.high - bins.low);
+    // Of bins so narrow that the scale is infinite the quotient is not.
+    const auto place = [&](double value) {
+        return std::isfinite(scale) ? (value - bins.low) * scale
+                                    : (value - bins.low) / (bins.high - bins.low) * bins.count;
+    };
     for (const double value : values) {
         if (value < bins.low) {
             ++result.below;
         } else if (value <= bins.high) {
-            const int index =
-                std::min(static_cast<int>((value - bins.low) * scale), bins.count - 1);
+            const int index = std::min(static_cast<int>(place(value)), bins.count - 1);
             ++result.counts[static_cast<std::size_t>(index)];
         } else {
             ++result.above;

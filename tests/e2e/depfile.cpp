@@ -156,3 +156,28 @@ TEST_CASE("a rule about nothing, and names that no rule can hold, are refused be
     CHECK(has(said({"still", "a\nb.yaml", "-o", "a.png", "--depfile", "a.d"}), "has a line break"));
     CHECK(folder.names() == std::vector<std::string>{"a\nb.yaml", "scene.yaml"});
 }
+
+TEST_CASE("no output takes the place of a file that the work is read from, or of another output") {
+    const TemporaryFolder folder;
+    write_scene(folder, "scene.yaml");
+    fs::create_symlink("new.json", folder.path() / "link");
+    const std::string scene = contents(folder.path() / "scene.yaml");
+    const std::string read = "a file that the work is read from", twice = "two outputs";
+    for (const auto& [arguments, reason] :
+         {std::pair{std::string("still scene.yaml -o a.png --depfile scene.yaml"), read},
+          {"still scene.yaml -o a.png --depfile own.yaml", read},
+          {"render scene.yaml -o a.mp4 --depfile scene.yaml", read},
+          {"figure scene.yaml --kind gas -o figures --depfile scene.yaml", read},
+          {"still scene.yaml -o a.png --depfile a.png", twice},
+          {"render scene.yaml -o a.mp4 --words --depfile a.transcript.txt", twice},
+          {"figure scene.yaml --kind gas -o figures --depfile figures/gas.svg", twice},
+          {"run scene.yaml --json new.json --csv link", twice}}) {
+        CAPTURE(arguments);
+        const Outcome outcome = shell("'" + program + "' " + arguments, folder.path());
+        CHECK(outcome.exit_code == 2);
+        CHECK(has(outcome.err, reason));
+        CHECK(contents(folder.path() / "scene.yaml") == scene);
+    }
+    CHECK_FALSE(fs::exists(folder.path() / "a.mp4"));
+    CHECK_FALSE(fs::exists(folder.path() / "new.json"));
+}

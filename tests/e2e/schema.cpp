@@ -71,6 +71,9 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_long", several_places},  // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
+    {"open_partition_leaves", several_places},  // a motion against the box
+    {"open_piston", several_places},
+    {"range_narrow", several_places},
     {"dials_closed", several_places},  // what lets particles through
     {"dials_wire", several_places},    // a line against the box
     {"instruments", several_places},   // names against the box, and what moves

@@ -22,6 +22,12 @@ struct Path {
     bool is_open = false;
 
     bool is_known() const { return !is_open && !std::holds_alternative<Piston>(behaviour); }
+
+    // One that is open passes the others, and ends at the walls of the box.
+    bool ends_at(const Path& other, double time) const {
+        return is_open && velocity_at(time) != 0.0 && Surfaces::is_side(other.surface) &&
+               other.is_known();
+    }
     double velocity_at(double time) const {
         const auto* driven = std::get_if<Driven>(&behaviour);
         return driven != nullptr ? driven->velocity_at(time) : 0.0;
@@ -78,8 +84,9 @@ class Paths {
         for (std::size_t i = 0; i < paths_.size(); ++i)
             for (std::size_t j = 0; j < paths_.size(); ++j) {
                 const Path &low = paths_[i], &high = paths_[j];
-                if (low.axis != high.axis || !low.is_known() || !high.is_known() ||
-                    !(low.place < high.place))
+                if (low.axis != high.axis || !(low.place < high.place)) continue;
+                if (!(low.is_known() && high.is_known()) && !low.ends_at(high, now_) &&
+                    !high.ends_at(low, now_))
                     continue;
                 const double closing = low.velocity_at(now_) - high.velocity_at(now_);
                 if (!(closing > 0.0)) continue;

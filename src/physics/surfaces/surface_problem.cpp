@@ -79,6 +79,8 @@ class Search {
                 its != nullptr && is_there(its->surface) &&
                 surfaces_.partition(its->surface) == nullptr)
                 add(Kind::not_a_partition, its->surface);
+            else if (its != nullptr && its->is_open)
+                refuse_open_piston(its->surface, behaviours, held);
             if (const auto* its = std::get_if<MoveSurface>(&action))
                 change(its->surface, Driven{its->velocity}, behaviours, held);
             if (const auto* its = std::get_if<ChangeSurface>(&action))
@@ -93,6 +95,13 @@ class Search {
   private:
     void add(Kind kind, std::int32_t surface, std::size_t item = 0) {
         found_.push_back({.kind = kind, .surface = surface, .item = item, .event = event_});
+    }
+
+    void refuse_open_piston(std::int32_t surface, const std::vector<Behaviour>& behaviours,
+                            const std::vector<bool>& held) {
+        const auto k = static_cast<std::size_t>(surface);
+        if (k < held.size() && std::holds_alternative<Piston>(behaviours[k]) && !held[k])
+            add(Kind::open_piston, surface);
     }
 
     // Why a side or a partition cannot behave so; from the start, or from an event on.
@@ -133,6 +142,8 @@ class Search {
             before = to;
         }
         if (const auto kind = problem_of(surface, partition.behaviour, true)) add(*kind, surface);
+        if (partition.is_open && std::holds_alternative<Piston>(partition.behaviour))
+            add(Kind::open_piston, surface);
     }
 
     void look_at_obstacle(std::int32_t surface, const Obstacle& obstacle) {
@@ -277,6 +288,9 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
         case Kind::not_a_partition:
             return {fmt::format("{} does not open: only partitions do", name),
                     "give the name of a partition"};
+        case Kind::open_piston:
+            return {fmt::format("{} is a piston, and open it would go on out of the box", name),
+                    "`hold` it before it opens, or make it `solid` by a `wall` event"};
         case Kind::not_movable:
             return {fmt::format("{} is an obstacle, which stands still", name),
                     "give a side of the box or a partition"};

@@ -35,6 +35,7 @@ struct SurfaceProblem {
         not_on_line,        ///< a partition or an obstacle, or a side that a line does not have
         no_surface,         ///< the event's surface is not there
         not_a_partition,    ///< what is to open or to close
+        open_piston,        ///< a piston that is open and not held: nothing would stop it
         not_movable,        ///< an obstacle that is to move or to act
         no_piston,          ///< what is to be held or released
         not_held,           ///< a piston that is to be released

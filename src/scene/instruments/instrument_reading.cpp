@@ -129,8 +129,11 @@ std::optional<WatchStart> event_called(const std::string& word, const Node& node
         std::string name;
         if (std::holds_alternative<ReverseVelocities>(events[k].action)) name = "reversal";
         if (std::holds_alternative<Heat>(events[k].action)) name = "heat";
-        if (const auto surface = surface_of(events[k]))
-            name = names.at(static_cast<std::size_t>(*surface));
+        if (const auto surface = surface_of(events[k])) {
+            const auto number = static_cast<std::size_t>(*surface);
+            if (number >= names.size()) return std::nullopt;  // of a box with mistakes, reported
+            name = names[number];
+        }
         if (name == word) return WatchStart{events[k].at, k};
         if (!name.empty() && std::ranges::find(there, name) == there.end()) there.push_back(name);
     }

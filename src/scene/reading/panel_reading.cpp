@@ -45,8 +45,14 @@ using Interval = std::pair<double, double>;
 
 Notation<Interval> range_notation() {
     const auto rising = [](const Eigen::Array2d& ends, const Node& node, Reading& reading) {
+        constexpr double least_width = 1e-9;  // of the numbers: edges have sixteen digits
         if (ends[0] >= ends[1])
             reading.errors.add(node, "expected [low, high] with low < high for `range`");
+        else if (ends[1] - ends[0] < least_width * ends.abs().maxCoeff())
+            reading.errors.add(node,
+                               "the edges of `range` agree in nine digits, and bars would be "
+                               "narrower than their edges are exact",
+                               "take a wider range");
     };
     return mapped(checked(pair_of(any_number, "[low, high]"), rising),
                   [](const Eigen::Array2d& ends) { return Interval(ends[0], ends[1]); });

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "scene/limits.h"
+#include "util/files/one_use_paths.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -51,9 +52,10 @@ std::optional<std::string> file_text(const fs::path& path, const Source& name, E
         reason = "it is a folder";
     else if (fs::exists(status) && !fs::is_regular_file(status))
         reason = "it is no ordinary file";
-    else if (const File file{std::fopen(path.c_str(), "rb")})
+    else if (const File file{std::fopen(path.c_str(), "rb")}) {
+        keep_source(path);
         return text_of(*file, name, errors);
-    else
+    } else
         reason = cause(errno);
     errors.add(name, "cannot be read: " + reason);
     return std::nullopt;

@@ -14,7 +14,8 @@ namespace carom {
 /// nothing, with an error, if it cannot be read. Throws Interrupted.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors);
 
-/// The same of the file at `path`, if it is an ordinary one.
+/// The same of the file at `path`, if it is an ordinary one. No output takes its place from then
+/// on: throws UsageError where one is about to (util/files/one_use_paths.h).
 std::optional<std::string> file_text(const std::filesystem::path& path, const Source& name,
                                      Errors& errors);
 

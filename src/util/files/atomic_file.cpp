@@ -99,6 +99,7 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
 }
 
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
+    only_.emplace(path_, target_);
     std::error_code error;
     if (fs::is_directory(target_, error)) fail("write", path_, EISDIR);
     create_folder_of(target_);
@@ -163,6 +164,7 @@ void AtomicFile::commit() {
     throw_if_memory_ran_out();
     if (!appears()) fail("write", path_);
     note_output();
+    only_.reset();
     close(file_.descriptor);
     file_.descriptor = -1;
     sync_folder(folder);

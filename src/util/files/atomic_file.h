@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "util/files/one_use_paths.h"
 #include "util/interrupt.h"
 #include "util/pending/pending_output.h"
 #include "util/pending/temporary.h"
@@ -21,7 +22,7 @@ namespace carom {
 class AtomicFile : public PendingOutput {
   public:
     /// Creates the folder of `path` when it is missing. Throws SystemError naming the path and the
-    /// cause.
+    /// cause; UsageError where `path` was read (one_use_paths.h), or another output is written.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile() override;
 
@@ -41,7 +42,8 @@ class AtomicFile : public PendingOutput {
     bool appears();
 
     std::filesystem::path path_;
-    std::filesystem::path target_;  ///< behind links
+    std::filesystem::path target_;    ///< behind links
+    std::optional<OutputPath> only_;  ///< until it has its name
     TemporaryFile file_;
     std::optional<MustCleanUp> named_;  ///< while it has a temporary name
     bool is_settled_ = false;

@@ -76,6 +76,19 @@ TEST_CASE("ticks lie inside the range, as many as asked for at most") {
     CHECK(ticks(0, 1.0 / 0.0).empty());
 }
 
+TEST_CASE("a range of a few numbers far from 0, or of the smallest ones, has few ticks or none") {
+    for (const auto& [low, high] : {std::pair{1.0, std::nextafter(1.0, 2.0)},
+                                    {1e15, 1e15 + 0.25},
+                                    {0.0, 1e-310},
+                                    {-1e-320, 1e-320},
+                                    {1e300, std::nextafter(1e300, 1e301)}})
+        for (const bool whole : {false, true}) {
+            CAPTURE(low);
+            CAPTURE(high);
+            CHECK(ticks(low, high, 5, whole).size() <= 5);
+        }
+}
+
 TEST_CASE("powers of ten stand at round exponents, two of them at least") {
     const auto exponents = [](double low, double high, int most = 5) {
         std::vector<int> all;

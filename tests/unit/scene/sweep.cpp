@@ -98,6 +98,10 @@ TEST_CASE("a sweep has no axis twice, none of seeds, and not more than the limit
     };
     CHECK(check({"a=1,2", "b=1,2"}, "3").empty());
     CHECK(check({"a=1,2", "a=3,4"}, "3") == "a is varied twice");
+    CHECK(check({"gas.0={count: 3}", "gas.0.count=7,8"}, "3") ==
+          "gas.0 and gas.0.count are varied, one of which is part of the other");
+    CHECK(check({"gas.0.count=7,8", "gas.0={count: 3}"}, "3") ==
+          "gas.0.count and gas.0 are varied, one of which is part of the other");
     CHECK(check({"seed=1,2"}, "3").find("seed") == 0);
     CHECK(check({}, "1000000").empty());
     CHECK(check({}, "1000001") == "the sweep has 1000001");

@@ -16,6 +16,14 @@ TEST_CASE("every value is in one bin, below or above") {
     CHECK(h.above == 2);
 }
 
+TEST_CASE("bins as narrow as the smallest numbers hold every value") {
+    const double tiny = 1e-312;  // whose reciprocal is infinite
+    const Histogram counted =
+        histogram(Eigen::ArrayXd{{0.0, 0.1 * tiny, 2.5 * tiny, 4.0 * tiny}}, {0.0, 4.0 * tiny, 4});
+    CHECK(counted.counts == std::vector<std::int64_t>{2, 0, 1, 1});
+    CHECK(counted.below + counted.above == 0);
+}
+
 TEST_CASE("quantiles interpolate between order statistics") {
     std::vector<double> values{4.0, 1.0, 3.0, 2.0};  // R: quantile(1:4, .25) is 1.75
     CHECK(quantile(values, 0.25) == 1.75);

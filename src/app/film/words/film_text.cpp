@@ -88,8 +88,10 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (const auto* moved = std::get_if<Perturbation>(&event.action))
             add(event.at, words_of(scene.film.language, *moved));
     for (const Pause& pause : scene.film.pauses)
-        add(pause.at, say(scene.film.language, "The film pauses for {} seconds",
-                          plain_number(scene.film.language, pause.seconds)));
+        add(pause.at, pause.seconds == 1.0
+                          ? say(scene.film.language, "The film pauses for a second")
+                          : say(scene.film.language, "The film pauses for {} seconds",
+                                plain_number(scene.film.language, pause.seconds)));
     for (const Happening& one : happenings(scene.film.language, scene.run, scene.gas))
         add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);

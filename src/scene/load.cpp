@@ -338,10 +338,15 @@ std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other
 // A link in the scene's folder may lead anywhere.
 void require_in_folder(const fs::path& file, const Node& asked) {
     const fs::path folder = file.parent_path();
-    if (stays_inside(file, folder.empty() ? "." : folder)) return;
+    std::error_code error;
     Errors errors;
-    errors.add(asked, fmt::format("{} leads out of the scene's folder", in_quotes(asked.text)),
-               "copy the scene into this folder");
+    if (!fs::exists(file, error))
+        errors.add(asked,
+                   fmt::format("there is no scene {} in the scene's folder", in_quotes(asked.text)),
+                   "give the name of a file beside this one");
+    else if (!stays_inside(file, folder.empty() ? "." : folder))
+        errors.add(asked, fmt::format("{} leads out of the scene's folder", in_quotes(asked.text)),
+                   "copy the scene into this folder");
     errors.throw_if_any();
 }
 

@@ -73,6 +73,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_short", several_places},
     {"open_partition_leaves", several_places},  // a motion against the box
     {"open_piston", several_places},
+    {"beside_missing", "the fault is in what lies beside the scene"},
     {"range_narrow", several_places},
     {"dials_closed", several_places},  // what lets particles through
     {"dials_wire", several_places},    // a line against the box

@@ -257,11 +257,14 @@ std::vector<Scene> fitted(const RenderArguments& arguments, const std::vector<Sc
     };
     const auto shape =
         fitting_shape({film.size, film.fps}, *format_of_film(options.output).film, most, bytes_in);
-    if (!shape)
+    if (!shape) {
+        double seconds = 0.0;
+        for (const Scene& scene : scenes) seconds += scene.film.seconds;
         throw UsageError(fmt::format(
             "--max-size {}: a film of {} seconds takes more, even of small frames and few of them; "
             "make it shorter (--seconds), or allow more",
-            arguments.max_size, film.seconds));
+            arguments.max_size, seconds));
+    }
     return tried.at({shape->size.width, shape->fps});
 }
 

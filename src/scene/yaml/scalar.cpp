@@ -114,6 +114,9 @@ std::string number_hint(const Node& node) {
     if (zeros != std::string::npos && zeros > sign && parse_number(node.text.substr(zeros)))
         return fmt::format("write `{}{}`, without leading zeros", node.text.substr(0, sign),
                            node.text.substr(zeros));
+    if (const std::size_t slash = node.text.find('/'); slash != std::string::npos)
+        if (parse_number(node.text.substr(0, slash)) && parse_number(node.text.substr(slash + 1)))
+            return "a quotient is written as one number, in decimal";
     if (const std::string number = before_unit(node.text); !number.empty())
         return fmt::format("quantities have no units in carom: write `{}`", number);
     if (!word.empty() && is_decimal(std::string_view{word}.substr(sign)))

@@ -137,6 +137,23 @@ TEST_CASE("the memory that carom check names has room for what panels and trails
     }
 }
 
+// What is recorded of the collisions is in a file in both.
+TEST_CASE("the path of a particle takes no more memory when it collides twice as often") {
+    const TemporaryFolder folder;
+    const auto bytes_until = [&](int until) {
+        folder.write("often.yaml",
+                     fmt::format("title: Many collisions\nbox: {{length: 10}}\n"
+                                 "gas: [{{count: 10, radius: 0, mass: {{uniform: [1, 2]}}, speed: "
+                                 "1}}]\nrun: {{until: {}}}\nfilm: {{seconds: 2, size: [160, 90], "
+                                 "panels: [{{kind: phase, of: [0, 1]}}]}}\n",
+                                 until));
+        const Peak peak = peak_of("render often.yaml --quiet -o film.mp4", folder.path());
+        CHECK(peak.exit_code == 0);
+        return peak.bytes;
+    };
+    CHECK(bytes_until(400'000) < 1.05 * bytes_until(200'000));
+}
+
 // Of so many that what they take is most of it.
 TEST_CASE("a film of very many disks takes at most the memory that carom check names") {
     const TemporaryFolder folder;

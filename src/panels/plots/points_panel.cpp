@@ -49,6 +49,8 @@ void PointsPanel::survey(const FrameInput& input) {
             std::vector<Point> more =
                 subject_.corners ? subject_.corners(input, k) : std::vector<Point>{};
             more.insert(more.end(), now.begin(), now.end());
+            // Those before are shown by no frame: a run may have any number of collisions.
+            if (more.size() > longest_path) more.erase(more.begin(), more.end() - longest_path);
             for (const Point& point : more) {
                 path.x.push_back(point.x);
                 path.y.push_back(point.y);

@@ -117,6 +117,17 @@ TEST_CASE("figures that were finished before Ctrl-C stay, and it says so") {
           "out/scene: up to date, 2 figures\n");
 }
 
+TEST_CASE("figures that are refused on the way leave no folder") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: A gas\nbox: {size: [20, 10]}\ngas: [{count: 12, radius: 0.3, speed: 1}]\n"
+                 "run: {until: 5}\nfigures: [{name: g, kind: gas}, {name: s, kind: sweep, number: "
+                 "nonsense, vary: 'gas.0.radius=0.1:0.3:3'}]\n");
+    const Outcome refused = figures(folder, {"scene.yaml", "-o", "new"});
+    CHECK(refused.exit_code == 2);
+    CHECK(folder.names() == std::vector<std::string>{"scene.yaml"});
+}
+
 TEST_CASE("figures are made of a scene whose name is not UTF-8, and their texts are") {
     const TemporaryFolder folder;
     folder.write("caf\xE9.yaml", ten_disks);

@@ -166,6 +166,7 @@ std::vector<std::string> FigureFolder::remove_all_but(const std::set<std::string
 }
 
 void FigureFolder::save() {
+    if (saved_.empty() && manifest_.files.empty() && manifest_.figures.empty()) return;
     std::string text = manifest_json(manifest_);
     if (text == saved_) return;
     write_file(path_ / manifest_name_, text);

@@ -73,7 +73,7 @@ class FigureFolder {
     std::vector<std::string> remove_all_but(const std::set<std::string>& kept,
                                             std::vector<std::string>& removed);
 
-    /// Writes figures.json, if it says anything new.
+    /// Writes figures.json, if it says anything new; not where there was none and no file is known.
     void save();
 
   private:

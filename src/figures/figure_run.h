@@ -55,9 +55,8 @@ struct RunsCallbacks {
 class FigureRun {
   public:
     /// Runs the physics of `scene`, of each further seed and of each run that is compared, on
-    /// `threads` threads at most. The axes are those of the scene's film,
-    /// but for histograms of means. Throws SceneError (a gas
-    /// cannot be placed, or does not return), Interrupted.
+    /// `threads` threads at most. The axes are those of the scene's film, but for histograms of
+    /// means. Throws SceneError (a gas cannot be placed, or does not return), Interrupted.
     explicit FigureRun(const Scene& scene, int threads = 1, const RunsCallbacks& on_progress = {});
     ~FigureRun();
     FigureRun(const FigureRun&) = delete;  // its panels refer to its scene and particles

@@ -172,10 +172,8 @@ void check_sweep(const Sweep& sweep) {
             throw SweepError(fmt::format("{} is varied twice", axis.key));
         for (const std::string& other : keys)
             if (axis.key.starts_with(other + ".") || other.starts_with(axis.key + "."))
-                throw SweepError(
-                    fmt::format("{} and {} are varied, one of which is part of the "
-                                "other",
-                                other, axis.key));
+                throw SweepError(fmt::format(
+                    "{} and {} are varied, one of which is part of the other", other, axis.key));
     }
     double points = 1.0;
     for (const SweepAxis& axis : sweep.axes) points *= static_cast<double>(axis.values.size());

@@ -137,7 +137,8 @@ TEST_CASE("the memory that carom check names has room for what panels and trails
     }
 }
 
-// What is recorded of the collisions is in a file in both.
+// What is recorded of the collisions is in a file in both. Each of its points would take some 60
+// bytes: with all of them the second film would take a sixth more.
 TEST_CASE("the path of a particle takes no more memory when it collides twice as often") {
     const TemporaryFolder folder;
     const auto bytes_until = [&](int until) {

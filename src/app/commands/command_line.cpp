@@ -156,16 +156,16 @@ std::string mistake_in(const CLI::App& app, const CLI::ParseError& error) {
     const std::string help = fmt::format("; carom {} --help lists the options", command.get_name());
     if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
         return unexpected_word(app, command) + help;
-    const std::vector<std::string> others = command.remaining();
-    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && !others.empty()) {
-        const bool is_file = others.front().ends_with(".yaml");
-        return unexpected_word(app, command) +
-               (is_file ? fmt::format("; a file of that name is written ./{}", others.front())
-                        : help);
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+        const std::vector<std::string> others = command.remaining();
+        if (others.empty())
+            return fmt::format("carom {} needs more: write {}{}", command.get_name(),
+                               call_of(command), help);
+        if (others.front().ends_with(".yaml"))
+            return fmt::format("{}; a file of that name is written ./{}",
+                               unexpected_word(app, command), others.front());
+        return unexpected_word(app, command) + help;
     }
-    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
-        return fmt::format("carom {} needs more: write {}{}", command.get_name(), call_of(command),
-                           help);
     const std::string what = error.what();
     const std::string flag = what.substr(0, what.find(':'));
     const CLI::Option* option = command.get_option_no_throw(flag);

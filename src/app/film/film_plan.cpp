@@ -266,7 +266,7 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     constexpr double of_program = 120e6, of_particle = 1500.0;
     constexpr double of_kept_particle = 40.0, of_frame = 8192.0;  // in a recording, or waiting
     constexpr double of_filed_frame = 512.0;  // whose samples are in a temporary file
-    constexpr double most_of_pixel = 0.5;     // encoded
+    constexpr double most_of_pixel = 0.5;     // encoded: PNGs of dense gases have 0.2
     constexpr double most_kept = static_cast<double>(Recording::most_bytes) + most_waiting_bytes;
     const double pixels = static_cast<double>(scene.film.size.width) * scene.film.size.height;
     const int frames = frame_count(scene.film);
@@ -274,9 +274,9 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     const std::vector<int> segments = segment_starts(frames, particles);
     const auto workers = static_cast<double>(std::clamp<std::size_t>(
         static_cast<std::size_t>(std::max(1, threads)), 1, segments.size() - 1));
-    // One segment of each worker grows, and two that are finished wait for their turn.
+    // Segments grow, or are finished and wait for their turn: two for each worker.
     const double encoded =
-        std::min(frames * most_of_pixel * pixels, 3.0 * workers * most_encoded_bytes);
+        std::min(frames * most_of_pixel * pixels, 2.0 * workers * most_encoded_bytes);
     const double kept = std::min(most_kept + frames * of_filed_frame,
                                  frames * (of_frame + of_kept_particle * disks));
     const double sound =

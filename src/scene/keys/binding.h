@@ -146,57 +146,61 @@ struct KeyTable {
 template <typename T>
 class FixedTable {
   public:
-    FixedTable(KeyTable<T> table) : rule_(std::make_shared<const Rule>(std::move(table.rule))) {
-        Section section{.name = std::move(table.name),
-                        .keys = {},
-                        .choices = std::move(table.choices),
-                        .refused = std::move(table.refused)};
-        std::vector<Reader> readers;
+    FixedTable(KeyTable<T> table) {
+        Contents all{.section = {.name = std::move(table.name),
+                                 .keys = {},
+                                 .choices = std::move(table.choices),
+                                 .refused = std::move(table.refused)},
+                     .readers = {},
+                     .rule = std::move(table.rule)};
         for (Binding<T>& binding : table.keys) {
-            section.keys.push_back(std::move(binding.key));
-            readers.push_back({std::move(binding.read), binding.reads_default});
+            all.section.keys.push_back(std::move(binding.key));
+            all.readers.push_back({std::move(binding.read), binding.reads_default});
         }
-        section_ = std::make_shared<const Section>(std::move(section));
-        readers_ = std::make_shared<const std::vector<Reader>>(std::move(readers));
+        contents_ = std::make_shared<const Contents>(std::move(all));
     }
 
-    const Section& section() const { return *section_; }
+    const Section& section() const { return contents_->section; }
 
     /// The form of a mapping with these keys; `phrase` is how a message calls it.
     Form form(std::string phrase) const {
-        return {.shape = Shape::mapping, .section = section_, .phrase = std::move(phrase)};
+        return {.shape = Shape::mapping,
+                .section = {contents_, &contents_->section},
+                .phrase = std::move(phrase)};
     }
 
     /// Reads a checked mapping into `value`; what is wrong or not there keeps its default.
     void read(const Node& mapping, T& value, Reading& reading) const {
-        for (std::size_t k = 0; k < readers_->size(); ++k) {
-            const Key& key = section_->keys[k];
-            const Reader& reader = (*readers_)[k];
+        for (std::size_t k = 0; k < contents_->readers.size(); ++k) {
+            const Key& key = section().keys[k];
+            const Reader& reader = contents_->readers[k];
             if (const Node* node = given(mapping, key.name))
                 reader.read(value, *node, reading);
             else if (reader.reads_default && find(mapping, key.name) == nullptr)
                 reader.read(value, default_node(key.default_value), reading);
         }
-        if (*rule_) (*rule_)(value, mapping, reading);
+        if (contents_->rule) contents_->rule(value, mapping, reading);
     }
 
     /// Whether all required keys have valid values.
     bool is_complete(const Node& mapping) const {
-        return std::ranges::all_of(section_->keys, [&](const Key& key) {
+        return std::ranges::all_of(section().keys, [&](const Key& key) {
             return !key.required || given(mapping, key.name) != nullptr;
         });
     }
 
   private:
-    using Rule = std::function<void(T&, const Node&, Reading&)>;
     struct Reader {
         SharedFunction<void(T&, const Node&, Reading&)> read;
         bool reads_default;
     };
+    struct Contents {
+        Section section;
+        std::vector<Reader> readers;  ///< one for each key
+        std::function<void(T&, const Node&, Reading&)> rule;
+    };
 
-    std::shared_ptr<const Rule> rule_;
-    std::shared_ptr<const Section> section_;
-    std::shared_ptr<const std::vector<Reader>> readers_;
+    std::shared_ptr<const Contents> contents_;
 };
 
 /// A mapping as a value: of a table's keys.

@@ -196,7 +196,7 @@ TEST_CASE("the bars of a settled gas fit under the end of the axis, with all tha
     CHECK(axes.top < 400);
 }
 
-// Of 40 probes the first 25 are twice as narrow as the others.
+// Of 40 probes the first 25 are an eighth as wide as the others.
 TEST_CASE("where a mean is shown at one time only, its bars fill the height") {
     HistogramRecord record = run_from(spread(0, 1), spread(0, 4));
     record.probes.front().clear();

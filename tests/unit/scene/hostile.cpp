@@ -28,7 +28,8 @@ double time_to_load(const std::string& text) {
 
 // How many times as long it takes to load the one as the other: the median of some tries, one after
 // the other, so that what slows the machine down slows both.
-double times_as_long(const std::string& large, const std::string& small, int tries) {
+double times_as_long(const std::string& large, const std::string& small) {
+    constexpr int tries = 5;
     std::vector<double> ratios;
     for (int k = 0; k < tries; ++k) {
         const double first = time_to_load(large);
@@ -52,6 +53,6 @@ TEST_CASE("no file takes more than in proportion to its size") {
         if (seconds < too_short_to_compare) continue;
         const double ratio = seconds / time_to_load(little);
         CHECK((ratio <= between_four_and_sixteen ||
-               times_as_long(large, little, 5) <= between_four_and_sixteen));
+               times_as_long(large, little) <= between_four_and_sixteen));
     }
 }

@@ -3,11 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <cstddef>
-#include <cstdlib>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "support/environment.h"
 #include "support/files.h"
 #include "util/diagnostics.h"
 
@@ -49,15 +48,13 @@ TEST_CASE("a scratch file takes no more than it may") {
 
 TEST_CASE("where there can be no scratch file nothing is added, and no name is left of one") {
     const test::TemporaryFolder folder;
-    const char* const before = std::getenv("TMPDIR");
-    const std::optional<std::string> kept =
-        before ? std::optional<std::string>(before) : std::nullopt;
-    setenv("TMPDIR", (folder.path() / "missing").c_str(), 1);
-    CHECK(ScratchFile::room() == 0);
-    CHECK_FALSE(ScratchFile().append(bytes_of("a")));
-    setenv("TMPDIR", folder.path().c_str(), 1);
+    {
+        const test::EnvironmentVariable nowhere("TMPDIR", folder.path() / "missing");
+        CHECK(ScratchFile::room() == 0);
+        CHECK_FALSE(ScratchFile().append(bytes_of("a")));
+    }
+    const test::EnvironmentVariable here("TMPDIR", folder.path());
     ScratchFile file;
     CHECK(file.append(bytes_of("a")) == 0);
     CHECK(std::filesystem::is_empty(folder.path()));
-    kept ? setenv("TMPDIR", kept->c_str(), 1) : unsetenv("TMPDIR");
 }

@@ -3,10 +3,9 @@
 
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <optional>
 #include <string>
 
+#include "support/environment.h"
 #include "support/process.h"
 #include "util/archive.h"
 
@@ -51,12 +50,8 @@ TEST_CASE("a spool that is written is read back whole") {
 
 TEST_CASE("a spool that has no file for its pieces keeps them in memory") {
     const test::TemporaryFolder folder;
-    const char* const before = std::getenv("TMPDIR");
-    const std::optional<std::string> kept =
-        before ? std::optional<std::string>(before) : std::nullopt;
-    setenv("TMPDIR", (folder.path() / "missing").c_str(), 1);
+    const test::EnvironmentVariable nowhere("TMPDIR", folder.path() / "missing");
     Spool spool(0);
     spool.add(piece(1, 10));
-    kept ? setenv("TMPDIR", kept->c_str(), 1) : unsetenv("TMPDIR");
     CHECK(spool.piece(0) == piece(1, 10));
 }

@@ -75,12 +75,19 @@ SweepSummary read_joined(const Scene& scene, const FigureSpec& spec) {
     return summary;
 }
 
+// Of what it would run itself, without any runs.
+SweepSummary planned(const FigureSpec& spec) {
+    const SweepShown& shown = spec.panel.sweep;
+    return {.sweep = shown.sweep,
+            .numbers = numbers_of_runs(*shown.scene_with(shown.sweep.changes_at(0)))};
+}
+
 SweepSummary run_here(const FigureSpec& spec, int threads, const std::function<void()>& on_run) {
     const SweepShown& shown = spec.panel.sweep;
     const auto scene_at = [&](std::int64_t point) {
         return shown.scene_with(shown.sweep.changes_at(point));
     };
-    SweepSummary summary{.sweep = shown.sweep, .numbers = numbers_of_runs(*scene_at(0))};
+    SweepSummary summary = planned(spec);
     const RunRows rows = run_part(shown.sweep, 0, shown.sweep.runs(), threads, scene_at, on_run);
     const std::int64_t seeds = shown.sweep.seeds.count();
     for (std::int64_t point = 0; point < shown.sweep.points(); ++point) {
@@ -99,18 +106,15 @@ class SweptFigure {
           shown_(spec.panel.sweep),
           summary_(std::move(summary)),
           across_(axis_across()),
-          number_(find_number()) {}
+          number_(find_number()) {
+        check_lines();
+    }
 
     SweptNumbers numbers() {
         const RunNumber& number = summary_.numbers[number_];
         SweptNumbers numbers{.number = number.name, .unit = number.unit, .across = words_across()};
         for (const auto& [name, points] : points_of_lines())
             numbers.lines.push_back(line(name, points));
-        if (numbers.lines.size() > most_compared.count())
-            refuse(spec_.panel.place,
-                   fmt::format("the figure would have {} lines", numbers.lines.size()),
-                   fmt::format("the limit is {} combinations of the keys that are not across",
-                               number_text(most_compared.value)));
         if (numbers.lines.size() > 1)
             for (SweptLine& line : numbers.lines) line.ideal = {};
         return numbers;
@@ -147,6 +151,15 @@ class SweptFigure {
                    spelling_hint(shown_.number, names,
                                  fmt::format("it has {}", listed(names, "and", "`"))));
         return static_cast<std::size_t>(found - names.begin());
+    }
+
+    void check_lines() const {
+        for (std::int64_t point = 0; point < summary_.sweep.points(); ++point) key_at(point);
+        const std::size_t lines = points_of_lines().size();
+        if (lines > most_compared.count())
+            refuse(spec_.panel.place, fmt::format("the figure would have {} lines", lines),
+                   fmt::format("the limit is {} combinations of the keys that are not across",
+                               number_text(most_compared.value)));
     }
 
     std::string words_across() const {
@@ -274,8 +287,14 @@ fs::path path_of_joined(const Scene& scene, const FigureSpec& spec) {
     return fs::is_directory(path, error) ? path / "summary.json" : path;
 }
 
+void check_swept_figure(const Scene& scene, const FigureSpec& spec) {
+    const SweptFigure figure(scene, spec,
+                             spec.panel.sweep.from ? read_joined(scene, spec) : planned(spec));
+}
+
 SweptNumbers swept_numbers(const Scene& scene, const FigureSpec& spec, int threads,
                            const std::function<void()>& on_run) {
+    if (!spec.panel.sweep.from) check_swept_figure(scene, spec);
     SweepSummary summary =
         spec.panel.sweep.from ? read_joined(scene, spec) : run_here(spec, threads, on_run);
     return SweptFigure(scene, spec, std::move(summary)).numbers();

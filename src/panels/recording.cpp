@@ -263,6 +263,12 @@ void Recording::play(std::size_t end, const Viewer& see) const {
     }
 }
 
+std::size_t Recording::recorded_collisions() const {
+    std::size_t count = 0;
+    for (const Frame& frame : frames_) count += frame.collisions.size() + frame.filed;
+    return count;
+}
+
 bool Recording::fits(std::size_t frames, std::int64_t particles, int dimension) {
     const auto bytes = static_cast<double>(bytes_of_sample(particles, dimension) + sizeof(Frame)) *
                        static_cast<double>(frames);

@@ -101,6 +101,9 @@ class Recording {
     /// Whether it is in memory or in a file. If not, each play() simulates.
     bool is_kept() const { return !start_.has_value(); }
 
+    /// How many collisions are kept, in memory and in the file.
+    std::size_t recorded_collisions() const;
+
     /// Whether `frames` of so many particles could be kept, but for their collisions, and as long
     /// as nothing else fills the disk.
     static bool fits(std::size_t frames, std::int64_t particles, int dimension);

@@ -30,6 +30,7 @@ TooManyCollisions::TooManyCollisions(const CollisionsSeen& seen)
           seen.particle,
           fmt::format("{}, or allow more with `run.most_collisions`",
                       seen.particle ? "give it more room, or let the run end before"
-                                    : "let the run end before")) {}
+                                    : "let the run end before")),
+      seen_(seen) {}
 
 }  // namespace carom

@@ -39,6 +39,11 @@ struct CollisionsSeen {
 class TooManyCollisions : public CollisionError {
   public:
     explicit TooManyCollisions(const CollisionsSeen& seen);
+
+    const CollisionsSeen& seen() const { return seen_; }
+
+  private:
+    CollisionsSeen seen_;
 };
 
 }  // namespace carom

@@ -157,7 +157,7 @@ void print_wall(double seconds, int runs) {
         seconds, runs);
     fmt::print("{:>8} {:>10} {:>8} {:>12} {:>7} {:>9} {:>7}\n", "disks", "quality", "film",
                "x264 alone", "ratio", "at most", "MB");
-    for (int disks : {200, 1000}) {
+    for (int disks : {200, 1000, 2000}) {
         const Scene scene = scene_of(disks, seconds);
         const std::vector<Yuv> frames = converted(scene);
         for (const auto& [name, quality, preset, most] :

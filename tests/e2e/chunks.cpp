@@ -156,7 +156,8 @@ TEST_CASE("a plan is made once, of several scenes each in its folder, and tells 
     CHECK(has(refusal("plan '" + scene + "'" + small + " -o mine"), "is not a file of a plan"));
     CHECK_FALSE(fs::exists(folder.path() / "x"));
     REQUIRE(call("render " + a, folder.path()).exit_code == 0);
-    CHECK(has(refusal("join " + a + " -o film.webm"), "ends in .webm, but --format is mp4"));
+    CHECK(has(refusal("join " + a + " -o film.webm"),
+              "-o film.webm: " + a + " was planned with --format mp4"));
 }
 
 TEST_CASE("a plan holds the template and the scene beside that its scene names") {

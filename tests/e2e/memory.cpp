@@ -137,17 +137,39 @@ TEST_CASE("the memory that carom check names has room for what panels and trails
     }
 }
 
+// Ten points on a line, which collide some ten times in a unit of time.
+std::string often_colliding(int until) {
+    return fmt::format(
+        "title: Many collisions\nbox: {{length: 10}}\n"
+        "gas: [{{count: 10, radius: 0, mass: {{uniform: [1, 2]}}, speed: 1}}]\n"
+        "run: {{until: {}}}\nfilm: {{seconds: 2, size: [160, 90], panels: [{{kind: phase, of: [0, "
+        "1]}}]}}\n",
+        until);
+}
+
+TEST_CASE("a film whose panels record many collisions takes at most the memory that is named") {
+    const TemporaryFolder folder;
+    const auto named_until = [&](int until) {
+        folder.write("often.yaml", often_colliding(until));
+        const Outcome check =
+            shell("'" + program + "' check --json --threads 2 often.yaml", folder.path());
+        REQUIRE(check.exit_code == 0);
+        const json rough = json::parse(check.out).at(0).at("film").at("rough");
+        return rough.at("formats").at("mp4").at("memory_bytes").get<double>();
+    };
+    const double few = named_until(200), named = named_until(200'000);
+    const Peak peak = peak_of("render often.yaml --quiet --threads 2 -o film.mp4", folder.path());
+    CHECK(peak.exit_code == 0);
+    CHECK(peak.bytes <= named);
+    CHECK(peak.bytes > few);  // so that there is a reason to name more
+}
+
 // What is recorded of the collisions is in a file in both. Each of its points would take some 60
 // bytes: with all of them the second film would take a sixth more.
 TEST_CASE("the path of a particle takes no more memory when it collides twice as often") {
     const TemporaryFolder folder;
     const auto bytes_until = [&](int until) {
-        folder.write("often.yaml",
-                     fmt::format("title: Many collisions\nbox: {{length: 10}}\n"
-                                 "gas: [{{count: 10, radius: 0, mass: {{uniform: [1, 2]}}, speed: "
-                                 "1}}]\nrun: {{until: {}}}\nfilm: {{seconds: 2, size: [160, 90], "
-                                 "panels: [{{kind: phase, of: [0, 1]}}]}}\n",
-                                 until));
+        folder.write("often.yaml", often_colliding(until));
         const Peak peak = peak_of("render often.yaml --quiet -o film.mp4", folder.path());
         CHECK(peak.exit_code == 0);
         return peak.bytes;

@@ -291,17 +291,32 @@ TEST_CASE("what is wrong with a sweep is said before the first run") {
     CHECK(refusal("--vary 'gas.0.name=a,b' --vary 'box.walls=solid,periodic' --seeds 2 --set "
                   "'gas.0.count=-1'")
               .find("count") != std::string::npos);
+    // The first two differ in nothing but the name of the species, the others in nothing at all.
+    CHECK(refusal("--vary gas.0.radius=0.1,0.2 --vary gas.a.radius=0.3,0.4")
+              .find("the run with gas.0.radius=0.2, gas.a.radius=0.3 is the same as with "
+                    "gas.0.radius=0.1, gas.a.radius=0.3") != std::string::npos);
+    CHECK(refusal("--vary film.fps=20,30").find("is the same as with") != std::string::npos);
+    CHECK(refusal("--seeds 3 --seed 4").find("--seed") != std::string::npos);
     CHECK(its.carom("run gas.yaml --chunk 1").exit_code == 2);
     CHECK(its.carom("join gas.yaml").exit_code == 2);
     CHECK(its.carom("plan gas.yaml --list").exit_code == 2);
     CHECK(its.folder.names() == std::vector<std::string>{"gas.yaml"});
     its.plan("--chunks 2");
-    for (const char* wrong : {"run S --chunk 3", "run S --json a.json", "run S --seed 4",
-                              "run S --set run.until=3", "render S", "plan S --list --missing",
-                              "join S -o - --csv -", "join S -o a --csv a", "join S --words"}) {
+    for (const char* wrong :
+         {"run S --chunk 3", "run S --json a.json", "run S --seed 4", "run S --set run.until=3",
+          "render S", "plan S --list --missing", "join S -o - --csv -", "join S -o a --csv a",
+          "join S --words", "plan S --seeds 5", "plan S --vary gas.0.radius=0.1,0.2",
+          "plan S --set run.until=3", "plan S --force", "plan S -o T", "plan S --chunks 3",
+          "plan S gas.yaml"}) {
         CAPTURE(wrong);
         CHECK(its.carom(wrong).exit_code == 2);
     }
+}
+
+TEST_CASE("without seeds a sweep has that of the scene") {
+    const SweepFolder its;
+    its.done("plan gas.yaml --quiet --seed 9 --vary gas.0.radius=0.2,0.3 -o S");
+    CHECK(its.plan_json().at("request").at("seeds") == json::array({9, 9}));
 }
 
 TEST_CASE("a plan never replaces files that are not its own") {

@@ -16,6 +16,7 @@
 #include "app/report/check_facts.h"
 #include "app/report/trial_run.h"
 #include "app/resources.h"
+#include "figures/sweep_figure.h"
 #include "panels/words/text_panel.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
@@ -55,6 +56,10 @@ void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedF
     found.barriers->insert(found.barriers->end(), its.begin(), its.end());
 }
 
+void check_figure(const Scene& scene, const FigureSpec& figure) {
+    if (figure.panel.kind == "sweep") check_swept_figure(scene, figure);
+}
+
 // With all its scenes, figures and pages.
 Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
                    const Overrides& overrides, CheckedFile& found) {
@@ -63,6 +68,8 @@ Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
         if (!part.compares) find_barriers(arguments, part.scene, found);
         refuse_long_words(part.scene);
         try_run(part.scene, true);
+        for (const std::string& name : part.figures)
+            check_figure(part.scene, *figure_spec(part.scene, name));
     }
     for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
     refuse_same_names(set);
@@ -79,8 +86,8 @@ FilmCost measured(const CheckArguments& arguments, const std::string& path, cons
 }
 
 CheckedFilm checked_film(const CheckArguments& arguments, const std::string& path,
-                         const Scene& scene) {
-    CheckedFilm film{.options = arguments.film};
+                         const Scene& scene, std::optional<double> collisions) {
+    CheckedFilm film{.options = arguments.film, .collisions = collisions};
     film.options.threads = threads_of(arguments);
     if (!arguments.format.empty()) film.format = &output_format(arguments.format);
     refuse_span(film.options, scene);
@@ -94,10 +101,12 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     const auto [scene, has_film] = loaded(path, resources_of(arguments), overrides);
     if (has_film) refuse_long_words(scene);
     require_letters(scene);
-    try_run(scene, has_film);
+    const std::optional<double> collisions = try_run(scene, has_film);
+    for (const FigureSpec& figure : scene.figures) check_figure(scene, figure);
     if (has_film) find_barriers(arguments, scene, found);
-    return facts_of(scene,
-                    has_film ? std::optional(checked_film(arguments, path, scene)) : std::nullopt);
+    return facts_of(scene, has_film
+                               ? std::optional(checked_film(arguments, path, scene, collisions))
+                               : std::nullopt);
 }
 
 CheckedFile checked(const CheckArguments& arguments, const std::string& path,

@@ -1,6 +1,7 @@
 // carom plan: divides work into chunks that other processes do, and says which are left.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,8 +36,20 @@ fs::path folder_of_plan(const PlanArguments& arguments) {
     return fs::path("out") / (scene_stem(arguments.scenes.front()) + ".plan");
 }
 
+// Of a plan that is there only what it holds is asked.
+void refuse_options_of_scenes(const PlanArguments& arguments) {
+    const FilmPlanArguments& film = arguments.film;
+    if (arguments.is_of_sweep() || !arguments.output.empty() || film.force || film.chunks > 0 ||
+        film.chunk_seconds || !overrides_of(arguments).empty() || arguments.scenes.size() > 1)
+        throw UsageError(fmt::format(
+            "{} holds a plan already, to which only --list and --missing apply; to plan anew, name "
+            "the scene, with --force",
+            arguments.scenes.front()));
+}
+
 // The numbers of chunks, one a line.
 void list_chunks(const PlanArguments& arguments) {
+    refuse_options_of_scenes(arguments);
     if (arguments.list && arguments.missing)
         throw UsageError("--list and --missing exclude each other");
     const PlanFolder plan(arguments.scenes.front());
@@ -101,7 +114,11 @@ void plan_seeds(const PlanArguments& arguments) {
     refuse_film_options(arguments);
     SweepRequest request{.scene = arguments.scenes.front(),
                          .overrides = overrides_of(arguments),
-                         .sweep = sweep_of(arguments)};
+                         .sweep = sweep_of(arguments),
+                         .is_seed_of_scene = arguments.seeds.empty()};
+    const auto is_seed = [](const std::string& change) { return change.starts_with("seed="); };
+    if (!arguments.seeds.empty() && std::ranges::any_of(request.overrides, is_seed))
+        throw UsageError("--seeds and --seed exclude each other");
     if (arguments.film.chunks > 0) request.chunks = arguments.film.chunks;
     const fs::path folder = folder_of_plan(arguments);
     Progress progress(Progress::fitting_form(arguments.quiet),

@@ -110,10 +110,10 @@ void join_film(const PlanFolder& folder, const FilmJoinArguments& arguments) {
     if (Output::is_standard_output(arguments.output))
         throw UsageError("-o -: name a file; the film of a plan is not written to standard output");
     const std::string format = format_of_plan(folder);
-    const fs::path output = film_path({arguments.output, format}, scene_of_plan(folder));
-    if (format_of_film(output).name != format)
+    if (is_video(arguments.output) && format_of_film(arguments.output).name != format)
         throw UsageError(fmt::format("-o {}: {} was planned with --format {}", arguments.output,
                                      folder.path().string(), format));
+    const fs::path output = film_path({arguments.output, format}, scene_of_plan(folder));
     Progress progress(Progress::fitting_form(arguments.quiet), output.filename().string());
     const RenderReport report = join_film(folder,
                                           {.output = output,

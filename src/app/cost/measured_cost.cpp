@@ -111,8 +111,10 @@ FilmCost measured_cost(const Scene& scene, const FilmOptions& options, Progress&
     cost.format = format.name;
     cost.bytes += bytes_of_sound(scene, format, plan.frames());
     cost.seconds = prepared_seconds + sampler.played_seconds() + cost.seconds / options.threads;
-    cost.memory =
-        static_cast<double>(memory_of_film(scene, format, plan.particles.count(), options.threads));
+    const std::size_t recorded =
+        plan.run.recorded_collisions() + (plan.beside ? plan.beside->run.recorded_collisions() : 0);
+    cost.memory = static_cast<double>(memory_of_film(
+        scene, format, plan.particles.count(), static_cast<double>(recorded), options.threads));
     return cost;
 }
 

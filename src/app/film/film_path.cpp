@@ -24,10 +24,6 @@ std::vector<std::string> video_extensions() {
     return endings;
 }
 
-bool is_video(const fs::path& path) {
-    return std::ranges::count(video_extensions(), path.extension().string()) > 0;
-}
-
 // Frames never go among other files, from which they could not be told afterwards.
 void refuse_used_folder(const std::string& output, const std::string& scene) {
     std::error_code error;
@@ -74,6 +70,10 @@ fs::path named_path(const FilmDestination& destination, const std::string& scene
 }
 
 }  // namespace
+
+bool is_video(const fs::path& path) {
+    return std::ranges::count(video_extensions(), path.extension().string()) > 0;
+}
 
 fs::path film_path(const FilmDestination& destination, const std::string& scene) {
     const auto& [output, format, several] = destination;

@@ -262,7 +262,7 @@ bool has_sound(const Scene& scene, const OutputFormat& format) {
 }
 
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
-                            int threads) {
+                            double recorded_collisions, int threads) {
     constexpr double of_program = 120e6, of_particle = 1500.0;
     constexpr double of_kept_particle = 40.0, of_frame = 8192.0;  // in a recording, or waiting
     constexpr double of_filed_frame = 512.0;  // whose samples are in a temporary file
@@ -277,16 +277,19 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     // Segments grow, or are finished and wait for their turn: two for each worker.
     const double encoded =
         std::min(frames * most_of_pixel * pixels, 2.0 * workers * most_encoded_bytes);
+    const double of_collisions = sizeof(Collision) * recorded_collisions;
     const double kept = std::min(most_kept + frames * of_filed_frame,
-                                 frames * (of_frame + of_kept_particle * disks));
+                                 frames * (of_frame + of_kept_particle * disks) + of_collisions);
+    // A list that grows, its copy on the way to the panels, and the one that is kept.
+    const double of_one_frame = 4.0 * of_collisions / frames;
     const double sound =
         has_sound(scene, format)
             ? frames / scene.film.fps * (sizeof(std::int16_t) * sound_rate + format.sound->bytes)
             : 0.0;
     const double previews = 4.0 * pixels * std::min(format.previews, frames);
-    return static_cast<std::int64_t>(of_program + of_particle * disks +
-                                     memory_of_ways(scene, disks) + kept + 2.0 * encoded + sound +
-                                     previews + workers * format.film->memory_per_pixel * pixels);
+    return static_cast<std::int64_t>(
+        of_program + of_particle * disks + memory_of_ways(scene, disks) + kept + of_one_frame +
+        2.0 * encoded + sound + previews + workers * format.film->memory_per_pixel * pixels);
 }
 
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {

@@ -84,9 +84,10 @@ bool has_sound(const Scene& scene, const OutputFormat& format);
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
 
 /// Bytes of memory that render() takes at most for a film in a format, whatever its quality, of so
-/// many particles: an upper estimate from measured peaks (docs/scaling.md).
+/// many particles in each of its runs, where panels record so many collisions: an upper estimate
+/// from measured peaks (docs/scaling.md).
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
-                            int threads);
+                            double recorded_collisions, int threads);
 
 /// What all parts of a film share, and what is wanted of it, as bytes: all but its sound and the
 /// frames of its runs.

@@ -166,15 +166,11 @@ Json rough_costs(const std::vector<FilmCost>& costs, int cores) {
                 {"formats", std::move(formats)}};
 }
 
-// Rows for words of a picture that are cut; the gas is drawn and not placed yet.
-Facts cut_rows(const Scene& scene, const Particles& particles, const Sample& sample) {
-    std::optional<RunStart> beside;
-    if (scene.film.beside) {
-        auto [others, state] = draw_gas(scene.film.beside->scene->gas);
-        beside = RunStart{std::move(others), std::move(state)};
-    }
-    const PanelSet panels(scene, particles, sample, beside ? &*beside : nullptr);
-    return rows_of("cut", FramePainter(panels).cut_words());
+// The other run's gas, drawn and not placed.
+std::optional<RunStart> start_beside(const Film& film) {
+    if (!film.beside) return std::nullopt;
+    auto [particles, state] = draw_gas(film.beside->scene->gas);
+    return RunStart{std::move(particles), std::move(state)};
 }
 
 // A row where a field of so many particles has mostly blank cells.
@@ -194,7 +190,7 @@ int frames_of(const Scene& scene, const FilmOptions& options) {
 }
 
 std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& film, int frames,
-                                      std::int64_t particles, double collisions) {
+                                      std::int64_t particles, const CollisionWork& collisions) {
     std::vector<FilmCost> costs;
     for (const OutputFormat& format : output_formats())
         if (format.film && !format.in_one_piece &&
@@ -231,16 +227,20 @@ Json sound_value(const Film& film) {
             {"reference", reference ? Json(*reference) : Json()}};
 }
 
-// Of a run with so many collisions, equilibration included.
+// Of a run with so many collisions, which are kept if they are `recorded`.
 Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t particles,
-                 double collisions) {
+                 double collisions, bool recorded) {
     const Film& film = scene.film;
     const FilmOptions& options = checked.options;
     const int frames = frames_of(scene, options);
     const int runs = film.beside ? 2 : 1;
     const std::vector<std::string> passes = expected_passes(scene, runs * particles);
-    const std::vector<FilmCost> costs = estimated_costs(
-        scene, checked, frames, particles, static_cast<double>(passes.size()) * runs * collisions);
+    const double all = runs * collisions;
+    const double before = all / scene.run.until * scene.run.equilibrate;  // time 0
+    const std::vector<FilmCost> costs =
+        estimated_costs(scene, checked, frames, particles,
+                        {.calculated = static_cast<double>(passes.size()) * (all + before),
+                         .recorded = recorded ? all : 0.0});
     const double seconds = static_cast<double>(frames) / film.fps;
     Json value{{"template", film.template_name},
                {"frames", frames},
@@ -387,6 +387,14 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
     const std::int64_t particles = drawn.count();
     const double packing = packing_fraction(box, drawn);
     const auto rate = expected_collision_rate(box, drawn, sample);
+    const auto facts_of_film = [&](const CheckedFilm& its) {
+        const std::optional<RunStart> beside = start_beside(scene.film);
+        const PanelSet panels(scene, drawn, sample, beside ? &*beside : nullptr);
+        const double collisions = its.collisions.value_or(rate.value_or(0.0) * run.until);
+        return joined<Fact>(
+            {film_facts(scene, its, particles, collisions, panels.wants_collisions()),
+             field_rows(scene, particles), rows_of("cut", FramePainter(panels).cut_words())});
+    };
     return joined<Fact>(
         {{{"title", scene.title, "title", scene.title},
           {"description", scene.description},
@@ -404,9 +412,7 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
          event_rows(scene),
          {{"equilibrate", run.equilibrate},
           collisions(rate ? std::optional(*rate * run.until) : std::nullopt, particles)},
-         film ? joined<Fact>({film_facts(scene, *film, particles,
-                                         rate.value_or(0.0) * (run.until + run.equilibrate)),
-                              field_rows(scene, particles), cut_rows(scene, drawn, sample)})
+         film ? facts_of_film(*film)
               : Facts{{"film", nullptr, "film", "none: for `carom run` only"}}});
 }
 

@@ -32,46 +32,61 @@ std::vector<PanelSpec> panels_of_collisions(const Scene& scene) {
 }
 
 // In steps, so that the collisions of a long run do not add up in memory.
-void survey(PanelSet& panels, Simulation& simulation, double until) {
+double survey(PanelSet& panels, Simulation& simulation, double until) {
     constexpr int steps = 64;
+    CollisionCounts counts;
     for (int k = 0; k <= steps; ++k) {
         const Tick tick{.frame = k, .time = until * k / steps};
         const AdvanceResult advanced = simulation.advance_to(tick.time);
         panels.survey(tick, simulation.sample(), advanced);
+        counts = advanced.counts;
     }
+    return static_cast<double>(counts.particle + counts.wall);
 }
 
-void try_whole_run(const Scene& scene, const std::vector<PanelSpec>& specs) {
+double try_whole_run(const Scene& scene, const std::vector<PanelSpec>& specs) {
     Simulation simulation = start_run(scene.gas, scene.run);
     simulation.record_collisions(!specs.empty());
     const Particles particles = simulation.particles();
     PanelSet panels(scene, particles, simulation.sample(), 1, specs);
-    survey(panels, simulation, scene.run.until);
+    const double collisions = survey(panels, simulation, scene.run.until);
     all_made(panels.panels(), [](const PanelSet::Placed& placed) {
         placed.panel->fix_axes();
         return true;
     });
+    return collisions;
+}
+
+// At the rate that the run has had until it was cut, and not more than it may have.
+double extrapolated(const CollisionsSeen& seen, const Run& run, std::int64_t ceiling) {
+    const double tried = seen.begin + run.equilibrate;
+    const auto most = static_cast<double>(ceiling), count = static_cast<double>(seen.most);
+    return tried > 0.0 ? std::min(most, count * run.until / tried) : most;
 }
 
 }  // namespace
 
-void try_run(const Scene& scene, bool has_film) {
+std::optional<double> try_run(const Scene& scene, bool has_film) {
     Scene tried = scene;
     std::int64_t particles = 0;
     for (const Species& species : scene.gas.species) particles += species.count;
-    if (particles > most_particles_tried || scene.run.time_step) return;
+    if (particles > most_particles_tried || scene.run.time_step) return std::nullopt;
     const std::int64_t ceiling = collision_ceiling(scene.run, particles);
     tried.run.most_collisions = std::min(ceiling, collisions_tried(scene.run));
     const bool is_cut = tried.run.most_collisions < ceiling;
+    double collisions = 0.0;
     with_places_of_errors(scene, [&] {
         try {
-            try_whole_run(tried, has_film ? panels_of_collisions(scene) : std::vector<PanelSpec>{});
-        } catch (const TooManyCollisions&) {
+            collisions = try_whole_run(
+                tried, has_film ? panels_of_collisions(scene) : std::vector<PanelSpec>{});
+        } catch (const TooManyCollisions& error) {
             if (!is_cut) throw;
+            collisions = extrapolated(error.seen(), tried.run, ceiling);
         }
     });
     if (has_film && scene.film.beside && scene.film.beside->scene)
         try_run(*scene.film.beside->scene, false);
+    return collisions;
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "app/chunks/build_facts.h"
@@ -77,15 +78,35 @@ SweptScene swept_scene(const Json& request) {
     return {request.at("text"), request.at("scene"), request.at("files"), request.at("overrides")};
 }
 
+// Two keys may name one place, and a value may be written in two ways.
+class DistinctRuns {
+  public:
+    void add(const Scene& scene, const Sweep& sweep, std::int64_t point) {
+        const auto [same, is_new] =
+            points_.emplace(fmt::format("{} {}", scene.source.physics, scene.run.until), point);
+        if (!is_new)
+            throw UsageError(fmt::format(
+                "--vary: the run with {} is the same as with {}; each value has to change it",
+                fmt::join(sweep.changes_at(point), ", "),
+                fmt::join(sweep.changes_at(same->second), ", ")));
+    }
+
+  private:
+    std::map<std::string, std::int64_t> points_;
+};
+
 // All points, so that a mistake at one is found before the first run. Which numbers a run has must
 // not depend on the point.
 std::vector<RunNumber> checked_points(const SweptScene& swept, const Sweep& sweep,
                                       Progress& progress) {
     progress.begin("checking", static_cast<double>(sweep.points()), "points");
     std::vector<RunNumber> numbers;
+    DistinctRuns runs;
     for (std::int64_t point = 0; point < sweep.points(); ++point) {
         throw_if_interrupted();
-        std::vector<RunNumber> its = numbers_of_runs(*scene_at_point(swept, sweep, point));
+        const auto scene = scene_at_point(swept, sweep, point);
+        runs.add(*scene, sweep, point);
+        std::vector<RunNumber> its = numbers_of_runs(*scene);
         if (point == 0)
             numbers = std::move(its);
         else if (its != numbers)
@@ -135,10 +156,10 @@ Json facts_of(const Sweep& sweep, const std::vector<RunNumber>& numbers) {
 
 }  // namespace
 
-bool plan_sweep(const SweepRequest& request, const fs::path& folder, bool again,
-                Progress& progress) {
+bool plan_sweep(SweepRequest request, const fs::path& folder, bool again, Progress& progress) {
     const Scene scene =
         load_scene(request.scene, scene_resources(), request.overrides, Wanted::physics);
+    if (request.is_seed_of_scene) request.sweep.seeds = {scene.seed, scene.seed};
     const Json its = request_to_json(request, scene);
     if (!again && is_planned(folder, its)) return false;
     const SweptScene swept = swept_scene(its);

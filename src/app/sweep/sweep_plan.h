@@ -23,6 +23,7 @@ struct SweepRequest {
     std::string scene;  ///< file, or standard_input
     Overrides overrides = {};
     Sweep sweep = {};
+    bool is_seed_of_scene = false;   ///< instead of the sweep's seeds
     std::optional<int> chunks = {};  ///< none: by the time that runs take
 };
 
@@ -30,7 +31,7 @@ struct SweepRequest {
 /// writes the plan into a folder, where it replaces an earlier one with its chunks; a plan of the
 /// same request is left as it is unless `again`. Whether it was written. Throws SceneError (naming
 /// the point), UsageError, SystemError, Interrupted.
-bool plan_sweep(const SweepRequest& request, const std::filesystem::path& folder, bool again,
+bool plan_sweep(SweepRequest request, const std::filesystem::path& folder, bool again,
                 Progress& progress);
 
 /// The sweep that is planned in a folder, ready for its runs. Scenes are loaded when they are

@@ -35,13 +35,21 @@ SweptNumbers numbers_of(const Scene& scene, int threads = 1) {
     return swept_numbers(scene, scene.figures.front(), threads, {});
 }
 
-std::string refusal(const Scene& scene) {
+template <class Work>
+std::string refusal_of(const Work& work) {
     try {
-        run_of(scene);
+        work();
     } catch (const SceneError& error) {
         return error.what();
     }
     return "";
+}
+
+// The same before anything is run.
+std::string refusal(const Scene& scene) {
+    const std::string words = refusal_of([&] { run_of(scene); });
+    CHECK(refusal_of([&] { check_swept_figure(scene, scene.figures.front()); }) == words);
+    return words;
 }
 
 // The summary that carom join would write of the sweep of this figure.

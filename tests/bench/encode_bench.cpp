@@ -5,6 +5,7 @@
 //   encode_bench curves [FRAMES [SCENE...]]
 //                                     bytes against SSIM of scenes of the library, and what each
 //                                     quality takes where it is as like as veryfast at CRF 20
+//   encode_bench vary PARAMS...       the same of standard, and of standard with each of these
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavutil/log.h>
@@ -325,25 +326,31 @@ struct Curve {
     }
 };
 
-std::vector<Curve> curves_to_measure() {
+Curve curve_of(const std::string& name, const Settings& its) {
+    Curve curve{name, {}};
+    for (const int more : {-4, 0, 4, 8}) curve.settings.push_back(coarser(its, more));
+    return curve;
+}
+
+// Of standard as it is, and with each of `vary`; with none of final too.
+std::vector<Curve> curves_to_measure(const std::vector<std::string>& vary) {
     Curve veryfast{"veryfast", {}};
     for (const int crf : {16, 20, 24, 28})
         veryfast.settings.push_back({"veryfast", as_in_films(fmt::format("crf={}", crf))});
-    std::vector<Curve> curves{veryfast};
-    for (const auto& [name, quality] :
-         {std::pair{"standard", Quality::standard}, {"final", Quality::final_}}) {
-        curves.push_back({name, {}});
-        for (const int more : {-4, 0, 4, 8})
-            curves.back().settings.push_back(coarser(settings_of(quality), more));
-    }
+    const Settings standard = settings_of(Quality::standard);
+    std::vector<Curve> curves{veryfast, curve_of("standard", standard)};
+    if (vary.empty()) curves.push_back(curve_of("final", settings_of(Quality::final_)));
+    for (const std::string& parameters : vary)
+        curves.push_back(
+            curve_of(parameters, {standard.preset, standard.parameters + ":" + parameters}));
     return curves;
 }
 
 // CPU times are those of the second setting of each curve, in turn: the least of three.
-void print_curves(const std::string& scene, int count) {
+void print_curves(const std::string& scene, int count, const std::vector<std::string>& vary) {
     const ConvertedFrames source(library_folder() / (scene + ".yaml"), count);
     const int there = static_cast<int>(source.planes.size());
-    std::vector<Curve> curves = curves_to_measure();
+    std::vector<Curve> curves = curves_to_measure(vary);
     for (Curve& curve : curves)
         for (const auto& [preset, parameters] : curve.settings) {
             const Likeness found = likeness(source, preset, parameters, there);
@@ -367,7 +374,8 @@ void print_curves(const std::string& scene, int count) {
     }
 }
 
-void print_curves(int count, std::vector<std::string> scenes) {
+void print_curves(int count, std::vector<std::string> scenes,
+                  const std::vector<std::string>& vary = {}) {
     if (scenes.empty())
         scenes = {"one-hot-particle", "maxwell-boltzmann", "heat-flow", "cradle",
                   "classics/freezing"};
@@ -377,7 +385,7 @@ void print_curves(int count, std::vector<std::string> scenes) {
         "28, by 8 | bytes at the SSIM of veryfast CRF 20 | CPU ms a frame, as a share |\n"
         "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
         count);
-    for (const std::string& scene : scenes) print_curves(scene, count);
+    for (const std::string& scene : scenes) print_curves(scene, count, vary);
 }
 
 }  // namespace
@@ -388,6 +396,10 @@ int main(int argc, char** argv) {
     if (!words.empty() && words[0] == "curves") {
         const int count = words.size() > 1 ? std::atoi(words[1].c_str()) : 60;
         print_curves(count, {words.begin() + std::min<long>(2, long(words.size())), words.end()});
+        return 0;
+    }
+    if (words.size() >= 2 && words[0] == "vary") {
+        print_curves(60, {}, {words.begin() + 1, words.end()});
         return 0;
     }
     if (words.size() >= 3 && words[0] == "try") {

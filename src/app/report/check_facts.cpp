@@ -383,7 +383,9 @@ std::string made_from(const SceneSource& source) {
 Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
     const Box& box = scene.gas.box;
     const Run& run = scene.run;
-    const auto [drawn, sample] = draw_gas(scene.gas);
+    const auto gas = draw_gas(scene.gas);
+    const Particles& drawn = gas.first;
+    const Sample& sample = gas.second;
     const std::int64_t particles = drawn.count();
     const double packing = packing_fraction(box, drawn);
     const auto rate = expected_collision_rate(box, drawn, sample);

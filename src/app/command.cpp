@@ -19,6 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// A size that has a width of a few digits, or another.
+std::string size_of_width(const std::string& digits) {
+    if (digits.size() > 4) return "1280x720";
+    const int width = std::atoi(digits.c_str());
+    return fmt::format("{}x{}", width, std::max(2, (width * 9 + 16) / 32 * 2));
+}
+
 // `--size 1280x720` is easier on a shell than `[1280, 720]`.
 std::string as_yaml_size(const std::string& text) {
     for (const std::string unit : {"cm", "mm", "in", "pt"})
@@ -29,9 +36,8 @@ std::string as_yaml_size(const std::string& text) {
                             text, "centimetres"));
     if (text.find_first_not_of("0123456789") == std::string::npos)
         throw UsageError(fmt::format(
-            "--size {0}: expected WIDTHxHEIGHT, for instance {0}x{1}, or 2160p, 1080p or 720p",
-            text,
-            std::max(2, 2 * static_cast<int>(std::lround(std::atof(text.c_str()) * 9 / 32)))));
+            "--size {}: expected WIDTHxHEIGHT, for instance {}, or 2160p, 1080p or 720p", text,
+            size_of_width(text)));
     for (const std::string cross : {"x", "X", "×"})
         if (const std::size_t at = text.find(cross); at != std::string::npos)
             return fmt::format("[{}, {}]", text.substr(0, at), text.substr(at + cross.size()));

@@ -5,7 +5,8 @@
 //   encode_bench curves [FRAMES [SCENE...]]
 //                                     bytes against SSIM of scenes of the library, and what each
 //                                     quality takes where it is as like as veryfast at CRF 20
-//   encode_bench vary PARAMS...       the same of standard, and of standard with each of these
+//   encode_bench vary [SCENE...] PARAMS...
+//                                     the same of standard, and of standard with each of these
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavutil/log.h>
@@ -27,6 +28,7 @@ extern "C" {
 #include <fstream>
 #include <limits>
 #include <map>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -399,7 +401,10 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (words.size() >= 2 && words[0] == "vary") {
-        print_curves(60, {}, {words.begin() + 1, words.end()});
+        std::vector<std::string> scenes, vary;
+        for (const std::string& word : std::span(words).subspan(1))
+            (word.find('=') == std::string::npos ? scenes : vary).push_back(word);
+        print_curves(60, scenes, vary);
         return 0;
     }
     if (words.size() >= 3 && words[0] == "try") {

@@ -10,29 +10,37 @@ const char* of(Quality quality, const char* draft, const char* standard, const c
     return quality == Quality::final_ ? final_ : standard;
 }
 
+// How motion is searched for. The pattern of the diamond finds what moves a few pixels, the uneven
+// hexagons what moves many. Blocks of 8 x 8 in B frames are for many edges side by side.
+const char* standard_search(Motion motion) {
+    if (motion == Motion::fast) return ":me=umh:analyse=i8x8,i4x4,p8x8";
+    return motion == Motion::sparse ? ":me=dia:analyse=i8x8,i4x4,p8x8" : ":me=dia";
+}
+
 // A constant quantiser: a gas film is alike from end to end, so that rate control would only
 // measure every frame once more, and give crowded films less quality than empty ones. What stands
 // still is taken over from the key frame, so that a fine one (ipratio) pays for the whole segment;
 // what moves is shown in a B frame for a moment, and a coarse one (pbratio) is not seen. Every
 // fourth frame is a P frame, without look-ahead (b-adapt). A segment is one group of pictures,
 // however long.
-CodecOptions h264_options(Quality quality) {
+CodecOptions h264_options(Quality quality, Motion motion) {
     const char* const parameters =
         of(quality, "qp=25:8x8dct=1",  // a film is High, which means 8x8 blocks
            "qp=23:ipratio=2.5:pbratio=2:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
-           "rc-lookahead=0:ref=2:subme=1:deblock=2,2",
+           "rc-lookahead=0:ref=2:subme=1:direct=temporal:chroma-qp-offset=1:deblock=3,3",
            "qp=19:ipratio=2.5:pbratio=1.8:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
-           "rc-lookahead=0:ref=3:subme=6:psy=0:deblock=1,1");
-    return {
-        {"preset", of(quality, "ultrafast", "veryfast", "medium")},
-        {"profile", "high"},
-        {"x264-params", fmt::format("{}:keyint=infinite:{}", parameters, shared_h264_parameters)}};
+           "rc-lookahead=0:ref=3:subme=6:me=umh:direct=temporal:psy=0:deblock=1,1");
+    const char* const search = quality == Quality::standard ? standard_search(motion) : "";
+    return {{"preset", of(quality, "ultrafast", "veryfast", "medium")},
+            {"profile", "high"},
+            {"x264-params",
+             fmt::format("{}{}:keyint=infinite:{}", parameters, search, shared_h264_parameters)}};
 }
 
 // A constant quality, for the reasons that H.264 has a constant quantiser, and about the same
 // likeness. The realtime modes cost two to three times what x264 does; the other is only for the
 // final film. Without look-ahead and hidden reference frames every packet is a frame that is shown.
-CodecOptions vp9_options(Quality quality) {
+CodecOptions vp9_options(Quality quality, Motion /*motion*/) {
     return {{"deadline", of(quality, "realtime", "realtime", "good")},
             {"cpu-used", of(quality, "8", "5", "3")},
             {"crf", of(quality, "32", "24", "20")},

@@ -24,7 +24,7 @@ struct Codec {
     const char* container;                            ///< libav's name of the file format
     std::pair<const char*, const char*> index_first;  ///< its option for that
     bool keeps_all_metadata;                          ///< texts by any name
-    CodecOptions (*encoder_options)(Quality);
+    CodecOptions (*encoder_options)(Quality, Motion);
     SoundCodec sound;
 };
 

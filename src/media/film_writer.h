@@ -21,6 +21,10 @@ class Archive;
 
 enum class Quality { draft, standard, final_ };
 
+/// How what is drawn moves, which is only for the encoder: sparse is slow, too, and fast is by many
+/// pixels from frame to frame.
+enum class Motion { sparse, usual, fast };
+
 /// A part of a film that players can jump to.
 struct FilmChapter {
     int first = 0, end = 0;  ///< frames
@@ -32,6 +36,7 @@ struct VideoSettings {
                                       ///< repeating the last row and column
     int fps = 30;
     Quality quality = Quality::standard;
+    Motion motion = Motion::usual;
     bool transparent = false;  ///< frames have alpha, and so has the film: VP9 only
     std::uint32_t behind = 0;  ///< 0xffRRGGBB shown by players that know no transparency
     std::vector<std::pair<std::string, std::string>>

@@ -22,7 +22,7 @@ constexpr PowerLaw megabytes_of_300(double at_200, double at_1000) {
 }
 
 constexpr FormatCost mp4_cost{.core_seconds = milliseconds(16.7, 25.3),
-                              .bytes = megabytes_of_300(2.51, 5.36),
+                              .bytes = megabytes_of_300(2.56, 5.14),
                               .power_of_pixels = 0.5,
                               .memory_per_pixel = 48,
                               .seconds_by_quality = {.draft = 0.6, .final_ = 2.3},

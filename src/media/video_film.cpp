@@ -51,7 +51,7 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings, const Codec& c
     context->bit_rate = 0;  // the quality alone decides
     context->gop_size = std::numeric_limits<int>::max();
     tag_as_bt709(*context);
-    for (const auto& [name, value] : codec.encoder_options(settings.quality))
+    for (const auto& [name, value] : codec.encoder_options(settings.quality, settings.motion))
         libav::check_encoder(codec.encoder,
                              api().av_opt_set(context->priv_data, name, value.c_str(), 0));
     libav::check_encoder(codec.encoder, api().avcodec_open2(context.get(), nullptr, nullptr));

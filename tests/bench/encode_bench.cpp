@@ -33,6 +33,7 @@ extern "C" {
 #include <thread>
 #include <vector>
 
+#include "app/film/film_motion.h"
 #include "app/film/film_plan.h"
 #include "app/resources.h"
 #include "draw/canvas.h"
@@ -63,6 +64,7 @@ class MovingPicture {
   public:
     explicit MovingPicture(int count);
     void draw(int frame, Canvas& canvas, DiskPainter& painter) const;
+    std::size_t count() const { return flights_.size(); }
 
   private:
     struct Flight {
@@ -126,7 +128,9 @@ AVFrame* converted(const Canvas& canvas, int number) {
 /// All frames of a film, drawn and converted.
 struct ConvertedFrames {
     std::vector<AVFrame*> planes;
-    explicit ConvertedFrames(const MovingPicture& picture) {
+    Motion motion;
+    explicit ConvertedFrames(const MovingPicture& picture)
+        : motion(picture.count() < 500 ? Motion::sparse : Motion::usual) {
         Canvas canvas({width, height});
         DiskPainter painter;
         for (int i = 0; i < frames; ++i) {
@@ -139,6 +143,7 @@ struct ConvertedFrames {
         Progress silent(Progress::Form::silent, "");
         const FilmPlan plan = prepare(load_scene(scene, scene_resources(), {"film.size=1080p"}),
                                       {.output = "film.mp4"}, silent);
+        motion = motion_of(plan.scene, plan.particles, plan.start);
         const std::unique_ptr<PanelSet> panels = plan.panels();
         FramePainter painter(*panels);
         const int first = std::max(0, (plan.frames() - count) / 2),
@@ -279,9 +284,10 @@ struct Settings {
     std::string preset, parameters;
 };
 
-Settings settings_of(Quality quality) {
+Settings settings_of(Quality quality, Motion motion) {
     std::map<std::string, std::string> options;
-    for (const auto& [option, value] : h264.encoder_options(quality)) options[option] = value;
+    for (const auto& [option, value] : h264.encoder_options(quality, motion))
+        options[option] = value;
     return {options["preset"], fmt::format("{}:keyint={}", options["x264-params"], segment_frames)};
 }
 
@@ -305,7 +311,7 @@ void print_tables(int count) {
     for (const auto& [name, quality] : {std::pair{"draft", Quality::draft},
                                         {"standard", Quality::standard},
                                         {"final", Quality::final_}}) {
-        const Settings its = settings_of(quality);
+        const Settings its = settings_of(quality, source.motion);
         print_row(source, name, its.preset, its.parameters);
     }
 }
@@ -335,13 +341,13 @@ Curve curve_of(const std::string& name, const Settings& its) {
 }
 
 // Of standard as it is, and with each of `vary`; with none of final too.
-std::vector<Curve> curves_to_measure(const std::vector<std::string>& vary) {
+std::vector<Curve> curves_to_measure(Motion motion, const std::vector<std::string>& vary) {
     Curve veryfast{"veryfast", {}};
     for (const int crf : {16, 20, 24, 28})
         veryfast.settings.push_back({"veryfast", as_in_films(fmt::format("crf={}", crf))});
-    const Settings standard = settings_of(Quality::standard);
+    const Settings standard = settings_of(Quality::standard, motion);
     std::vector<Curve> curves{veryfast, curve_of("standard", standard)};
-    if (vary.empty()) curves.push_back(curve_of("final", settings_of(Quality::final_)));
+    if (vary.empty()) curves.push_back(curve_of("final", settings_of(Quality::final_, motion)));
     for (const std::string& parameters : vary)
         curves.push_back(
             curve_of(parameters, {standard.preset, standard.parameters + ":" + parameters}));
@@ -352,7 +358,7 @@ std::vector<Curve> curves_to_measure(const std::vector<std::string>& vary) {
 void print_curves(const std::string& scene, int count, const std::vector<std::string>& vary) {
     const ConvertedFrames source(library_folder() / (scene + ".yaml"), count);
     const int there = static_cast<int>(source.planes.size());
-    std::vector<Curve> curves = curves_to_measure(vary);
+    std::vector<Curve> curves = curves_to_measure(source.motion, vary);
     for (Curve& curve : curves)
         for (const auto& [preset, parameters] : curve.settings) {
             const Likeness found = likeness(source, preset, parameters, there);

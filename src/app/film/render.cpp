@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/film/axes_cache.h"
+#include "app/film/film_motion.h"
 #include "app/means.h"
 #include "app/simulate.h"
 #include "draw/pages/pages.h"
@@ -187,6 +188,7 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                         .height = film.size.height,
                         .fps = film.fps,
                         .quality = options.quality,
+                        .motion = motion_of(scene, plan.particles, plan.start),
                         .transparent = film.transparent,
                         .behind = to_pixel(page_color(film)),
                         .metadata = {{"title", scene.title},

@@ -73,6 +73,27 @@ TEST_CASE("ffprobe sees a tagged H.264 film of constant rate") {
     }
 }
 
+// So that films of several scenes can be joined.
+TEST_CASE(
+    "the stream is the same however a film moves, though its pictures are encoded otherwise") {
+    const FilmFolder folder;
+    for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {
+        CAPTURE(int(quality));
+        std::vector<std::string> streams;
+        for (const Motion motion : {Motion::sparse, Motion::usual, Motion::fast}) {
+            VideoSettings settings = small_film(quality);
+            settings.motion = motion;
+            write_film(folder.film(), settings);
+            streams.push_back(
+                output_of("ffprobe -v error -show_data_hash md5 -show_entries "
+                          "stream=extradata_hash -of csv " +
+                          folder.film().string()));
+        }
+        CHECK(streams[0].find("MD5:") != std::string::npos);
+        CHECK(streams == std::vector<std::string>(3, streams[0]));
+    }
+}
+
 TEST_CASE("times are regular across the joints, and every segment begins with a key frame") {
     const FilmFolder folder;
     for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {

@@ -11,6 +11,7 @@
 #include "app/film/film_request.h"
 #include "app/granted_cores.h"
 #include "app/resources.h"
+#include "scene/limits.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 
@@ -19,11 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A size that has a width of a few digits, or another.
+// The size of 16 : 9 with this width, if pictures may be as small and as large; else another.
 std::string size_of_width(const std::string& digits) {
-    if (digits.size() > 4) return "1280x720";
-    const int width = std::atoi(digits.c_str());
-    return fmt::format("{}x{}", width, std::max(2, (width * 9 + 16) / 32 * 2));
+    constexpr std::size_t most_digits = 4;
+    const int width = digits.size() > most_digits ? 0 : std::atoi(digits.c_str());
+    const int height = (width * 9 + 16) / 32 * 2;
+    const bool is_allowed = height >= smallest_side.value && width <= largest_side.value;
+    return is_allowed ? fmt::format("{}x{}", width, height) : "1280x720";
 }
 
 // `--size 1280x720` is easier on a shell than `[1280, 720]`.

@@ -73,6 +73,7 @@ Recording::Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wa
             kept = false;
             forget();
         }
+        collision_count_ = static_cast<double>(advanced.counts.particle + advanced.counts.wall);
         see(tick, sample, advanced);
     };
     Simulation first = *start_;
@@ -261,12 +262,6 @@ void Recording::play(std::size_t end, const Viewer& see) const {
         player.next();
         see(player.tick(), player.sample(), player.advanced());
     }
-}
-
-std::size_t Recording::recorded_collisions() const {
-    std::size_t count = 0;
-    for (const Frame& frame : frames_) count += frame.collisions.size() + frame.filed;
-    return count;
 }
 
 bool Recording::fits(std::size_t frames, std::int64_t particles, int dimension) {

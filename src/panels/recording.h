@@ -101,8 +101,9 @@ class Recording {
     /// Whether it is in memory or in a file. If not, each play() simulates.
     bool is_kept() const { return !start_.has_value(); }
 
-    /// How many collisions are kept, in memory and in the file.
-    std::size_t recorded_collisions() const;
+    /// How many collisions the whole run has had, walls included, and whether it keeps them.
+    double collision_count() const { return collision_count_; }
+    bool keeps_collisions() const { return with_collisions_; }
 
     /// Whether `frames` of so many particles could be kept, but for their collisions, and as long
     /// as nothing else fills the disk.
@@ -146,6 +147,7 @@ class Recording {
 
     std::vector<Tick> ticks_;
     bool with_collisions_ = false;
+    double collision_count_ = 0.0;
     std::vector<Sample> samples_;     ///< the first ones
     std::vector<FiledSample> filed_;  ///< those after them
     std::vector<Frame> frames_;

@@ -101,9 +101,10 @@ std::vector<std::string> listed_values(const std::string& text, const std::strin
 }
 
 void refuse_equal_values(const SweepAxis& axis) {
-    std::set<std::string> seen;
+    std::set<std::string> seen;  // numbers as the shortest text that gives them
     for (const std::string& value : axis.values)
-        if (!seen.insert(value).second)
+        if (const auto number = number_from<double>(value);
+            !seen.insert(number ? fmt::format("{}", *number) : value).second)
             throw SweepError(fmt::format("{}: the value {} is there twice", axis.key, value),
                              "the runs of both would be the same");
 }

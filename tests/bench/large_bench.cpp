@@ -93,7 +93,7 @@ bool film_keeps_its_memory(std::int64_t count, double seconds) {
         return begin;
     });
     const auto named = static_cast<double>(
-        memory_of_film(scene, format_of_film(options.output), count, 0.0, threads));
+        memory_of_film(scene, format_of_film(options.output), count, {}, threads));
     const int frames = frame_count(scene.film);
     fmt::print(
         "film of {} disks, {} frames: {:.1f} s of CPU ({:.0f} ns a disk and frame), {:.0f} MB; "

@@ -164,6 +164,30 @@ TEST_CASE("a film whose panels record many collisions takes at most the memory t
     CHECK(peak.bytes > few);  // so that there is a reason to name more
 }
 
+// Of which the sound sees two frames with a million collisions each, and the run beside collides a
+// hundred times as often.
+TEST_CASE("the memory that is named has room for collisions that are heard, or of the run beside") {
+    const TemporaryFolder folder;
+    const std::string gas =
+        "title: Many collisions\nbox: {length: 10}\ngas: [{count: 10, radius: 0.1, speed: 1}]\n";
+    for (const std::string& rest : std::vector<std::string>{
+             "run: {until: 200000}\nfilm: {seconds: 2, fps: 1, size: [160, 90], panels: [], sound: "
+             "collisions}\n",
+             "run: {until: 2000}\nfilm: {seconds: 2, fps: 5, size: [160, 90], panels: [], "
+             "beside: {set: gas.0.speed=100, own_label: slow, label: fast}}\n"}) {
+        CAPTURE(rest);
+        folder.write("often.yaml", gas + rest);
+        const Outcome check =
+            shell("'" + program + "' check --json --threads 2 often.yaml", folder.path());
+        REQUIRE(check.exit_code == 0);
+        const json rough = json::parse(check.out).at(0).at("film").at("rough");
+        const Peak peak =
+            peak_of("render often.yaml --quiet --threads 2 -o film.mp4", folder.path());
+        CHECK(peak.exit_code == 0);
+        CHECK(peak.bytes <= rough.at("formats").at("mp4").at("memory_bytes").get<double>());
+    }
+}
+
 // What is recorded of the collisions is in a file in both. Each of its points would take some 60
 // bytes: with all of them the second film would take a sixth more.
 TEST_CASE("the path of a particle takes no more memory when it collides twice as often") {

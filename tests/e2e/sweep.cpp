@@ -296,6 +296,7 @@ TEST_CASE("what is wrong with a sweep is said before the first run") {
               .find("the run with gas.0.radius=0.2, gas.a.radius=0.3 is the same as with "
                     "gas.0.radius=0.1, gas.a.radius=0.3") != std::string::npos);
     CHECK(refusal("--vary film.fps=20,30").find("is the same as with") != std::string::npos);
+    CHECK(refusal("--vary gas.0.radius=0.1,1e-1").find("is there twice") != std::string::npos);
     CHECK(refusal("--seeds 3 --seed 4").find("--seed") != std::string::npos);
     CHECK(its.carom("run gas.yaml --chunk 1").exit_code == 2);
     CHECK(its.carom("join gas.yaml").exit_code == 2);
@@ -307,7 +308,8 @@ TEST_CASE("what is wrong with a sweep is said before the first run") {
           "render S", "plan S --list --missing", "join S -o - --csv -", "join S -o a --csv a",
           "join S --words", "plan S --seeds 5", "plan S --vary gas.0.radius=0.1,0.2",
           "plan S --set run.until=3", "plan S --force", "plan S -o T", "plan S --chunks 3",
-          "plan S gas.yaml"}) {
+          "plan S gas.yaml", "plan S --list --format mp4", "plan S --from 1",
+          "plan S --quality final"}) {
         CAPTURE(wrong);
         CHECK(its.carom(wrong).exit_code == 2);
     }

@@ -51,6 +51,8 @@ TEST_CASE("each mistake on the command line is told with what to write instead")
         {"still '" + plain + "' --size 8cm", "carom figure --width takes centimetres"},
         {"still '" + plain + "' --size 640", "expected WIDTHxHEIGHT, for instance 640x360"},
         {"still '" + plain + "' --size 12320742750583006852", "for instance 1280x720"},
+        {"still '" + plain + "' --size 9000", "for instance 1280x720"},
+        {"still '" + plain + "' --size 5", "for instance 1280x720"},
         {"check '" + plain + "' --set gas.nobody.count=1",
          "items are counted from 0, or named: `the 200 others`, `the fast disk`"},
     };

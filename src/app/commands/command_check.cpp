@@ -56,8 +56,9 @@ void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedF
     found.barriers->insert(found.barriers->end(), its.begin(), its.end());
 }
 
+// A joined sweep need not be there yet.
 void check_figure(const Scene& scene, const FigureSpec& figure) {
-    if (figure.panel.kind == "sweep") check_swept_figure(scene, figure);
+    if (figure.panel.kind == "sweep" && !figure.panel.sweep.from) check_swept_figure(scene, figure);
 }
 
 // With all its scenes, figures and pages.

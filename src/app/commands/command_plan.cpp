@@ -36,11 +36,16 @@ fs::path folder_of_plan(const PlanArguments& arguments) {
     return fs::path("out") / (scene_stem(arguments.scenes.front()) + ".plan");
 }
 
+bool has_film_options(const FilmPlanArguments& its) {
+    return its.chunk_seconds || !its.format.empty() || its.film.from || its.film.to ||
+           its.film.quality != FilmOptions{}.quality;
+}
+
 // Of a plan that is there only what it holds is asked.
 void refuse_options_of_scenes(const PlanArguments& arguments) {
     const FilmPlanArguments& film = arguments.film;
     if (arguments.is_of_sweep() || !arguments.output.empty() || film.force || film.chunks > 0 ||
-        film.chunk_seconds || !overrides_of(arguments).empty() || arguments.scenes.size() > 1)
+        has_film_options(film) || !overrides_of(arguments).empty() || arguments.scenes.size() > 1)
         throw UsageError(fmt::format(
             "{} holds a plan already, to which only --list and --missing apply; to plan anew, name "
             "the scene, with --force",
@@ -102,9 +107,7 @@ std::string words_of_plan(const PlanFolder& plan, bool is_new) {
 void refuse_film_options(const PlanArguments& arguments) {
     if (arguments.scenes.size() > 1)
         throw UsageError("a sweep is of one scene; plan those of several one by one");
-    const FilmOptions& film = arguments.film.film;
-    if (arguments.film.chunk_seconds || !arguments.film.format.empty() || film.from || film.to ||
-        film.quality != FilmOptions{}.quality)
+    if (has_film_options(arguments.film))
         throw UsageError(
             "--chunk-seconds, --format, --from, --to and --quality apply to films, and --seeds and "
             "--vary to runs; leave out one or the other");
@@ -118,7 +121,7 @@ void plan_seeds(const PlanArguments& arguments) {
                          .is_seed_of_scene = arguments.seeds.empty()};
     const auto is_seed = [](const std::string& change) { return change.starts_with("seed="); };
     if (!arguments.seeds.empty() && std::ranges::any_of(request.overrides, is_seed))
-        throw UsageError("--seeds and --seed exclude each other");
+        throw UsageError("--seeds and a value for `seed` exclude each other");
     if (arguments.film.chunks > 0) request.chunks = arguments.film.chunks;
     const fs::path folder = folder_of_plan(arguments);
     Progress progress(Progress::fitting_form(arguments.quiet),

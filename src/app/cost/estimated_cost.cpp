@@ -14,18 +14,19 @@ double bytes_of_sound(const Scene& scene, const OutputFormat& format, int frames
 }
 
 FilmCost estimated_cost(const OutputFormat& output, const Scene& scene, const FilmOptions& options,
-                        int frames, std::int64_t particles, const CollisionWork& collisions) {
+                        int frames, std::int64_t particles, double calculated,
+                        const FilmCollisions& collisions) {
     const FormatCost& format = *output.film;
     const Film& film = scene.film;
     const double disks = static_cast<double>(particles) * (film.beside ? 2.0 : 1.0);
     const double pixels = static_cast<double>(film.size.width) * film.size.height;
-    return {output.name,
-            collisions.calculated / events_per_second + format.seconds_before(pixels) +
-                frames * format.frame_seconds(disks, pixels, options.quality) / options.threads,
-            frames * format.frame_bytes(disks, pixels, options.quality) +
-                bytes_of_sound(scene, output, frames),
-            static_cast<double>(
-                memory_of_film(scene, output, particles, collisions.recorded, options.threads))};
+    return {
+        output.name,
+        calculated / events_per_second + format.seconds_before(pixels) +
+            frames * format.frame_seconds(disks, pixels, options.quality) / options.threads,
+        frames * format.frame_bytes(disks, pixels, options.quality) +
+            bytes_of_sound(scene, output, frames),
+        static_cast<double>(memory_of_film(scene, output, particles, collisions, options.threads))};
 }
 
 }  // namespace carom

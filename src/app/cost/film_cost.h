@@ -21,18 +21,14 @@ struct FilmCost {
 /// Of the sound of so many frames, if there is one.
 double bytes_of_sound(const Scene& scene, const OutputFormat& format, int frames);
 
-/// Collisions in all runs of a film.
-struct CollisionWork {
-    double calculated = 0.0;  ///< in all passes
-    double recorded = 0.0;    ///< for panels, once each
-};
-
-/// An estimate for a film of so many frames at a quality, of so many particles in each of its runs:
-/// interpolated from films that were measured
-/// (docs/encoding.md), on a machine like the one they were made on. Does not know how far
-/// everything moves from frame to frame: short films of fast gases take several times as much.
+/// An estimate for a film of so many frames at a quality, of so many particles in each of its runs,
+/// in which so many collisions are calculated, in all passes and before time 0 too: interpolated
+/// from films that were measured (docs/encoding.md), on a machine like the one they were made on.
+/// Does not know how far everything moves from frame to frame: short films of fast gases take
+/// several times as much.
 FilmCost estimated_cost(const OutputFormat& format, const Scene& scene, const FilmOptions& options,
-                        int frames, std::int64_t particles, const CollisionWork& collisions);
+                        int frames, std::int64_t particles, double calculated,
+                        const FilmCollisions& collisions);
 
 /// Simulates the film's run, and draws and encodes a few frames at each of several places spread
 /// over the film, as render() would: its bytes are right within a tenth or so. `options`

@@ -111,10 +111,11 @@ FilmCost measured_cost(const Scene& scene, const FilmOptions& options, Progress&
     cost.format = format.name;
     cost.bytes += bytes_of_sound(scene, format, plan.frames());
     cost.seconds = prepared_seconds + sampler.played_seconds() + cost.seconds / options.threads;
-    const std::size_t recorded =
-        plan.run.recorded_collisions() + (plan.beside ? plan.beside->run.recorded_collisions() : 0);
-    cost.memory = static_cast<double>(memory_of_film(
-        scene, format, plan.particles.count(), static_cast<double>(recorded), options.threads));
+    const FilmCollisions collisions{
+        plan.run.collision_count() + (plan.beside ? plan.beside->run.collision_count() : 0.0),
+        plan.run.keeps_collisions()};
+    cost.memory = static_cast<double>(
+        memory_of_film(scene, format, plan.particles.count(), collisions, options.threads));
     return cost;
 }
 

@@ -262,7 +262,7 @@ bool has_sound(const Scene& scene, const OutputFormat& format) {
 }
 
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
-                            double recorded_collisions, int threads) {
+                            const FilmCollisions& collisions, int threads) {
     constexpr double of_program = 120e6, of_particle = 1500.0;
     constexpr double of_kept_particle = 40.0, of_frame = 8192.0;  // in a recording, or waiting
     constexpr double of_filed_frame = 512.0;  // whose samples are in a temporary file
@@ -277,11 +277,13 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     // Segments grow, or are finished and wait for their turn: two for each worker.
     const double encoded =
         std::min(frames * most_of_pixel * pixels, 2.0 * workers * most_encoded_bytes);
-    const double of_collisions = sizeof(Collision) * recorded_collisions;
-    const double kept = std::min(most_kept + frames * of_filed_frame,
-                                 frames * (of_frame + of_kept_particle * disks) + of_collisions);
+    const double of_collisions = sizeof(Collision) * collisions.count;
+    const double kept = std::min(
+        most_kept + frames * of_filed_frame,
+        frames * (of_frame + of_kept_particle * disks) + (collisions.kept ? of_collisions : 0.0));
     // A list that grows, its copy on the way to the panels, and the one that is kept.
-    const double of_one_frame = 4.0 * of_collisions / frames;
+    const bool are_seen = collisions.kept || has_sound(scene, format);
+    const double of_one_frame = are_seen ? 4.0 * of_collisions / frames : 0.0;
     const double sound =
         has_sound(scene, format)
             ? frames / scene.film.fps * (sizeof(std::int16_t) * sound_rate + format.sound->bytes)

@@ -83,11 +83,16 @@ bool has_sound(const Scene& scene, const OutputFormat& format);
 /// What a film will be simulated for, as far as is known before: of so many particles.
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
 
+/// Collisions in all runs of a film, those with walls included.
+struct FilmCollisions {
+    double count = 0.0;
+    bool kept = false;  ///< for its panels; for sound they are seen and not kept
+};
+
 /// Bytes of memory that render() takes at most for a film in a format, whatever its quality, of so
-/// many particles in each of its runs, where panels record so many collisions: an upper estimate
-/// from measured peaks (docs/scaling.md).
+/// many particles in each of its runs: an upper estimate from measured peaks (docs/scaling.md).
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
-                            double recorded_collisions, int threads);
+                            const FilmCollisions& collisions, int threads);
 
 /// What all parts of a film share, and what is wanted of it, as bytes: all but its sound and the
 /// frames of its runs.

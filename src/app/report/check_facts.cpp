@@ -190,13 +190,14 @@ int frames_of(const Scene& scene, const FilmOptions& options) {
 }
 
 std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& film, int frames,
-                                      std::int64_t particles, const CollisionWork& collisions) {
+                                      std::int64_t particles, double calculated,
+                                      const FilmCollisions& collisions) {
     std::vector<FilmCost> costs;
     for (const OutputFormat& format : output_formats())
         if (format.film && !format.in_one_piece &&
             (film.format == nullptr || film.format == &format))
-            costs.push_back(
-                estimated_cost(format, scene, film.options, frames, particles, collisions));
+            costs.push_back(estimated_cost(format, scene, film.options, frames, particles,
+                                           calculated, collisions));
     return costs;
 }
 
@@ -227,20 +228,18 @@ Json sound_value(const Film& film) {
             {"reference", reference ? Json(*reference) : Json()}};
 }
 
-// Of a run with so many collisions, which are kept if they are `recorded`.
+// With so many collisions in all of its runs.
 Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t particles,
-                 double collisions, bool recorded) {
+                 const FilmCollisions& collisions) {
     const Film& film = scene.film;
     const FilmOptions& options = checked.options;
     const int frames = frames_of(scene, options);
     const int runs = film.beside ? 2 : 1;
     const std::vector<std::string> passes = expected_passes(scene, runs * particles);
-    const double all = runs * collisions;
-    const double before = all / scene.run.until * scene.run.equilibrate;  // time 0
-    const std::vector<FilmCost> costs =
-        estimated_costs(scene, checked, frames, particles,
-                        {.calculated = static_cast<double>(passes.size()) * (all + before),
-                         .recorded = recorded ? all : 0.0});
+    const double before = collisions.count / scene.run.until * scene.run.equilibrate;  // time 0
+    const std::vector<FilmCost> costs = estimated_costs(
+        scene, checked, frames, particles,
+        static_cast<double>(passes.size()) * (collisions.count + before), collisions);
     const double seconds = static_cast<double>(frames) / film.fps;
     Json value{{"template", film.template_name},
                {"frames", frames},
@@ -392,10 +391,12 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
     const auto facts_of_film = [&](const CheckedFilm& its) {
         const std::optional<RunStart> beside = start_beside(scene.film);
         const PanelSet panels(scene, drawn, sample, beside ? &*beside : nullptr);
-        const double collisions = its.collisions.value_or(rate.value_or(0.0) * run.until);
-        return joined<Fact>(
-            {film_facts(scene, its, particles, collisions, panels.wants_collisions()),
-             field_rows(scene, particles), rows_of("cut", FramePainter(panels).cut_words())});
+        const double expected = (beside ? 2.0 : 1.0) * rate.value_or(0.0) * run.until;
+        const FilmCollisions collisions{its.collisions.value_or(expected),
+                                        panels.wants_collisions()};
+        return joined<Fact>({film_facts(scene, its, particles, collisions),
+                             field_rows(scene, particles),
+                             rows_of("cut", FramePainter(panels).cut_words())});
     };
     return joined<Fact>(
         {{{"title", scene.title, "title", scene.title},

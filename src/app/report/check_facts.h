@@ -29,7 +29,8 @@ struct CheckedFilm {
     FilmOptions options = {};              ///< its output does not count
     const OutputFormat* format = nullptr;  ///< none: all are estimated
     std::optional<FilmCost> measured = {};
-    std::optional<double> collisions = {};  ///< of its run, walls included; none: as in equilibrium
+    std::optional<double> collisions =
+        {};  ///< of its runs, walls included; none: as in equilibrium
 };
 
 /// What a scene is and what its film will cost; without `film` none can be made of it. Draws the

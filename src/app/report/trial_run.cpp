@@ -85,7 +85,7 @@ std::optional<double> try_run(const Scene& scene, bool has_film) {
         }
     });
     if (has_film && scene.film.beside && scene.film.beside->scene)
-        try_run(*scene.film.beside->scene, false);
+        collisions += try_run(*scene.film.beside->scene, false).value_or(collisions);
     return collisions;
 }
 

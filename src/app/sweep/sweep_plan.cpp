@@ -78,7 +78,7 @@ SweptScene swept_scene(const Json& request) {
     return {request.at("text"), request.at("scene"), request.at("files"), request.at("overrides")};
 }
 
-// Two keys may name one place, and a value may be written in two ways.
+// Two keys may name one place, and a key may have nothing to do with the run.
 class DistinctRuns {
   public:
     void add(const Scene& scene, const Sweep& sweep, std::int64_t point) {

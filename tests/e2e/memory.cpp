@@ -68,6 +68,14 @@ TEST_CASE("files of brackets take no memory before they are refused") {
     }
 }
 
+// What carom check says that the film takes at most, as an MP4.
+double named_bytes(const std::string& arguments, const TemporaryFolder& folder) {
+    const Outcome check = shell("'" + program + "' check --json " + arguments, folder.path());
+    REQUIRE(check.exit_code == 0);
+    return json::parse(check.out).at(0).at("film").at("rough").at("formats").at("mp4").at(
+        "memory_bytes");
+}
+
 TEST_CASE("a film takes at most the memory that carom check names, and at least a quarter of it") {
     const TemporaryFolder folder;
     for (const Case& one : {Case{"320x180", "mp4", ""},
@@ -105,12 +113,10 @@ TEST_CASE(
         const std::string options =
             fmt::format(" '{}' --size {} --threads 2 ", library_scene(scene), size);
         CAPTURE(options);
-        const Outcome check = shell("'" + program + "' check --json" + options, folder.path());
-        REQUIRE(check.exit_code == 0);
-        const json rough = json::parse(check.out).at(0).at("film").at("rough");
+        const double named = named_bytes(options, folder);
         const Peak peak = peak_of("render --quiet -o film.mp4" + options, folder.path());
         CHECK(peak.exit_code == 0);
-        CHECK(peak.bytes <= rough.at("formats").at("mp4").at("memory_bytes").get<double>());
+        CHECK(peak.bytes <= named);
     }
 }
 
@@ -126,14 +132,11 @@ TEST_CASE("the memory that carom check names has room for what panels and trails
                      "gas: [{count: 20000, radius: 0.35, temperature: 1}]\n"
                      "run: {until: 0.1}\nfilm: {seconds: 1.5, size: [640, 360], " +
                          film + "}\n");
-        const Outcome check =
-            shell("'" + program + "' check --json --threads 2 ways.yaml", folder.path());
-        REQUIRE(check.exit_code == 0);
-        const json rough = json::parse(check.out).at(0).at("film").at("rough");
+        const double named = named_bytes("--threads 2 ways.yaml", folder);
         const Peak peak =
             peak_of("render ways.yaml --quiet --threads 2 -o film.mp4", folder.path());
         CHECK(peak.exit_code == 0);
-        CHECK(peak.bytes <= rough.at("formats").at("mp4").at("memory_bytes").get<double>());
+        CHECK(peak.bytes <= named);
     }
 }
 
@@ -151,11 +154,7 @@ TEST_CASE("a film whose panels record many collisions takes at most the memory t
     const TemporaryFolder folder;
     const auto named_until = [&](int until) {
         folder.write("often.yaml", often_colliding(until));
-        const Outcome check =
-            shell("'" + program + "' check --json --threads 2 often.yaml", folder.path());
-        REQUIRE(check.exit_code == 0);
-        const json rough = json::parse(check.out).at(0).at("film").at("rough");
-        return rough.at("formats").at("mp4").at("memory_bytes").get<double>();
+        return named_bytes("--threads 2 often.yaml", folder);
     };
     const double few = named_until(200), named = named_until(200'000);
     const Peak peak = peak_of("render often.yaml --quiet --threads 2 -o film.mp4", folder.path());
@@ -177,14 +176,11 @@ TEST_CASE("the memory that is named has room for collisions that are heard, or o
              "beside: {set: gas.0.speed=100, own_label: slow, label: fast}}\n"}) {
         CAPTURE(rest);
         folder.write("often.yaml", gas + rest);
-        const Outcome check =
-            shell("'" + program + "' check --json --threads 2 often.yaml", folder.path());
-        REQUIRE(check.exit_code == 0);
-        const json rough = json::parse(check.out).at(0).at("film").at("rough");
+        const double named = named_bytes("--threads 2 often.yaml", folder);
         const Peak peak =
             peak_of("render often.yaml --quiet --threads 2 -o film.mp4", folder.path());
         CHECK(peak.exit_code == 0);
-        CHECK(peak.bytes <= rough.at("formats").at("mp4").at("memory_bytes").get<double>());
+        CHECK(peak.bytes <= named);
     }
 }
 

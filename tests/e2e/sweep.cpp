@@ -291,7 +291,7 @@ TEST_CASE("what is wrong with a sweep is said before the first run") {
     CHECK(refusal("--vary 'gas.0.name=a,b' --vary 'box.walls=solid,periodic' --seeds 2 --set "
                   "'gas.0.count=-1'")
               .find("count") != std::string::npos);
-    // The first two differ in nothing but the name of the species, the others in nothing at all.
+    // Two keys that name one place, and one that changes nothing of the run.
     CHECK(refusal("--vary gas.0.radius=0.1,0.2 --vary gas.a.radius=0.3,0.4")
               .find("the run with gas.0.radius=0.2, gas.a.radius=0.3 is the same as with "
                     "gas.0.radius=0.1, gas.a.radius=0.3") != std::string::npos);

@@ -198,7 +198,7 @@ std::string way_back(const ReversalReport& report) {
     const std::string events = fmt::format("{} out, {} back", counted(report.events_out, "event"),
                                            grouped(*report.events_back));
     if (report.home == report.at) return "the gas goes another way at once";
-    if (!report.distance) return "another reversal is on its way or on the way back; " + events;
+    if (!report.distance) return "another reversal is on the way out or back; " + events;
     const ReturnDistance& d = *report.distance;
     const bool is_left = report.home < 2.0 * report.at;
     return fmt::format("return error {} (r.m.s. {}){}; {}", length(d.largest, d.log10_largest),

@@ -74,7 +74,7 @@ TEST_CASE("ffprobe sees a tagged H.264 film of constant rate") {
     }
 }
 
-TEST_CASE("a film that moves otherwise has other pictures in the same stream") {
+TEST_CASE("motion changes how pictures are encoded, and not the parameters of the stream") {
     const FilmFolder folder;
     for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_}) {
         CAPTURE(int(quality));

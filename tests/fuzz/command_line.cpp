@@ -26,7 +26,7 @@ void read_sweep(const std::string& word) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void test::fuzz(const std::uint8_t* data, std::size_t size) {
     static const SceneResources resources = scene_resources();
     const std::vector<std::string> words = test::fuzz_lines(test::fuzz_text(data, size));
     test::succeeds([&] { check_command_line(words); });
@@ -38,5 +38,4 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         read_sweep(word);
     }
     test::succeeds([&] { load_scene_text(scene, "scene.yaml", resources, overrides); });
-    return 0;
 }

@@ -48,11 +48,10 @@ PageFields fields() {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void test::fuzz(const std::uint8_t* data, std::size_t size) {
     const std::string text = test::fuzz_text(data, size);
     std::ofstream(set_file(), std::ios::binary) << text;
     test::succeeds(check_set);
     for (const PageKind kind : {PageKind::markdown, PageKind::html, PageKind::latex})
         test::succeeds([&] { filled_page({"page", text}, kind, fields()); });
-    return 0;
 }

@@ -205,7 +205,7 @@ void draw_figures(const Scene& scene) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void test::fuzz(const std::uint8_t* data, std::size_t size) {
     constexpr std::size_t most = 12;
     FuzzInput input(data, size);
     const Base& base = input.one_of(bases());
@@ -222,14 +222,13 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
         changes.push_back(change_of(keys_of_scene(), input));
     if (!test::succeeds([&] { scene = load_scene(path, resources, changes); })) {
         if (is_whole) std::abort();
-        return 0;
+        return;
     }
-    if (!is_small(scene)) return 0;
+    if (!is_small(scene)) return;
     run_for_a_while([&] { run_physics(scene); });
     run_for_a_while([&] { draw_frame(scene, at * scene.run.until); });
     run_for_a_while([&] {
         changes.push_back(figures_of(scene, kind));
         draw_figures(load_scene(path, resources, changes));
     });
-    return 0;
 }

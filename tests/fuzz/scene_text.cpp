@@ -26,9 +26,8 @@ void check(const std::string& text, Wanted wanted) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void test::fuzz(const std::uint8_t* data, std::size_t size) {
     const std::string text = test::fuzz_text(data, size);
     for (const Wanted wanted : {Wanted::film, Wanted::physics})
         test::succeeds([&] { check(text, wanted); });
-    return 0;
 }

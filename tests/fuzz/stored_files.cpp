@@ -315,7 +315,7 @@ std::string changed_json(const std::string& text, FuzzInput& input) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void test::fuzz(const std::uint8_t* data, std::size_t size) {
     constexpr std::size_t most = 8;
     FuzzInput input(data, size);
     const std::size_t which = input.below(kept_files.size());
@@ -330,5 +330,4 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (seals && input.byte() != 1) seal(bytes);
     const bool was_read = test::succeeds([&] { kept_files.at(which).read(bytes); });
     if (is_whole && !was_read) std::abort();
-    return 0;
 }

@@ -1,13 +1,18 @@
 #include "media/yuv.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 #include "util/processors.h"
 
 #define CAROM_SIMD CAROM_FOR_PROCESSORS("arch=x86-64-v4", "arch=x86-64-v3")
+#define CAROM_INLINE [[gnu::always_inline]] inline
+
+#pragma GCC diagnostic ignored "-Wpsabi"  // of vectors, which only inlined functions take
 
 namespace carom {
 namespace {
@@ -43,41 +48,112 @@ constexpr std::int32_t cr_green = -cr_red - cr_blue;
 constexpr std::int32_t y_offset = (16 << luma_bits) + (1 << (luma_bits - 1));
 constexpr std::int32_t chroma_offset = (128 << chroma_shift) + (1 << (chroma_shift - 1));
 
-CAROM_SIMD void luma_row(const std::uint32_t* __restrict pixels, std::uint8_t* __restrict y,
-                         int width) {
-    for (int i = 0; i < width; ++i) {
-        const auto pixel = static_cast<std::int32_t>(pixels[i]);
-        const std::int32_t red = (pixel >> 16) & 255, green = (pixel >> 8) & 255,
-                           blue = pixel & 255;
-        y[i] = static_cast<std::uint8_t>(
-            (y_red * red + y_green * green + y_blue * blue + y_offset) >> luma_bits);
-    }
+// Eight pixels, or a channel of eight: the compiler has one instruction for all, or several.
+using EightWords [[gnu::vector_size(32)]] = std::uint32_t;
+using EightNumbers [[gnu::vector_size(32)]] = std::int32_t;
+using EightShorts [[gnu::vector_size(16)]] = std::uint16_t;
+using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
+constexpr int lanes = 8;
+
+// The unit of conversion, in columns.
+constexpr int block = 4 * lanes;
+
+constexpr int blocks_in(int columns) { return (columns - 1) / block + 1; }
+
+CAROM_INLINE EightWords load_eight(const std::uint32_t* from) {
+    EightWords words;
+    std::memcpy(&words, from, sizeof words);
+    return words;
 }
 
-// Red and blue share a word, 16 bits each: sums of eight bytes fit.
-CAROM_SIMD void sum_rows(const std::uint32_t* __restrict above,
-                         const std::uint32_t* __restrict below, std::uint32_t* __restrict red_blue,
-                         std::uint32_t* __restrict green, int width) {
-    for (int i = 0; i < width; ++i) {
-        red_blue[i] = (above[i] & 0xff00ffu) + (below[i] & 0xff00ffu);
-        green[i] = ((above[i] >> 8) & 255u) + ((below[i] >> 8) & 255u);
-    }
+// EightNumbers below 256, as bytes.
+CAROM_INLINE void store_sixteen(std::uint8_t* to, const EightNumbers& first,
+                                const EightNumbers& second) {
+    const auto shorts = __builtin_shufflevector(__builtin_convertvector(first, EightShorts),
+                                                __builtin_convertvector(second, EightShorts), 0, 1,
+                                                2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    const SixteenBytes bytes = __builtin_convertvector(shorts, SixteenBytes);
+    std::memcpy(to, &bytes, sizeof bytes);
 }
 
-// `red_blue` and `green` have one more element before them, a copy of the first.
-CAROM_SIMD void chroma_row(const std::uint32_t* __restrict red_blue,
-                           const std::uint32_t* __restrict green, std::uint8_t* __restrict cb,
-                           std::uint8_t* __restrict cr, int chroma_width) {
-    for (int i = 0; i < chroma_width; ++i) {
-        const std::uint32_t both = red_blue[2 * i - 1] + 2 * red_blue[2 * i] + red_blue[2 * i + 1];
-        const auto red = static_cast<std::int32_t>(both >> 16);
-        const auto blue = static_cast<std::int32_t>(both & 0xffffu);
-        const auto mid =
-            static_cast<std::int32_t>(green[2 * i - 1] + 2 * green[2 * i] + green[2 * i + 1]);
-        cb[i] = static_cast<std::uint8_t>(
-            (cb_red * red + cb_green * mid + cb_blue * blue + chroma_offset) >> chroma_shift);
-        cr[i] = static_cast<std::uint8_t>(
-            (cr_red * red + cr_green * mid + cr_blue * blue + chroma_offset) >> chroma_shift);
+CAROM_INLINE EightNumbers luma(const std::uint32_t* pixels) {
+    const auto pixel = reinterpret_cast<EightNumbers>(load_eight(pixels));
+    const EightNumbers red = (pixel >> 16) & 255, green = (pixel >> 8) & 255, blue = pixel & 255;
+    return (y_red * red + y_green * green + y_blue * blue + y_offset) >> luma_bits;
+}
+
+CAROM_INLINE void luma_block(const std::uint32_t* pixels, std::uint8_t* y) {
+    for (int i = 0; i < block; i += 2 * lanes)
+        store_sixteen(y + i, luma(pixels + i), luma(pixels + i + lanes));
+}
+
+// The sums of two rows. Red and blue share a word, 16 bits each: sums of eight bytes fit.
+CAROM_INLINE EightWords red_and_blue(const EightWords& above, const EightWords& below) {
+    return (above & 0xff00ffu) + (below & 0xff00ffu);
+}
+CAROM_INLINE EightWords greens(const EightWords& above, const EightWords& below) {
+    return ((above >> 8) & 255u) + ((below >> 8) & 255u);
+}
+
+// The columns of two rows by their place in a pair, and those before the even ones.
+struct Columns {
+    EightWords before, even, odd;
+
+    CAROM_INLINE Columns(const EightWords& first, const EightWords& second,
+                         const EightWords& odd_before)
+        : even(__builtin_shufflevector(first, second, 0, 2, 4, 6, 8, 10, 12, 14)),
+          odd(__builtin_shufflevector(first, second, 1, 3, 5, 7, 9, 11, 13, 15)) {
+        before = __builtin_shufflevector(odd_before, odd, 7, 8, 9, 10, 11, 12, 13, 14);
+    }
+
+    CAROM_INLINE EightWords filtered() const { return before + 2 * even + odd; }
+};
+
+CAROM_INLINE void chroma_block(const std::uint32_t* above, const std::uint32_t* below,
+                               std::uint8_t* cb, std::uint8_t* cr) {
+    const EightWords left_above = EightWords{} + above[-1], left_below = EightWords{} + below[-1];
+    EightWords red_blue_before = red_and_blue(left_above, left_below);
+    EightWords green_before = greens(left_above, left_below);
+    EightNumbers blues[2], reds[2];
+    for (int k = 0; k < 2; ++k) {
+        const std::uint32_t *const a = above + 2 * lanes * k, *const b = below + 2 * lanes * k;
+        const EightWords a0 = load_eight(a), a1 = load_eight(a + lanes), b0 = load_eight(b),
+                         b1 = load_eight(b + lanes);
+        const Columns red_blue(red_and_blue(a0, b0), red_and_blue(a1, b1), red_blue_before);
+        const Columns green(greens(a0, b0), greens(a1, b1), green_before);
+        red_blue_before = red_blue.odd;
+        green_before = green.odd;
+        const EightWords both = red_blue.filtered();
+        const auto red = reinterpret_cast<EightNumbers>(both >> 16);
+        const auto blue = reinterpret_cast<EightNumbers>(both & 0xffffu);
+        const auto mid = reinterpret_cast<EightNumbers>(green.filtered());
+        blues[k] = (cb_red * red + cb_green * mid + cb_blue * blue + chroma_offset) >> chroma_shift;
+        reds[k] = (cr_red * red + cr_green * mid + cr_blue * blue + chroma_offset) >> chroma_shift;
+    }
+    store_sixteen(cb, blues[0], blues[1]);
+    store_sixteen(cr, reds[0], reds[1]);
+}
+
+// Two rows of pixels, with one more before the first, and what they become: two rows of luma and
+// one of each chroma.
+struct RowPair {
+    std::array<const std::uint32_t*, 2> pixels;
+    std::array<std::uint8_t*, 2> y;
+    std::uint8_t *cb, *cr;
+
+    CAROM_INLINE RowPair from(int column) const {
+        return {{pixels[0] + column, pixels[1] + column},
+                {y[0] + column, y[1] + column},
+                cb + column / 2,
+                cr + column / 2};
+    }
+};
+
+CAROM_SIMD void convert_blocks(const RowPair& rows, int blocks) {
+    for (int k = 0; k < blocks; ++k) {
+        const RowPair part = rows.from(k * block);
+        for (std::size_t row : {0, 1}) luma_block(part.pixels[row], part.y[row]);
+        chroma_block(part.pixels[0], part.pixels[1], part.cb, part.cr);
     }
 }
 
@@ -96,81 +172,86 @@ std::uint32_t without_alpha(std::uint32_t pixel, std::uint32_t behind) {
 // Pairs of rows of a frame, each with its row of chroma.
 class RowPairs {
   public:
-    RowPairs(const PixelView& frame, const YuvPlanes& planes)
-        : frame_(frame),
-          planes_(planes),
-          // One element to the left for the filter, and one to the right for an odd width.
-          padded_(static_cast<std::size_t>(frame.width) + 2),
-          sums_(2 * padded_) {}
+    RowPairs(const PixelView& frame, const YuvPlanes& planes) : frame_(frame), planes_(planes) {}
 
     int count() const { return even_size(frame_.height) / 2; }
 
-    // Converts the columns [begin, end), both even, of one pair; the filter of chroma sees one more
-    // to the left.
-    void columns(int pair, int begin, int end) {
-        const int row = 2 * pair, last = std::min(end, frame_.width);
-        const std::uint32_t* rows[2];
-        for (int k = 0; k < 2; ++k) {
-            rows[k] =
-                frame_.data + std::ptrdiff_t{std::min(row + k, frame_.height - 1)} * frame_.stride;
-            std::uint8_t* const y = planes_.y + std::ptrdiff_t{row + k} * planes_.y_stride;
-            luma_row(rows[k] + begin, y + begin, last - begin);
-            if (last < end) y[last] = y[last - 1];
-        }
-        std::uint32_t* const red_blue = sums_.data() + 1;
-        std::uint32_t* const green = red_blue + padded_;
-        const int first = std::max(begin - 1, 0);
-        sum_rows(rows[0] + first, rows[1] + first, red_blue + first - begin, green + first - begin,
-                 last - first);
-        for (std::uint32_t* sum : {red_blue, green}) {
-            if (first == begin) sum[-1] = sum[0];
-            if (last < end) sum[last - begin] = sum[last - begin - 1];
-        }
-        const std::ptrdiff_t chroma = std::ptrdiff_t{pair} * planes_.chroma_stride + begin / 2;
-        chroma_row(red_blue, green, planes_.cb + chroma, planes_.cr + chroma, (end - begin) / 2);
+    // Converts the blocks [first, end) of one pair; the last may end beyond the frame.
+    void blocks(int pair, int first, int end) const {
+        const RowPair rows = row_pair(pair);
+        const int whole = frame_.width / block;
+        if (first == 0) convert_edge(rows, 0);
+        const int begin = std::max(first, 1), inner_end = std::min(end, whole);
+        if (begin < inner_end) convert_blocks(rows.from(begin * block), inner_end - begin);
+        if (end > std::max(whole, 1)) convert_edge(rows, end - 1);
     }
 
   private:
+    RowPair row_pair(int pair) const {
+        const int row = 2 * pair, below = std::min(row + 1, frame_.height - 1);
+        const std::ptrdiff_t chroma = std::ptrdiff_t{pair} * planes_.chroma_stride;
+        std::uint8_t* const y = planes_.y + std::ptrdiff_t{row} * planes_.y_stride;
+        return {{frame_.data + std::ptrdiff_t{row} * frame_.stride,
+                 frame_.data + std::ptrdiff_t{below} * frame_.stride},
+                {y, y + planes_.y_stride},
+                planes_.cb + chroma,
+                planes_.cr + chroma};
+    }
+
+    // A block that ends at the frame's left or right edge: the pixels there are repeated beyond it.
+    void convert_edge(const RowPair& rows, int at) const {
+        std::array<std::array<std::uint32_t, 1 + block>, 2> pixels;
+        std::array<std::array<std::uint8_t, block>, 2> y;
+        std::array<std::uint8_t, block / 2> cb, cr;
+        const int begin = at * block;
+        for (int i = 0; i <= block; ++i) {
+            const int column = std::clamp(begin + i - 1, 0, frame_.width - 1);
+            for (std::size_t k = 0; k < 2; ++k)
+                pixels[k][static_cast<std::size_t>(i)] = rows.pixels[k][column];
+        }
+        convert_blocks(
+            {{&pixels[0][1], &pixels[1][1]}, {y[0].data(), y[1].data()}, cb.data(), cr.data()}, 1);
+        const RowPair to = rows.from(begin);
+        const int columns = std::min(block, even_size(frame_.width) - begin);
+        for (std::size_t k = 0; k < 2; ++k) std::copy_n(y[k].data(), columns, to.y[k]);
+        std::copy_n(cb.data(), columns / 2, to.cb);
+        std::copy_n(cr.data(), columns / 2, to.cr);
+    }
+
     const PixelView& frame_;
     const YuvPlanes& planes_;
-    std::size_t padded_;
-    std::vector<std::uint32_t> sums_;  ///< of the two rows: red and blue, then green
 };
 
-// Which parts of the rows must be converted, in blocks of so many columns.
+// Which blocks must be converted.
 class ChangedBlocks {
   public:
     ChangedBlocks(const PixelView& frame, std::span<const PixelBounds> changed)
-        : in_a_row_((frame.width - 1) / columns + 1),
+        : in_a_row_(blocks_in(frame.width)),
           is_changed_(static_cast<std::size_t>(in_a_row_) *
                       static_cast<std::size_t>(even_size(frame.height) / 2)) {
         for (const PixelBounds& box : changed) {
             assert(box.left < box.right && box.top < box.bottom);
             // A pixel in an odd column is seen by the chroma of the next one, too.
-            const int first = box.left / columns;
-            const int end = std::min(box.right / columns + 1, in_a_row_);
+            const int first = box.left / block;
+            const int end = std::min(box.right / block + 1, in_a_row_);
             for (int pair = box.top / 2; pair <= (box.bottom - 1) / 2; ++pair)
                 std::fill(blocks_of(pair) + first, blocks_of(pair) + end, 1);
         }
     }
 
-    // Calls visit(first column, end) for each run of changed blocks; the last may end beyond the
-    // frame.
+    // Calls visit(first, end) for each run of changed blocks.
     template <typename Visit>
     void for_runs_of(int pair, const Visit& visit) {
         const auto begin = blocks_of(pair);
         const auto end = begin + in_a_row_;
         for (auto run = std::find(begin, end, 1); run != end;) {
             const auto behind = std::find(run, end, 0);
-            visit(static_cast<int>(run - begin) * columns,
-                  static_cast<int>(behind - begin) * columns);
+            visit(static_cast<int>(run - begin), static_cast<int>(behind - begin));
             run = std::find(behind, end, 1);
         }
     }
 
   private:
-    static constexpr int columns = 32;
-
     std::vector<std::uint8_t>::iterator blocks_of(int pair) {
         return is_changed_.begin() + std::ptrdiff_t{pair} * in_a_row_;
     }
@@ -183,19 +264,17 @@ class ChangedBlocks {
 
 void to_yuv420(const PixelView& frame, const YuvPlanes& planes) {
     assert(frame.width > 0 && frame.height > 0);
-    RowPairs convert(frame, planes);
+    const RowPairs convert(frame, planes);
     for (int pair = 0; pair < convert.count(); ++pair)
-        convert.columns(pair, 0, even_size(frame.width));
+        convert.blocks(pair, 0, blocks_in(frame.width));
 }
 
 void to_yuv420(const PixelView& frame, std::span<const PixelBounds> changed,
                const YuvPlanes& planes) {
-    RowPairs convert(frame, planes);
+    const RowPairs convert(frame, planes);
     ChangedBlocks blocks(frame, changed);
     for (int pair = 0; pair < convert.count(); ++pair)
-        blocks.for_runs_of(pair, [&](int begin, int end) {
-            convert.columns(pair, begin, std::min(end, even_size(frame.width)));
-        });
+        blocks.for_runs_of(pair, [&](int first, int end) { convert.blocks(pair, first, end); });
 }
 
 void to_yuva420(const PixelView& frame, std::uint32_t behind, const YuvPlanes& planes) {

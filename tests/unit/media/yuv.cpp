@@ -89,8 +89,16 @@ std::array<double, 3> filtered(Picture& picture, int column, int row) {
 TEST_CASE("every byte is the nearest to BT.709 in double precision") {
     // Rounding to the nearest errs by at most 0.5; the fixed-point weights add less than 1e-4.
     const double tolerance = 0.5 + 1e-4;
-    for (const auto& size :
-         {std::pair{1, 1}, {2, 2}, {3, 5}, {37, 21}, {64, 48}, {319, 17}, {1921, 9}}) {
+    for (const auto& size : {std::pair{1, 1},
+                             {2, 2},
+                             {3, 5},
+                             {31, 2},
+                             {32, 3},
+                             {33, 4},
+                             {37, 21},
+                             {64, 48},
+                             {319, 17},
+                             {1921, 9}}) {
         const int width = size.first, height = size.second;
         CAPTURE(width);
         CAPTURE(height);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -49,6 +50,11 @@ Cost cost_of(const Work& work) {
     if (wait4(child, &status, 0, &usage) != child || status != 0 || !is_read) std::abort();
     cost.bytes = 1024.0 * static_cast<double>(usage.ru_maxrss);
     return cost;
+}
+
+/// carom, which lies beside the benchmarks.
+inline std::string carom_program() {
+    return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "carom").string();
 }
 
 /// Of a program with these arguments, which must succeed.

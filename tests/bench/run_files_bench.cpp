@@ -4,13 +4,12 @@
 // not raise.
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "bench/process_cost.h"
+#include "support/files.h"
 
 using namespace carom;
 namespace fs = std::filesystem;
@@ -24,27 +23,21 @@ constexpr double length = 100.0;
 
 class RunFiles {
   public:
-    RunFiles() : folder_(fs::temp_directory_path() / "carom-run-files-XXXXXX") {
-        std::string name = folder_.string();
-        if (mkdtemp(name.data()) == nullptr) std::abort();
-        folder_ = name;
-        // Packing fraction 0.3; about one collision a particle in each unit of time.
-        std::ofstream(folder_ / "scene.yaml")
-            << "title: A gas\nbox: {size: [84, 63]}\n"
-               "gas: [{count: 2000, radius: 0.5, temperature: 1}]\n"
-               "run: {until: 100, sample_every: 1}\n";
-    }
-    ~RunFiles() {
-        std::error_code error;
-        fs::remove_all(folder_, error);
-    }
+    // Packing fraction 0.3; about one collision a particle in each unit of time.
+    RunFiles()
+        : scene_(folder_.write("scene.yaml",
+                               "title: A gas\nbox: {size: [84, 63]}\n"
+                               "gas: [{count: 2000, radius: 0.5, temperature: 1}]\n"
+                               "run: {until: 100, sample_every: 1}\n")) {}
 
     // `option`: that of the file; empty: none is written.
     test::Cost cost(const std::string& option, double until, int rounds) const {
-        const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "carom";
-        std::vector<std::string> command{
-            program.string(), "run",   (folder_ / "scene.yaml").string(),
-            "--quiet",        "--set", fmt::format("run.until={}", until)};
+        std::vector<std::string> command{test::carom_program(),
+                                         "run",
+                                         scene_.string(),
+                                         "--quiet",
+                                         "--set",
+                                         fmt::format("run.until={}", until)};
         if (!option.empty()) command.insert(command.end(), {option, file().string()});
         test::Cost best;
         for (int k = 0; k < rounds; ++k) best.keep_better(test::cost_of_program(command));
@@ -54,9 +47,10 @@ class RunFiles {
     double megabytes() const { return 1e-6 * static_cast<double>(fs::file_size(file())); }
 
   private:
-    fs::path file() const { return folder_ / "file"; }
+    fs::path file() const { return folder_.path() / "file"; }
 
-    fs::path folder_;
+    test::TemporaryFolder folder_;
+    fs::path scene_;
 };
 
 bool is_cheap(const RunFiles& files, const std::string& option, double most, int rounds) {

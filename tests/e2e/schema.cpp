@@ -58,6 +58,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"figure_sweep_elsewhere", several_places},  // the folder of a name
     {"figure_compare_run", several_places},      // `set` of a run against the scene
     {"figure_sweep_point", several_places},      // values of `vary` against the scene
+    {"figure_test_few", several_places},         // its particles against what it counts
     {"figure_test_over", several_places},
     {"film_camera_ring", several_places},  // what is followed against the box
     {"film_field", several_places},        // a name against the gas

@@ -152,8 +152,20 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
                                "each figure writes its own files: give one of them another name");
 }
 
-// Of what the test supposes, as much as is known before the run.
-void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
+// Of the particles that a histogram shows with least of them, so many values at a time.
+std::int64_t fewest_values(const PanelSpec& panel, const PanelKind& kind, const Gas& gas) {
+    std::int64_t fewest = 0;
+    for (const Species& species : gas.species) fewest += species.count;
+    for (const Chosen& chosen : panel.of)
+        fewest = std::min(fewest, chosen.species ? gas.species[*chosen.species].count : 1);
+    const bool counts_both =
+        kind.can(Ability::both) && panel.component.value_or(Component::both) == Component::both;
+    return fewest * panel.seeds * (counts_both ? gas.box.dimension : 1);
+}
+
+// Of what the test supposes, as much as is known before the run. Where the bars are pooled, which
+// may leave too few, is not.
+void check_test(const PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading) {
     const Node* asked = given(node, "test");
     if (asked == nullptr || !panel.test) return;
     if (panel.over && panel.over->since != Over::Since::now)
@@ -170,6 +182,11 @@ void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
             *asked,
             "this gas has no equilibrium to be tested against: " + to_text(*reason, reading.gas),
             "leave out `test`");
+    constexpr int least = 3 * 5;
+    const PanelKind* kind = kind_of(kinds, panel.kind);
+    if (kind != nullptr && fewest_values(panel, *kind, reading.gas) < least)
+        reading.errors.add(*asked, "too few particles for `test`: three bars must have 5 each",
+                           "leave it out, or give the gas more particles");
 }
 
 // The figure's key names runs, not what is drawn of each.
@@ -277,7 +294,7 @@ void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, 
                            "only a figure of kind `sweep` reads the runs of a joined sweep",
                            "give the number of runs, which the figure then does itself");
     complete_times(figure, node, reading);
-    check_test(figure, node, reading);
+    check_test(figure, node, kinds, reading);
     if (find(node, "compare") != nullptr || find(node, "scenes") != nullptr)
         check_one_line(figure, node, reading);
     figure.panel = figure;

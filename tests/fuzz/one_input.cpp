@@ -27,8 +27,12 @@ std::ptrdiff_t count_threads() {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace std::chrono_literals;
     const std::ptrdiff_t before = count_threads();
     carom::test::fuzz(data, size);
-    while (count_threads() > before) std::this_thread::sleep_for(std::chrono::microseconds(100));
+    // No longer than this: newer versions of Pango keep one thread from their first use on.
+    const auto end = std::chrono::steady_clock::now() + 2s;
+    while (count_threads() > before && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(100us);
     return 0;
 }

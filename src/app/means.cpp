@@ -24,7 +24,7 @@ void set_text() {
 void require_means(int threads, std::size_t bytes) {
     require_font();
     require_memory(bytes + static_cast<std::size_t>(threads) * bytes_of_thread,
-                   fmt::format("work on {}", counted(threads, "thread")));
+                   fmt::format("work on {}", counted(threads, "thread")), threads);
     require_threads(threads * (1 + threads_of_pango) + threads_of_pango, [] {});  // and this one's
     require_threads(threads, set_text);
 }

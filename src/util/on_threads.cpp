@@ -76,14 +76,15 @@ void require_threads(int threads, const std::function<void()>& work) {
     if (error) std::rethrow_exception(error);
 }
 
-void require_memory(std::size_t bytes, const std::string& what) {
+void require_memory(std::size_t bytes, const std::string& what, int threads) {
     void* const begin = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
                              MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (begin == MAP_FAILED)
         throw SystemError(fmt::format(
             "not enough memory: {} needs {:.0f} MB that this process is not granted "
-            "({}); raise the limit (ulimit -v), or use fewer threads (--threads)",
-            what, 1e-6 * static_cast<double>(bytes), std::generic_category().message(errno)));
+            "({}); raise the limit (ulimit -v){}",
+            what, 1e-6 * static_cast<double>(bytes), std::generic_category().message(errno),
+            threads > 1 ? ", or use fewer threads (--threads)" : ""));
     munmap(begin, bytes);
 }
 

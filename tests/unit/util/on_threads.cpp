@@ -46,4 +46,14 @@ TEST_CASE("threads are asked for at once, and memory before it is taken") {
     CHECK_THROWS_WITH(require_threads(3, [] { throw std::runtime_error("no font"); }), "no font");
     CHECK_NOTHROW(require_memory(1 << 20, "a picture"));
     CHECK_THROWS_AS(require_memory(std::size_t{1} << 60, "a picture"), SystemError);
+    const auto message = [](int threads) {
+        try {
+            require_memory(std::size_t{1} << 60, "a picture", threads);
+        } catch (const SystemError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(message(1).ends_with("raise the limit (ulimit -v)"));
+    CHECK(message(2).ends_with("or use fewer threads (--threads)"));
 }

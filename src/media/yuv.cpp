@@ -95,19 +95,20 @@ CAROM_INLINE EightWords greens(const EightWords& above, const EightWords& below)
     return ((above >> 8) & 255u) + ((below >> 8) & 255u);
 }
 
-// The columns of two rows by their place in a pair, and those before the even ones.
+// Sums of two rows: those of the odd columns before the even ones, of the even ones, of the odd
+// ones. Without a constructor, which Clang 19 does not emit for versions of a function.
 struct Columns {
     EightWords before, even, odd;
-
-    CAROM_INLINE Columns(const EightWords& first, const EightWords& second,
-                         const EightWords& odd_before)
-        : even(__builtin_shufflevector(first, second, 0, 2, 4, 6, 8, 10, 12, 14)),
-          odd(__builtin_shufflevector(first, second, 1, 3, 5, 7, 9, 11, 13, 15)) {
-        before = __builtin_shufflevector(odd_before, odd, 7, 8, 9, 10, 11, 12, 13, 14);
-    }
-
-    CAROM_INLINE EightWords filtered() const { return before + 2 * even + odd; }
 };
+
+CAROM_INLINE Columns columns_of(const EightWords& first, const EightWords& second,
+                                const EightWords& odd_before) {
+    const EightWords odd = __builtin_shufflevector(first, second, 1, 3, 5, 7, 9, 11, 13, 15);
+    return {__builtin_shufflevector(odd_before, odd, 7, 8, 9, 10, 11, 12, 13, 14),
+            __builtin_shufflevector(first, second, 0, 2, 4, 6, 8, 10, 12, 14), odd};
+}
+
+CAROM_INLINE EightWords filtered(const Columns& at) { return at.before + 2 * at.even + at.odd; }
 
 CAROM_INLINE void chroma_block(const std::uint32_t* above, const std::uint32_t* below,
                                std::uint8_t* cb, std::uint8_t* cr) {
@@ -115,18 +116,20 @@ CAROM_INLINE void chroma_block(const std::uint32_t* above, const std::uint32_t* 
     EightWords red_blue_before = red_and_blue(left_above, left_below);
     EightWords green_before = greens(left_above, left_below);
     EightNumbers blues[2], reds[2];
+    constexpr std::ptrdiff_t step = 2 * lanes;
     for (int k = 0; k < 2; ++k) {
-        const std::uint32_t *const a = above + 2 * lanes * k, *const b = below + 2 * lanes * k;
+        const std::uint32_t *const a = above + step * k, *const b = below + step * k;
         const EightWords a0 = load_eight(a), a1 = load_eight(a + lanes), b0 = load_eight(b),
                          b1 = load_eight(b + lanes);
-        const Columns red_blue(red_and_blue(a0, b0), red_and_blue(a1, b1), red_blue_before);
-        const Columns green(greens(a0, b0), greens(a1, b1), green_before);
+        const Columns red_blue =
+            columns_of(red_and_blue(a0, b0), red_and_blue(a1, b1), red_blue_before);
+        const Columns green = columns_of(greens(a0, b0), greens(a1, b1), green_before);
         red_blue_before = red_blue.odd;
         green_before = green.odd;
-        const EightWords both = red_blue.filtered();
+        const EightWords both = filtered(red_blue);
         const auto red = reinterpret_cast<EightNumbers>(both >> 16);
         const auto blue = reinterpret_cast<EightNumbers>(both & 0xffffu);
-        const auto mid = reinterpret_cast<EightNumbers>(green.filtered());
+        const auto mid = reinterpret_cast<EightNumbers>(filtered(green));
         blues[k] = (cb_red * red + cb_green * mid + cb_blue * blue + chroma_offset) >> chroma_shift;
         reds[k] = (cr_red * red + cr_green * mid + cr_blue * blue + chroma_offset) >> chroma_shift;
     }
@@ -134,8 +137,8 @@ CAROM_INLINE void chroma_block(const std::uint32_t* above, const std::uint32_t* 
     store_sixteen(cr, reds[0], reds[1]);
 }
 
-// Two rows of pixels, with one more before the first, and what they become: two rows of luma and
-// one of each chroma.
+// Two rows of pixels, each with one more before its first, and what they become: two rows of luma
+// and one of each chroma.
 struct RowPair {
     std::array<const std::uint32_t*, 2> pixels;
     std::array<std::uint8_t*, 2> y;
@@ -152,7 +155,7 @@ struct RowPair {
 CAROM_SIMD void convert_blocks(const RowPair& rows, int blocks) {
     for (int k = 0; k < blocks; ++k) {
         const RowPair part = rows.from(k * block);
-        for (std::size_t row : {0, 1}) luma_block(part.pixels[row], part.y[row]);
+        for (std::size_t row = 0; row < 2; ++row) luma_block(part.pixels[row], part.y[row]);
         chroma_block(part.pixels[0], part.pixels[1], part.cb, part.cr);
     }
 }

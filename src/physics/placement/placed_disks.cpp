@@ -6,15 +6,38 @@
 
 namespace carom {
 
-// Many disks are small where sizes differ: cells as wide as the mean radius keep theirs small.
+namespace {
+
+// Of cells in a row, for one that lies beyond the last in a periodic box.
+int wrapped(int cell, int cells) { return (cell % cells + cells) % cells; }
+
+}  // namespace
+
+// Many disks are small where sizes differ: cells as wide as the mean radius keep theirs small. In
+// a box so large that two cells for each disk would be much wider than the disks, which may all lie
+// in one of them, cells are as wide as some disks, and several share a list. All disks together lie
+// in some ten cells each, then: the root of the mean square allows for the largest.
 PlacedDisks::PlacedDisks(const Box& box, const Eigen::ArrayXd& radii) : box_(box) {
+    constexpr double most_radii = 8.0, most_cells = 1e8;
     const auto count = static_cast<double>(radii.size());
-    const double least = std::sqrt(box.size.prod() / (2.0 * count + 8.0));
-    const double cell = std::max(count > 0.0 ? radii.mean() : 0.0, least);
-    cells_ = (box.size / cell).floor().cwiseMax(1.0).cwiseMin(1e8).cast<int>();
+    const double lists = 2.0 * count + 8.0, least = std::sqrt(box.size.prod() / lists);
+    const double mean = count > 0.0 ? radii.mean() : 0.0;
+    const double some = count > 0.0 ? most_radii * std::sqrt(radii.square().mean()) : 0.0;
+    const double cell = some > 0.0 && least > some ? some : std::max(mean, least);
+    cells_ = (box.size / cell).floor().cwiseMax(1.0).cwiseMin(most_cells).cast<int>();
     cell_size_ = box.size / cells_.cast<double>();
-    heads_.assign(static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]), -1);
+    const double all = cells_.cast<double>().prod();
+    heads_.assign(static_cast<std::size_t>(std::min(all, lists)), -1);
+    is_shared_ = static_cast<double>(heads_.size()) < all;
     if (!box.surfaces.are_plain()) barriers_ = barriers_of(box, box.size.maxCoeff());
+}
+
+std::size_t PlacedDisks::list_of(int x, int y) const {
+    constexpr std::uint64_t golden = 0x9e3779b97f4a7c15;  // 2^64 by the golden ratio: spreads rows
+    const auto column = static_cast<std::uint64_t>(wrapped(x, cells_[0]));
+    const auto row = static_cast<std::uint64_t>(wrapped(y, cells_[1]));
+    const std::uint64_t cell = row * static_cast<std::uint64_t>(cells_[0]) + column;
+    return is_shared_ ? ((cell * golden) >> 32) % heads_.size() : cell;
 }
 
 template <typename Function>
@@ -31,11 +54,8 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
         }
         high[s] = std::min(high[s], low[s] + cells_[a] - 1);
     }
-    const auto wrap = [](int cell, int cells) { return (cell % cells + cells) % cells; };
     for (int y = low[1]; y <= high[1]; ++y)
-        for (int x = low[0]; x <= high[0]; ++x)
-            f(static_cast<std::size_t>(wrap(y, cells_[1])) * static_cast<std::size_t>(cells_[0]) +
-              static_cast<std::size_t>(wrap(x, cells_[0])));
+        for (int x = low[0]; x <= high[0]; ++x) f(list_of(x, y));
 }
 
 // Calls f(disk, square of its distance) for those in the same cells until it returns false.

@@ -52,6 +52,7 @@ class PlacedDisks {
         std::int32_t disk, next;
     };
 
+    std::size_t list_of(int x, int y) const;
     template <typename Function>
     void for_each_cell(const Eigen::Array2d& centre, double radius, Function&& f) const;
     template <typename Function>
@@ -62,7 +63,8 @@ class PlacedDisks {
     Box box_;
     Eigen::Array2i cells_;
     Eigen::Array2d cell_size_;
-    std::vector<std::int32_t> heads_;
+    std::vector<std::int32_t> heads_;  ///< of lists of entries
+    bool is_shared_ = false;           ///< whether several cells have one list
     std::vector<Entry> entries_;
     std::vector<Disk> disks_;
     std::vector<Barrier> barriers_;  ///< none in a box with plain walls, which have no disk beyond

@@ -219,18 +219,22 @@ TEST_CASE("a run may have as many samples as the limit, a film as many frames") 
                 most_frames));
 }
 
-// The last two of so many disks in a tower overlap. Where they crowd in a few cells of the search,
-// the loader has compared enough by then, and the placement will find it.
+// The last two of so many disks in a tower overlap. A large disk beside it makes the cells of the
+// search wide: where the others crowd in a few, the loader has compared enough by then, and the
+// placement will find it.
 TEST_CASE("places are compared up to the limit") {
-    const auto tower = [](int disks, double step) {
+    const auto tower = [](int disks, double step, const std::string& beside = "") {
         std::string places;
         for (int i = 0; i + 1 < disks; ++i) places += fmt::format("[500, {}], ", 1.0 + step * i);
-        return scene_with("{radius: 0.001, position: [" + places +
-                          fmt::format("[500, {}]", 1.0005 + step * (disks - 2)) + "]}");
+        return scene_with("{name: a, radius: 0.001, position: [" + places +
+                          fmt::format("[500, {}]", 1.0005 + step * (disks - 2)) + "]}" + beside);
     };
-    CHECK(complaint(tower(7000, 0.01)).find("particle 6999 (gas) overlaps particle 6998") !=
+    const std::string large = ", {name: b, radius: 100, position: [[200, 500]]}";
+    CHECK(complaint(tower(7000, 0.01, large)).find("particle 6999 (a) overlaps particle 6998") !=
           std::string::npos);
-    CHECK(complaint(tower(30'000, 0.0025)).empty());
+    CHECK(complaint(tower(30'000, 0.0025)).find("particle 29999 (a) overlaps particle 29998") !=
+          std::string::npos);
+    CHECK(complaint(tower(30'000, 0.0025, large)).empty());
 }
 
 // Each at its limit and one over it. Of collisions it is the run's ceiling that is lowered.

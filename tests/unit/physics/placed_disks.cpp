@@ -1,0 +1,76 @@
+// Disks that have found their places, against a look at all of them.
+#include "physics/placement/placed_disks.h"
+
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+struct Disk {
+    Eigen::Array2d centre;
+    double radius;
+};
+
+std::optional<std::int32_t> first_overlapped(const Box& box, const std::vector<Disk>& disks,
+                                             const Disk& asked) {
+    for (std::size_t i = 0; i < disks.size(); ++i) {
+        const double contact = (disks[i].radius + asked.radius) * (1.0 - touching_tolerance);
+        if (box.nearest(disks[i].centre - asked.centre).square().sum() < contact * contact)
+            return static_cast<std::int32_t>(i);
+    }
+    return {};
+}
+
+}  // namespace
+
+TEST_CASE("overlaps are found in boxes of any size, where disks are close together and far apart") {
+    Random random(5, "places");
+    for (const double size : {12.0, 400.0, 1e6, 1e12})
+        for (const double across : {10.0, size}) {
+            CAPTURE(size);
+            CAPTURE(across);
+            Box box;
+            box.size = {size, 0.75 * size};
+            box.walls = {Wall::periodic, Wall::solid};
+            Eigen::ArrayXd radii(300);
+            for (double& radius : radii) radius = random.uniform() < 0.02 ? 2.0 : 0.05;
+            PlacedDisks placed(box, radii);
+            std::vector<Disk> disks;
+            int overlapped = 0;
+            for (const double radius : radii) {
+                Disk disk{{across * (random.uniform() - 0.5), 0.7 * across * random.uniform()},
+                          radius};
+                if (disk.centre[0] < 0.0) disk.centre[0] += size;  // on both sides of the border
+                const auto expected = first_overlapped(box, disks, disk);
+                CHECK(placed.overlapped(disk.centre, radius) == expected);
+                overlapped += expected.has_value();
+                placed.add(static_cast<std::int32_t>(disks.size()), disk.centre, radius);
+                disks.push_back(disk);
+            }
+            if (across == 10.0) CHECK(overlapped > 20);
+        }
+}
+
+TEST_CASE("disks in one corner of a huge box are compared with those beside them only") {
+    constexpr std::int32_t count = 20'000;
+    for (const bool in_a_row : {true, false}) {
+        Box box;
+        box.size = {1e6, 1e6};
+        PlacedDisks placed(box, Eigen::ArrayXd::Constant(count, 0.4));
+        for (std::int32_t i = 0; i < count; ++i) {
+            const Eigen::Array2d place = in_a_row ? Eigen::Array2d{1.0 + i, 7.0}
+                                                  : Eigen::Array2d{1.0 + i % 140, 1.0 + i / 140};
+            CHECK_FALSE(placed.overlapped(place, 0.4));
+            placed.add(i, place, 0.4);
+        }
+        // A cell has the room of ten disks a unit apart, squared; and shares its list with others.
+        CHECK(placed.compared() < 100 * count);
+    }
+}

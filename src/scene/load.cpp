@@ -391,7 +391,7 @@ void load_beside(Scene& scene, const Node& root, const Overrides& overrides, con
     Diagnostic error = beside.place;
     try {
         other = reload(file != nullptr ? file->text : "",
-                       Part{.film = &film, .until = find(run, "until")}, changes);
+                       Part{.figure = "", .film = &film, .until = find(run, "until")}, changes);
     } catch (const SceneError& refused) {
         if (file != nullptr) throw;
         const Diagnostic& first = refused.diagnostics().front();

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <variant>
 
 #include "physics/theory/equilibrium.h"
 #include "scene/keys/made_once.h"
+#include "scene/reading/gas_reading.h"
 #include "scene/reading/panel_reading.h"
 
 namespace carom {
@@ -152,19 +154,20 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
                                "each figure writes its own files: give one of them another name");
 }
 
-// Of the particles that a histogram shows with least of them, so many values at a time.
-std::int64_t fewest_values(const PanelSpec& panel, const PanelKind& kind, const Gas& gas) {
-    std::int64_t fewest = 0;
-    for (const Species& species : gas.species) fewest += species.count;
-    for (const Chosen& chosen : panel.of)
-        fewest = std::min(fewest, chosen.species ? gas.species[*chosen.species].count : 1);
+// How many values the smallest choice of a histogram has, in all runs together; none where that is
+// not known.
+std::optional<std::int64_t> fewest_values(const PanelSpec& panel, const PanelKind& kind,
+                                          const Gas& gas) {
+    std::optional<std::int64_t> fewest = particles_in(gas);
+    if (!fewest || panel.sweep.from) return std::nullopt;
+    for (const Chosen& chosen : panel.of) fewest = std::min(fewest, count_of(chosen, gas));
     const bool counts_both =
         kind.can(Ability::both) && panel.component.value_or(Component::both) == Component::both;
-    return fewest * panel.seeds * (counts_both ? gas.box.dimension : 1);
+    return *fewest * panel.seeds * (counts_both ? gas.box.dimension : 1);
 }
 
-// Of what the test supposes, as much as is known before the run. Where the bars are pooled, which
-// may leave too few, is not.
+// Of what the test supposes, as much as is known before the run. How the bars are pooled is not
+// known yet; that may still leave too few.
 void check_test(const PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading) {
     const Node* asked = given(node, "test");
     if (asked == nullptr || !panel.test) return;
@@ -177,6 +180,7 @@ void check_test(const PanelSpec& panel, const Node& node, PanelKinds kinds, Read
         reading.errors.add(*asked,
                            "`test` compares the bars with the theory, which `theory: false` hides",
                            "leave out one of them");
+    if (!particles_in(reading.gas)) return;
     if (const auto reason = why_no_equilibrium(reading.gas))
         reading.errors.add(
             *asked,
@@ -184,9 +188,11 @@ void check_test(const PanelSpec& panel, const Node& node, PanelKinds kinds, Read
             "leave out `test`");
     constexpr int least = 3 * 5;
     const PanelKind* kind = kind_of(kinds, panel.kind);
-    if (kind != nullptr && fewest_values(panel, *kind, reading.gas) < least)
-        reading.errors.add(*asked, "too few particles for `test`: three bars must have 5 each",
-                           "leave it out, or give the gas more particles");
+    if (kind == nullptr) return;
+    if (const auto values = fewest_values(panel, *kind, reading.gas); values && *values < least)
+        reading.errors.add(*asked,
+                           "too few particles for `test`: three bars must have 5 expected in each",
+                           "leave it out, show more particles, or take more `seeds`");
 }
 
 // The figure's key names runs, not what is drawn of each.

@@ -331,6 +331,12 @@ std::optional<std::int64_t> particles_in(const Gas& gas) {
     return gas.species.empty() ? std::nullopt : std::optional(count);
 }
 
+std::optional<std::int64_t> count_of(const Chosen& chosen, const Gas& gas) {
+    if (!particles_in(gas)) return std::nullopt;
+    if (chosen.particle) return 1;
+    return chosen.species ? gas.species[*chosen.species].count : particles_in(gas);
+}
+
 void report_no_particle(const Node& place, const std::string& number, std::int64_t count,
                         Errors& errors) {
     errors.add(place, "there is no particle " + number,

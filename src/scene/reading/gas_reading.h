@@ -41,6 +41,9 @@ std::vector<Refused> inelastic_keys();
 /// How many there are in all; nothing while an error leaves the count of a species open.
 std::optional<std::int64_t> particles_in(const Gas& gas);
 
+/// The same of those that a panel or a view chooses.
+std::optional<std::int64_t> count_of(const Chosen& chosen, const Gas& gas);
+
 /// Reports a particle of this number, as it is written, where there are only `count`.
 void report_no_particle(const Node& place, const std::string& number, std::int64_t count,
                         Errors& errors);

@@ -281,13 +281,8 @@ void complete_over(PanelSpec& panel, PanelKinds kinds, const Gas& gas) {
     constexpr std::int64_t few = 10;
     const PanelKind* kind = kind_of(kinds, panel.kind);
     if (panel.over || kind == nullptr || !kind->can(Ability::bars)) return;
-    const auto count_of = [&](const Chosen& chosen) -> std::int64_t {
-        if (chosen.particle) return 1;
-        if (chosen.species) return gas.species[*chosen.species].count;
-        return particles_in(gas).value_or(few);
-    };
-    std::int64_t count = panel.of.empty() ? count_of({}) : 0;
-    for (const Chosen& chosen : panel.of) count += count_of(chosen);
+    std::int64_t count = panel.of.empty() ? count_of({}, gas).value_or(few) : 0;
+    for (const Chosen& chosen : panel.of) count += count_of(chosen, gas).value_or(few);
     if (count < few) panel.over = Over{Over::Since::start, 0.0};
 }
 

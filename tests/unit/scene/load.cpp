@@ -290,6 +290,17 @@ TEST_CASE("an error of the command line points into what was typed") {
     CHECK(message(text, {"seed="}).starts_with("--set seed=: error: expected a whole number"));
 }
 
+TEST_CASE("figures are of the scene itself, not of the run beside") {
+    const std::string text =
+        scene_with("{count: 20, speed: 1}",
+                   "run: {until: 10}\n"
+                   "film: {seconds: 3, beside: {label: few, own_label: many, set: gas.0.count=5}}\n"
+                   "figures: [{name: a, kind: speed-histogram, test: true}]\n");
+    const Scene scene = load_scene_text(text, "test.yaml", test::resources());
+    CHECK(scene.figures.size() == 1);
+    CHECK(scene.film.beside->scene->figures.empty());
+}
+
 TEST_CASE("a template is looked for beside the scene, then in carom's own folder") {
     const TemporaryFolder folder;
     folder.write("small.yaml", "fps: 12\npace: 2\npanels: [energy-histogram]\n" + small_layout);

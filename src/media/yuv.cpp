@@ -66,7 +66,7 @@ CAROM_INLINE EightWords load_eight(const std::uint32_t* from) {
     return words;
 }
 
-// EightNumbers below 256, as bytes.
+// Numbers from 0 to 255, as bytes.
 CAROM_INLINE void store_sixteen(std::uint8_t* to, const EightNumbers& first,
                                 const EightNumbers& second) {
     const auto shorts = __builtin_shufflevector(__builtin_convertvector(first, EightShorts),

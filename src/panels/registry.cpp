@@ -10,6 +10,7 @@
 #include "panels/gas/gas_panel.h"
 #include "panels/instruments/instrument_keys.h"
 #include "panels/line/line_panel.h"
+#include "panels/plots/histogram_panel.h"
 #include "panels/sweep/sweep_keys.h"
 #include "physics/theory/error_growth.h"
 #include "scene/instruments/instrument_reading.h"
@@ -148,6 +149,7 @@ std::vector<PanelKind> all_kinds() {
                   "beside the distribution in equilibrium.",
          .make = make_speed_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
+         .rule = check_scalar_test,
          .suits = speeds_spread},
         {.name = "energy-histogram",
          .words = Phrase{"energy histogram"},
@@ -155,6 +157,7 @@ std::vector<PanelKind> all_kinds() {
                   "equilibrium.",
          .make = make_energy_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
+         .rule = check_scalar_test,
          .suits = speeds_spread},
         {.name = "velocity-histogram",
          .words = Phrase{"velocity histogram"},
@@ -162,6 +165,7 @@ std::vector<PanelKind> all_kinds() {
                   "the distribution in equilibrium.",
          .make = make_velocity_histogram,
          .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison},
+         .rule = check_velocity_test,
          .suits = speeds_spread},
         {.name = "position-histogram",
          .words = Phrase{"position histogram"},

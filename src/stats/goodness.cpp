@@ -11,9 +11,6 @@
 namespace carom {
 namespace {
 
-constexpr double least_expected = 5.0;
-constexpr int fewest_classes = 3;
-
 // The distribution function of Beta(a, b).
 double beta_below(double a, double b, double x) {
     if (x <= 0.0) return 0.0;

@@ -46,6 +46,10 @@ struct ChiSquared {
     int classes = 0;       ///< after pooling
 };
 
+/// What each class must have in Pearson's test after pooling, and how many there must be.
+inline constexpr double least_expected = 5.0;
+inline constexpr int fewest_classes = 3;
+
 /// Pearson's test. Neighbouring classes are pooled from the lowest on until at least 5 values are
 /// expected in each. The number of values is given, and so are the conserved sums: instead of a
 /// chi-squared distribution of (classes - 1) degrees the statistic has that of a sum of squares of

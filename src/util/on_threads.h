@@ -21,8 +21,8 @@ void on_threads(int threads, std::size_t count, const std::function<void(std::si
 void require_threads(int threads, const std::function<void()>& work);
 
 /// Throws SystemError where the process may not take so many bytes more: of its address space
-/// (`ulimit -v`), or of what the system grants. `what` needs them, as a message calls it, on so
-/// many threads: of several, fewer would need less. They are not kept.
+/// (`ulimit -v`), or of what the system grants. `what` needs them, as a message calls it; where
+/// it works on several threads, the message advises fewer. They are not kept.
 void require_memory(std::size_t bytes, const std::string& what, int threads = 1);
 
 /// The error of a thread that could not be started, one of so many.

@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "bench/process_cost.h"
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -45,9 +47,9 @@ bool is_good(const std::string& what, double its, const std::string& of, double 
 }  // namespace
 
 int main() {
-    const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
-    const std::string program = (folder / "carom").string();
-    const fs::path checkout = folder.parent_path().parent_path().parent_path();
+    const std::string program = test::carom_program();
+    const fs::path checkout =
+        fs::path(program).parent_path().parent_path().parent_path().parent_path();
     const std::string scene = (checkout / "scenes/one-hot-particle.yaml").string();
     const double shell = milliseconds("bash -c :");
     const double version = milliseconds(program + " --version");

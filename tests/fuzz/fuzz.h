@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace carom::test {
 
-/// The target: reads any bytes and ends quietly.
+/// The target.
 void fuzz(const std::uint8_t* data, std::size_t size);
 
 /// The bytes of an input, taken one after the other; behind its end all are 0.

@@ -10,6 +10,7 @@
 #include "panels/chosen.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/histogram_record.h"
+#include "scene/keys/binding.h"
 #include "stats/goodness.h"
 #include "stats/running_histogram.h"
 
@@ -151,5 +152,10 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::shared_ptr<const HistogramCounts> readouts_;
     std::vector<std::vector<int>> broken_until_;  ///< the last frame, of each bar of each series
 };
+
+/// Reports a figure that tests the histogram of a number of each particle, where that are too few
+/// values; and the same of the components of velocities.
+void check_scalar_test(PanelSpec& panel, const Node& node, Reading& reading);
+void check_velocity_test(PanelSpec& panel, const Node& node, Reading& reading);
 
 }  // namespace carom

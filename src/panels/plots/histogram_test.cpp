@@ -1,8 +1,40 @@
 // How well a histogram fits its curve: Pearson's test, with what is conserved taken into account.
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
 #include "panels/plots/histogram_panel.h"
+#include "scene/reading/gas_reading.h"
 #include "util/text.h"
 
 namespace carom {
+namespace {
+
+// As the messages say.
+static_assert(fewest_classes == 3 && least_expected == 5.0);
+
+// How bars are pooled, which may leave too few, is not known before the run.
+void check_test_of(const PanelSpec& panel, int values_each, const Node& node, Reading& reading) {
+    const Node* asked = given(node, "test");
+    std::optional<std::int64_t> fewest = particles_in(reading.gas);
+    if (asked == nullptr || !panel.test || !fewest || panel.sweep.from) return;
+    for (const Chosen& chosen : panel.of) fewest = std::min(fewest, count_of(chosen, reading.gas));
+    if (static_cast<double>(*fewest * panel.seeds * values_each) < fewest_classes * least_expected)
+        reading.errors.add(*asked,
+                           "too few particles for `test`: three bars must have 5 expected in each",
+                           "leave it out, show more particles, or take more `seeds`");
+}
+
+}  // namespace
+
+void check_scalar_test(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_test_of(panel, 1, node, reading);
+}
+
+void check_velocity_test(PanelSpec& panel, const Node& node, Reading& reading) {
+    const bool both = panel.component.value_or(Component::both) == Component::both;
+    check_test_of(panel, both ? reading.gas.box.dimension : 1, node, reading);
+}
 
 // In all runs together: each has its own conserved sums, which have the same part in its counts.
 Expected HistogramPanel::expected(const HistogramSeries& series) const {

@@ -5,7 +5,6 @@
 #include <cstddef>
 
 namespace carom {
-
 namespace {
 
 // Of cells in a row, for one that lies beyond the last in a periodic box.
@@ -15,8 +14,8 @@ int wrapped(int cell, int cells) { return (cell % cells + cells) % cells; }
 
 // Many disks are small where sizes differ: cells as wide as the mean radius keep theirs small. In
 // a box so large that two cells for each disk would be much wider than the disks, which may all lie
-// in one of them, cells are as wide as some disks, and several share a list. All disks together lie
-// in some ten cells each, then: the root of the mean square allows for the largest.
+// in one of them, cells are a few radii wide, and several share a list. By the root of the mean
+// square of the radii, a disk then lies in about two cells on the mean, however large some are.
 PlacedDisks::PlacedDisks(const Box& box, const Eigen::ArrayXd& radii) : box_(box) {
     constexpr double most_radii = 8.0, most_cells = 1e8;
     const auto count = static_cast<double>(radii.size());

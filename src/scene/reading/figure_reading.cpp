@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <set>
 #include <variant>
 
@@ -154,21 +153,8 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
                                "each figure writes its own files: give one of them another name");
 }
 
-// How many values the smallest choice of a histogram has, in all runs together; none where that is
-// not known.
-std::optional<std::int64_t> fewest_values(const PanelSpec& panel, const PanelKind& kind,
-                                          const Gas& gas) {
-    std::optional<std::int64_t> fewest = particles_in(gas);
-    if (!fewest || panel.sweep.from) return std::nullopt;
-    for (const Chosen& chosen : panel.of) fewest = std::min(fewest, count_of(chosen, gas));
-    const bool counts_both =
-        kind.can(Ability::both) && panel.component.value_or(Component::both) == Component::both;
-    return *fewest * panel.seeds * (counts_both ? gas.box.dimension : 1);
-}
-
-// Of what the test supposes, as much as is known before the run. How the bars are pooled is not
-// known yet; that may still leave too few.
-void check_test(const PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading) {
+// Of what the test supposes, as much as is known before the run.
+void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
     if (asked == nullptr || !panel.test) return;
     if (panel.over && panel.over->since != Over::Since::now)
@@ -186,13 +172,6 @@ void check_test(const PanelSpec& panel, const Node& node, PanelKinds kinds, Read
             *asked,
             "this gas has no equilibrium to be tested against: " + to_text(*reason, reading.gas),
             "leave out `test`");
-    constexpr int least = 3 * 5;
-    const PanelKind* kind = kind_of(kinds, panel.kind);
-    if (kind == nullptr) return;
-    if (const auto values = fewest_values(panel, *kind, reading.gas); values && *values < least)
-        reading.errors.add(*asked,
-                           "too few particles for `test`: three bars must have 5 expected in each",
-                           "leave it out, show more particles, or take more `seeds`");
 }
 
 // The figure's key names runs, not what is drawn of each.
@@ -300,7 +279,7 @@ void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, 
                            "only a figure of kind `sweep` reads the runs of a joined sweep",
                            "give the number of runs, which the figure then does itself");
     complete_times(figure, node, reading);
-    check_test(figure, node, kinds, reading);
+    check_test(figure, node, reading);
     if (find(node, "compare") != nullptr || find(node, "scenes") != nullptr)
         check_one_line(figure, node, reading);
     figure.panel = figure;

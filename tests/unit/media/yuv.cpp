@@ -97,6 +97,7 @@ TEST_CASE("every byte is the nearest to BT.709 in double precision") {
                              {33, 4},
                              {37, 21},
                              {64, 48},
+                             {65, 3},
                              {319, 17},
                              {1921, 9}}) {
         const int width = size.first, height = size.second;
@@ -117,6 +118,30 @@ TEST_CASE("every byte is the nearest to BT.709 in double precision") {
             }
         CHECK(luma_error <= tolerance);
         CHECK(chroma_error <= tolerance);
+    }
+}
+
+TEST_CASE("planes may have longer rows than the picture, whose rest stays as it was") {
+    for (const int width : {6, 32, 95}) {
+        CAPTURE(width);
+        Picture picture = noise(width, 7, 3);
+        const Converted tight = convert(picture);
+        const auto w = std::size_t(tight.width), h = std::size_t(tight.height),
+                   rest = std::size_t{9};
+        std::vector<std::uint8_t> y((w + rest) * h, 77), cb((w / 2 + rest) * h / 2, 77), cr = cb;
+        to_yuv420(picture.view(),
+                  {y.data(), cb.data(), cr.data(), int(w + rest), int(w / 2 + rest)});
+        const auto rows_agree = [&](const auto& rows, const auto& expected, std::size_t length) {
+            for (std::size_t k = 0; k < rows.size(); ++k) {
+                const std::size_t row = k / (length + rest), column = k % (length + rest);
+                if (rows[k] != (column < length ? expected[row * length + column] : 77))
+                    return false;
+            }
+            return true;
+        };
+        CHECK(rows_agree(y, tight.y, w));
+        CHECK(rows_agree(cb, tight.cb, w / 2));
+        CHECK(rows_agree(cr, tight.cr, w / 2));
     }
 }
 

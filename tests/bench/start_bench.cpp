@@ -13,6 +13,7 @@
 #include "bench/process_cost.h"
 
 namespace fs = std::filesystem;
+using namespace carom;
 
 namespace {
 

@@ -60,7 +60,11 @@ double difference(const Oklab& one, const Oklab& other) {
 double difference(Color one, Color other) { return difference(oklab(one), oklab(other)); }
 
 double contrast(Color a, Color b) {
-    const auto [darker, lighter] = std::minmax({relative_luminance(a), relative_luminance(b)});
+    return contrast_of_luminances(relative_luminance(a), relative_luminance(b));
+}
+
+double contrast_of_luminances(double a, double b) {
+    const auto [darker, lighter] = std::minmax(a, b);
     return (lighter + 0.05) / (darker + 0.05);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <vector>
 
 namespace carom {
 namespace {
@@ -59,9 +60,14 @@ const Theme& theme(ThemeKind kind) {
 }
 
 Color toward_ink(Color color, const Theme& theme, std::span<const Color> behind, double least) {
+    // Those behind once only: luminances take most of the time.
+    std::vector<double> luminances_behind;
+    for (const Color other : behind) luminances_behind.push_back(relative_luminance(other));
     const auto stands_out = [&](Color shade) {
-        return std::ranges::all_of(behind,
-                                   [&](Color other) { return contrast(shade, other) >= least; });
+        const double luminance = relative_luminance(shade);
+        return std::ranges::all_of(luminances_behind, [&](double other) {
+            return contrast_of_luminances(luminance, other) >= least;
+        });
     };
     constexpr int steps = 20;
     for (int i = 0; i < steps; ++i)

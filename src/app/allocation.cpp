@@ -1,8 +1,9 @@
 // The program's malloc, which libraries call too: where the system grants no memory, it gives back
 // what the program keeps for that (util/memory/memory_reserve.h) and tries once more; and what is
-// freed in large blocks goes back to the system. A part of the program, not of the library: other
-// programs keep their own. Only with glibc, whose functions may be replaced so (its manual,
-// "Replacing malloc"), and without sanitizers, which replace them.
+// freed in large blocks goes back to the system, or to the next that the thread asks for
+// (util/memory/kept_blocks.h). A part of the program, not of the library: other programs keep their
+// own. Only with glibc, whose functions may be replaced so (its manual, "Replacing malloc"), and
+// without sanitizers, which replace them.
 #include <cstdlib>
 
 #if defined(__GLIBC__)
@@ -10,10 +11,12 @@
 #include <dlfcn.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
 
+#include "util/memory/kept_blocks.h"
 #include "util/memory/memory_reserve.h"
 
 extern "C" {
@@ -21,6 +24,7 @@ void* __libc_malloc(std::size_t);  // NOLINT(bugprone-reserved-identifier)
 void* __libc_calloc(std::size_t, std::size_t);
 void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
 }
 
 namespace {
@@ -54,22 +58,31 @@ constinit Next<void*(std::size_t)> next_malloc("malloc", __libc_malloc);
 constinit Next<void*(std::size_t, std::size_t)> next_calloc("calloc", __libc_calloc);
 constinit Next<void*(void*, std::size_t)> next_realloc("realloc", __libc_realloc);
 constinit Next<void*(std::size_t, std::size_t)> next_memalign("memalign", __libc_memalign);
+constinit Next<void(void*)> next_free("free", __libc_free);
 
-// `allocate`, again with the reserve where it fails.
+// `allocate`, again without what is kept, and with the reserve, where it fails.
 template <class Allocate>
 void* with_reserve(const Allocate& allocate) noexcept {
     if (void* const made = allocate()) return made;
+    if (auto* const kept = carom::KeptBlocks::of_thread(); kept != nullptr && kept->release())
+        if (void* const made = allocate()) return made;
     carom::note_failed_allocation();
     return allocate();
+}
+
+void* kept_block(std::size_t alignment, std::size_t size) noexcept {
+    auto* const kept = carom::KeptBlocks::of_thread();
+    return kept != nullptr ? kept->take(std::max<std::size_t>(alignment, 1), size) : nullptr;
 }
 
 // By default glibc keeps blocks of up to 32 MB for later once one of them was freed, in pieces that
 // the next do not fit into. The encoder of each segment of a film takes some 70 MB in blocks of a
 // few: a film of many segments took 90 MB more.
 [[gnu::constructor(101)]] void give_back_large_blocks() {
-    constexpr int large = 1 << 20;
+    constexpr auto large = static_cast<int>(carom::KeptBlocks::least_bytes);
     mallopt(M_MMAP_THRESHOLD, large);
     mallopt(M_TRIM_THRESHOLD, 4 * large);
+    carom::KeptBlocks::free_with([](void* block) { next_free.get()(block); });
 }
 
 }  // namespace
@@ -77,6 +90,7 @@ void* with_reserve(const Allocate& allocate) noexcept {
 extern "C" {
 
 void* malloc(std::size_t size) noexcept {
+    if (void* const kept = kept_block(alignof(std::max_align_t), size)) return kept;
     return with_reserve([=] { return next_malloc.get()(size); });
 }
 
@@ -90,6 +104,7 @@ void* realloc(void* old, std::size_t size) noexcept {
 }
 
 void* memalign(std::size_t alignment, std::size_t size) noexcept {
+    if (void* const kept = kept_block(alignment, size)) return kept;
     return with_reserve([=] { return next_memalign.get()(alignment, size); });
 }
 
@@ -104,6 +119,12 @@ int posix_memalign(void** made, std::size_t alignment, std::size_t size) noexcep
     if (found == nullptr) return ENOMEM;
     *made = found;
     return 0;
+}
+
+void free(void* block) noexcept {
+    auto* const kept = block != nullptr ? carom::KeptBlocks::of_thread() : nullptr;
+    if (kept != nullptr && kept->keep(block, malloc_usable_size(block))) return;
+    next_free.get()(block);
 }
 }
 #endif

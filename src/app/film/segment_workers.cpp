@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "util/interrupt.h"
+#include "util/memory/kept_blocks.h"
 #include "util/on_threads.h"
 #include "util/stopwatch.h"
 
@@ -73,6 +74,7 @@ void SegmentWorkers::rethrow_if_failed() {
 
 void SegmentWorkers::work() {
     try {
+        const KeptBlocks kept;  // each encoder takes what the one before it had
         FramePainter painter(panels_);
         WorkerSeconds seconds;
         while (true) {

@@ -11,10 +11,11 @@ const char* of(Quality quality, const char* draft, const char* standard, const c
 }
 
 // How motion is searched for. The pattern of the diamond finds what moves a few pixels, the uneven
-// hexagons what moves many. Blocks of 8 x 8 in B frames are for many edges side by side.
+// hexagons what moves many. Blocks of 8 x 8 in B frames are for many edges side by side, and a
+// second reference for what another disk had covered.
 const char* standard_search(Motion motion) {
-    if (motion == Motion::fast) return ":me=umh:analyse=i8x8,i4x4,p8x8";
-    return motion == Motion::sparse ? ":me=dia:analyse=i8x8,i4x4,p8x8" : ":me=dia";
+    if (motion == Motion::fast) return ":ref=2:me=umh:analyse=i8x8,i4x4,p8x8";
+    return motion == Motion::sparse ? ":ref=1:me=dia:analyse=i8x8,i4x4,p8x8" : ":ref=2:me=dia";
 }
 
 // A constant quantiser: a gas film is alike from end to end, so that rate control would only
@@ -27,7 +28,7 @@ CodecOptions h264_options(Quality quality, Motion motion) {
     const char* const parameters =
         of(quality, "qp=25:8x8dct=1",  // a film is High, which means 8x8 blocks
            "qp=23:ipratio=2.5:pbratio=2:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
-           "rc-lookahead=0:ref=2:subme=1:direct=temporal:chroma-qp-offset=1:deblock=3,3",
+           "rc-lookahead=0:subme=1:direct=temporal:chroma-qp-offset=1:deblock=3,3",
            "qp=19:ipratio=2.5:pbratio=1.8:bframes=3:b-adapt=0:b-pyramid=strict:weightp=0:"
            "rc-lookahead=0:ref=3:subme=6:me=umh:direct=temporal:psy=0:deblock=1,1");
     const char* const search = quality == Quality::standard ? standard_search(motion) : "";

@@ -21,8 +21,8 @@ class Archive;
 
 enum class Quality { draft, standard, final_ };
 
-/// How a film moves, for its encoder: few edges slowly; many edges, or a field slowly; or few edges
-/// by several pixels from frame to frame.
+/// How a film moves, for its encoder: few edges slowly; many edges, or beads or a field slowly; or
+/// few edges by several pixels from frame to frame.
 enum class Motion { sparse, usual, fast };
 
 /// A part of a film that players can jump to.

@@ -39,7 +39,9 @@ Motion motion_of(const Scene& scene, const Particles& particles, const Sample& s
     if (particles.count() == 0) return Motion::usual;
     if (edges_of(scene.gas.box, particles) > few_edges) return Motion::usual;
     if (pixels_moved(scene, start) > fast) return Motion::fast;
-    return scene.film.field ? Motion::usual : Motion::sparse;
+    // Beads that touch, one behind the other, are close edges too.
+    const bool is_sparse = scene.gas.box.dimension == 2 && !scene.film.field;
+    return is_sparse ? Motion::sparse : Motion::usual;
 }
 
 }  // namespace carom

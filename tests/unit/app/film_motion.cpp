@@ -46,12 +46,17 @@ TEST_CASE("many edges are searched for motion as usual, and so is a field that s
     CHECK(motion_with(100, 30, {"film.field={of: density, cells: 8}"}) == Motion::fast);
 }
 
-TEST_CASE("beads on a line have no edges that count, and no particles no motion") {
-    const Scene line = test::scene_from(
-        "title: T\nbox: {length: 10}\ngas: [{count: 8, radius: 0, speed: 0.1}]\n"
-        "run: {until: 10}\nfilm: {seconds: 10}\n");
-    StartedScene started = start_scene(line);
-    CHECK(motion_of(started.scene, started.simulation.particles(), started.simulation.sample()) ==
-          Motion::sparse);
+TEST_CASE("beads on a line are as usual until they are fast, and no particles have no motion") {
+    const auto beads = [](double speed) {
+        const Scene line = test::scene_from(
+            fmt::format("title: T\nbox: {{length: 10}}\ngas: [{{count: 8, radius: 0, speed: {}}}]\n"
+                        "run: {{until: 10}}\nfilm: {{seconds: 10}}\n",
+                        speed));
+        StartedScene started = start_scene(line);
+        return motion_of(started.scene, started.simulation.particles(),
+                         started.simulation.sample());
+    };
+    CHECK(beads(0.1) == Motion::usual);
+    CHECK(beads(10) == Motion::fast);
     CHECK(motion_of({}, {}, {}) == Motion::usual);
 }

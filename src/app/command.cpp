@@ -54,11 +54,14 @@ Option shortcut(SceneOptions& options, const std::string& flag, const std::strin
     return {flag,
             meaning,
             [&options, key](const std::string& value) {
-                options.shortcuts.push_back(key + "=" +
-                                            (key == "film.size" ? as_yaml_size(value) : value));
+                options.shortcuts.push_back(change_of(key, value));
             },
             {},
             key};
+}
+
+std::string change_of(const std::string& key, const std::string& value) {
+    return key + "=" + (key == "film.size" ? as_yaml_size(value) : value);
 }
 
 std::string flags_of(const Option& option) {

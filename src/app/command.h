@@ -41,6 +41,9 @@ struct Option {
     std::string key = {};                   ///< of the scene, which it sets; empty: none
 };
 
+/// What --set takes for an option that sets `key`, KEY.PATH=VALUE, where it is given this value.
+std::string change_of(const std::string& key, const std::string& value);
+
 /// The flags of an option: "-o,--output"; the name of words without flags.
 std::string flags_of(const Option& option);
 

@@ -55,6 +55,20 @@ TEST_CASE("each mistake on the command line is told with what to write instead")
         {"still '" + plain + "' --size 5", "for instance 1280x720"},
         {"check '" + plain + "' --set gas.nobody.count=1",
          "items are counted from 0, or named: `the 200 others`, `the fast disk`"},
+        {"check '" + plain + "' --fps 9999",
+         "--fps 9999: error: expected a whole number from 1 to 120 for `fps`, found `9999`\n"
+         "      | --fps 9999\n"
+         "      |       ^^^^\n"},
+        {"still '" + plain + "' --at 1 --theme=blue --set film.theme=red",
+         "--set film.theme=red: error: "},
+        {"still '" + plain + "' --at 1 --theme=blue --set film.fps=30",
+         "      | --theme blue\n"
+         "      |         ^^^^\n"},
+        {"still '" + plain + "' --size 10x10 --theme light",
+         "--size 10x10: error: expected a whole number from 64 to 8192 for an item of `size`, "
+         "found `10`\n"
+         "      | --size 10x10\n"
+         "      |        ^^^^^\n"},
     };
     for (const Mistake& mistake : mistakes) {
         CAPTURE(mistake.call);

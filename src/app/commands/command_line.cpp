@@ -14,6 +14,7 @@
 #include <iostream>
 #include <iterator>
 #include <new>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -66,6 +67,37 @@ std::string first_command_among(const std::vector<std::string>& words,
     return first == words.end() ? "" : *first;
 }
 
+// Where the value of an option that sets a key of the scene is wrong: as it was typed.
+void place_at_option(Diagnostic& diagnostic, const Option& option, const CLI::App& called) {
+    const CLI::Option* const given =
+        option.key.empty() ? nullptr : called.get_option_no_throw(flags_of(option));
+    if (given == nullptr || given->empty()) return;
+    constexpr std::string_view set = "--set ";
+    const std::string& value = given->results().back();
+    const std::string change = change_of(option.key, value);
+    if (diagnostic.span.file != fmt::format("{}{}", set, change)) return;
+    const std::string flag = flags_of(option) + " ";
+    const auto before = static_cast<int>(set.size() + option.key.size() + 1);
+    const auto column = static_cast<int>(flag.size()) + diagnostic.span.column - before;
+    diagnostic.span.file = diagnostic.source_line = flag + value;
+    if (change == option.key + "=" + value) {
+        diagnostic.span.column = column;
+    } else {
+        diagnostic.span.column = static_cast<int>(flag.size()) + 1;
+        diagnostic.span.length = static_cast<int>(value.size());
+    }
+}
+
+SceneError as_typed(const SceneError& error, const Command& command, const CLI::App& called) {
+    std::vector<Diagnostic> all;
+    std::set<std::string> texts;
+    for (Diagnostic one : error.diagnostics()) {
+        for (const Option& option : command.options) place_at_option(one, option, called);
+        if (texts.insert(to_text(one)).second) all.push_back(std::move(one));
+    }
+    return SceneError(std::move(all));
+}
+
 // With the options of the one that is called: to declare those of all takes a millisecond.
 void add_command(CLI::App& app, const Command& command, bool is_called) {
     CLI::App& declared = *app.add_subcommand(command.name, command.meaning);
@@ -77,7 +109,13 @@ void add_command(CLI::App& app, const Command& command, bool is_called) {
         if (!option.name.starts_with('-')) its.required(!option.name.starts_with('['));
         if (!option.choices.empty()) its.check(CLI::IsMember(option.choices));
     }
-    declared.callback(command.run);
+    declared.callback([&command, &declared] {
+        try {
+            command.run();
+        } catch (const SceneError& error) {
+            throw as_typed(error, command, declared);
+        }
+    });
     declared.formatter_fn([&command](const CLI::App*, const std::string&, CLI::AppFormatMode) {
         return text_of(help_of(command));
     });

@@ -23,13 +23,6 @@ bool is_open_already(const std::string& path) {
     return path == "/dev/stderr" || path.starts_with("/dev/fd/") || path.starts_with("/proc/");
 }
 
-bool is_stream(const fs::path& path) {
-    if (is_open_already(path.lexically_normal().string())) return true;
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-}
-
 [[noreturn]] void fail(const std::string& path) {
     const int error = errno;
     throw_system_error(fmt::format("cannot write {}: {}",
@@ -49,6 +42,14 @@ int opened(const std::string& path) {
 }
 
 }  // namespace
+
+bool Output::is_stream(const fs::path& path) {
+    if (is_standard_output(path.native())) return true;
+    if (is_open_already(path.lexically_normal().string())) return true;
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
 
 Output::Output(std::string path) : path_(std::move(path)) {
     if (is_standard_output(path_)) {

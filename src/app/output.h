@@ -32,6 +32,9 @@ class Output : public PendingOutput {
         return path == "-" || path == "/dev/stdout";
     }
 
+    /// Whether that is written as it stands: standard output too.
+    static bool is_stream(const std::filesystem::path& path);
+
   private:
     std::string path_;
     std::optional<AtomicFile> file_;

@@ -93,6 +93,35 @@ TEST_CASE("`render -o -` writes the very film to standard output, its report els
     CHECK(call("render '" + scene + "' '" + other + "' -o -", folder.path()).exit_code == 2);
 }
 
+TEST_CASE("`still` and `render` write into a pipe that is named, which stays one") {
+    const TemporaryFolder folder;
+    const fs::path out = folder.path() / "out";
+    REQUIRE(shell("mkfifo still.svg render.mp4 unnamed && ln -s unnamed linked", folder.path())
+                .exit_code == 0);
+    const auto through = [&](const std::string& pipe, const std::string& arguments) {
+        const Outcome outcome = shell("timeout 60 cat " + pipe + " >read & '" + program + "' " +
+                                          arguments + " -o " + pipe + "; code=$?; wait; exit $code",
+                                      folder.path());
+        CAPTURE(outcome.err);
+        CHECK(outcome.exit_code == 0);
+        CHECK(fs::is_fifo(folder.path() / pipe));
+        return contents(folder.path() / "read");
+    };
+    const std::string still = "still '" + scene + "' --at 6" + small;
+    const std::string render = "render '" + scene + "'" + short_film;
+    REQUIRE(call(still + "--format svg", folder.path()).exit_code == 0);
+    CHECK(through("still.svg", still) == contents(out / "two-to-one.svg"));
+    REQUIRE(call(still, folder.path()).exit_code == 0);
+    CHECK(through("linked", still) == contents(out / "two-to-one.png"));
+    REQUIRE(call(render, folder.path()).exit_code == 0);
+    const std::string film = contents(out / "two-to-one.mp4");
+    CHECK(through("render.mp4", render) == film);
+    CHECK(through("unnamed", render) == film);
+    const Outcome frames = call(render + "--format png -o unnamed", folder.path());
+    CHECK(frames.exit_code == 2);
+    CHECK(frames.err.find("cannot go to a device or a pipe") != std::string::npos);
+}
+
 TEST_CASE("a standard stream that is closed cannot be written, nor read, which is told at once") {
     const TemporaryFolder folder;
     const std::string closed = "carom: cannot write standard output: Bad file descriptor\n";

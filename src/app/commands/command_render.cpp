@@ -174,7 +174,7 @@ std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::p
                        const std::vector<ListedScene>& listed_scenes,
                        const std::vector<Scene>& scenes) {
     if (arguments.depfile.empty()) return "";
-    if (Output::is_standard_output(arguments.destination.output))
+    if (Output::is_stream(arguments.destination.output))
         throw UsageError(
             "--depfile: the film has no file that a rule could be about; name one "
             "with -o");
@@ -202,14 +202,16 @@ double most_bytes(const RenderArguments& arguments) {
 void print_report(const RenderArguments& arguments, const Scene& scene,
                   const RenderReport& report) {
     if (arguments.quiet && !arguments.timings) return;
-    const bool streamed = Output::is_standard_output(arguments.destination.output);
-    std::string text =
-        fmt::format("{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
-                    streamed ? "standard output" : printable(report.path.string()),
-                    counted(report.frames, "frame"),
-                    clock_text(static_cast<double>(report.frames) / scene.film.fps),
-                    1e-6 * static_cast<double>(report.bytes),
-                    counted(report.collisions.particle, "collision"), report.wall_seconds);
+    const std::string& output = arguments.destination.output;
+    const bool streamed = Output::is_stream(output);
+    std::string text = fmt::format(
+        "{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
+        Output::is_standard_output(output) ? "standard output"
+                                           : printable(streamed ? output : report.path.string()),
+        counted(report.frames, "frame"),
+        clock_text(static_cast<double>(report.frames) / scene.film.fps),
+        1e-6 * static_cast<double>(report.bytes), counted(report.collisions.particle, "collision"),
+        report.wall_seconds);
     if (!arguments.max_size.empty())
         text += fmt::format("  {} by {}, {} frames a second, for --max-size {}\n",
                             scene.film.size.width, scene.film.size.height, scene.film.fps,
@@ -226,9 +228,10 @@ RenderReport render_all(const std::vector<Scene>& scenes, const JoinedTitle& tit
 }
 
 // Writes nothing of a film of more bytes than `most`.
-RenderReport render_to_stream(const std::vector<Scene>& scenes, const JoinedTitle& title,
-                              FilmOptions options, double most, Progress& progress) {
-    Output stream("-");
+RenderReport render_to_stream(const std::string& name, const std::vector<Scene>& scenes,
+                              const JoinedTitle& title, FilmOptions options, double most,
+                              Progress& progress) {
+    Output stream(name);
     const ScratchFolder folder;
     options.output = folder.path() / options.output;
     const RenderReport report = render_all(scenes, title, options, progress);
@@ -285,8 +288,9 @@ void render_film(const RenderArguments& arguments, const std::string& name,
         if (std::isfinite(most)) scenes = fitted(arguments, asked, aim, options, progress);
         if (!arguments.page.empty())
             report = render_page(scenes.front(), options, output.string(), most, progress);
-        else if (Output::is_standard_output(arguments.destination.output))
-            report = render_to_stream(scenes, title, options, most, progress);
+        else if (const std::string& stream = arguments.destination.output;
+                 Output::is_stream(stream))
+            report = render_to_stream(stream, scenes, title, options, most, progress);
         else
             report = render_all(scenes, title, options, progress);
         if (static_cast<double>(report.bytes) <= most) break;
@@ -361,7 +365,7 @@ void render_scenes(RenderArguments& arguments) {
     arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
     const std::vector<fs::path> outputs = outputs_of(arguments);
     most_bytes(arguments);  // refused before any work
-    if (arguments.film.text && Output::is_standard_output(arguments.destination.output))
+    if (arguments.film.text && Output::is_stream(arguments.destination.output))
         throw UsageError(
             "--words: these files go beside the film, which has no file here; name one with -o");
     JoinedTitle title;

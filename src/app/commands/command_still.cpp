@@ -30,12 +30,18 @@ struct StillArguments : SceneOptions {
     bool is_quick = false;
 };
 
-// Of a picture for standard output, the name that it would have.
+// Of a picture for standard output, a device or a pipe, the name that it would have.
 std::filesystem::path still_path(const StillArguments& arguments) {
     const std::string &output = arguments.output, &format = arguments.format;
-    if (Output::is_standard_output(output)) return "still." + (format.empty() ? "png" : format);
     std::vector<std::string> extensions;
     for (const std::string& name : still_formats()) extensions.push_back("." + name);
+    if (Output::is_stream(output)) {
+        const std::string extension = std::filesystem::path(output).extension().string();
+        if (std::ranges::count(extensions, extension) == 0)
+            return "still." + (format.empty() ? "png" : format);
+        refuse_other_format(output, format);
+        return "still" + extension;
+    }
     std::rotate(extensions.begin(),
                 std::ranges::find(extensions, "." + (format.empty() ? "png" : format)),
                 extensions.end());
@@ -55,7 +61,7 @@ void make_still(const StillArguments& arguments) {
     const std::filesystem::path output = still_path(arguments);
     std::optional<Output> depfile;
     if (!arguments.depfile.empty()) {
-        if (Output::is_standard_output(arguments.output))
+        if (Output::is_stream(arguments.output))
             throw UsageError(
                 "--depfile: the picture has no file that a rule could be about; name one with -o");
         depfile.emplace(arguments.depfile)
@@ -64,7 +70,7 @@ void make_still(const StillArguments& arguments) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     const OutputFormat& format = output_format(output.extension().string().substr(1));
     std::optional<Output> stream;  // before the work
-    if (Output::is_standard_output(arguments.output)) stream.emplace("-");
+    if (Output::is_stream(arguments.output)) stream.emplace(arguments.output);
     const EndsAtOnce whole;
     Canvas picture = draw_still_alone(scene, arguments.at, arguments.is_quick, arguments.cache,
                                       format, progress);

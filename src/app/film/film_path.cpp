@@ -48,13 +48,20 @@ fs::path frames_folder(std::string output, const std::string& scene) {
     throw UsageError(fmt::format("-o {}: several scenes need a folder; name one", output));
 }
 
-// The name that it would have.
+// Of standard output, a device or a pipe: the name that it would have.
 fs::path streamed_path(const FilmDestination& destination) {
-    if (destination.several) refuse_several("-");
-    if (destination.format == "png")
-        throw UsageError(
-            "-o -: frames are several files and cannot go to standard output; name a folder");
-    return "film." + (destination.format.empty() ? "mp4" : destination.format);
+    const auto& [output, format, several] = destination;
+    if (several) refuse_several(output);
+    if (format == "png")
+        throw UsageError(fmt::format(
+            "-o {}: frames are several files and cannot go to {}; name a "
+            "folder",
+            output, Output::is_standard_output(output) ? "standard output" : "a device or a pipe"));
+    if (is_video(output)) {
+        refuse_other_format(output, format);
+        return "film" + fs::path(output).extension().string();
+    }
+    return "film." + (format.empty() ? "mp4" : format);
 }
 
 // One film, named by -o as a file or as its folder of frames.
@@ -77,7 +84,7 @@ bool is_video(const fs::path& path) {
 
 fs::path film_path(const FilmDestination& destination, const std::string& scene) {
     const auto& [output, format, several] = destination;
-    if (Output::is_standard_output(output)) return streamed_path(destination);
+    if (Output::is_stream(output)) return streamed_path(destination);
     if (is_video(output)) refuse_other_format(output, format);
     if (several && is_video(output)) refuse_several(output);
     const bool frames = format == "png";

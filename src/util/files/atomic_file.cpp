@@ -101,7 +101,11 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
     only_.emplace(path_, target_);
     std::error_code error;
-    if (fs::is_directory(target_, error)) fail("write", path_, EISDIR);
+    const fs::file_status status = fs::status(target_, error);
+    if (fs::is_directory(status)) fail("write", path_, EISDIR);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw SystemError(fmt::format(
+            "cannot write {}: a device or a pipe would be replaced by a file", path_.string()));
     create_folder_of(target_);
     named_.emplace();
     file_ = temporary_file(target_);

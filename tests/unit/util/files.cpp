@@ -1,6 +1,7 @@
 #include "support/files.h"
 
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -79,6 +80,16 @@ TEST_CASE("a folder in the place of the file is a clear error") {
     const TemporaryFolder folder;
     CHECK_THROWS_WITH_AS(AtomicFile(folder.path()), doctest::Contains("Is a directory"),
                          SystemError);
+}
+
+TEST_CASE("a pipe in the place of the file stays one") {
+    const test::TemporaryFolder folder;
+    const fs::path pipe = folder.path() / "pipe", link = folder.path() / "link";
+    REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+    fs::create_symlink("pipe", link);
+    CHECK_THROWS_AS(AtomicFile{pipe}, SystemError);
+    CHECK_THROWS_AS(AtomicFile{link}, SystemError);
+    CHECK(fs::is_fifo(link));
 }
 
 TEST_CASE("an atomic folder appears whole, or not at all") {

@@ -55,7 +55,7 @@ std::string listed(std::span<const std::string> words, std::string_view last = "
 /// Ended by a full stop, unless it ends as a sentence does.
 std::string sentence(const std::string& words);
 
-/// With a large first letter, if that is one of ASCII; at least one letter.
+/// With a large first letter, if that is one of ASCII or Latin-1; at least one letter.
 std::string capitalised(std::string words);
 
 /// A number a little farther from 0, by less than any reader sees: what lies half-way between two

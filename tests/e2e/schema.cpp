@@ -135,6 +135,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"panels_too_many", other_file},
     {"template_broken", other_file},
     {"template_not_yaml", other_file},
+    {"template_extension", other_file},
     {"template_nowhere", other_file},
     {"template_path", other_file},
     {"template_unknown", other_file},

@@ -55,6 +55,15 @@ TEST_CASE("each mistake on the command line is told with what to write instead")
         {"still '" + plain + "' --size 5", "for instance 1280x720"},
         {"check '" + plain + "' --set gas.nobody.count=1",
          "items are counted from 0, or named: `the 200 others`, `the fast disk`"},
+        {"render '" + plain + "' --seed 2 --seed 3", "--seed is given more than once: 2 and 3;"},
+        {"still '" + plain + "' --at five", "--at: expected a number, found `five`;"},
+        {"render '" + plain + "' --threads 0",
+         "--threads: expected a whole number from 1 to 1024, found `0`;"},
+        {"render '" + plain + "' --threads 2x", "found `2x`;"},
+        {"figures '" + plain + "' --formats svg,pgn",
+         "--formats: expected svg, pdf, png or csv, found `pgn`; did you mean png?"},
+        {"check '" + plain + "' --template .", "hint: a name, or a file that ends in .yaml"},
+        {"check '" + plain + "' --set film.template=lectur", "did you mean `lecture`?"},
         {"check '" + plain + "' --fps 9999",
          "--fps 9999: error: expected a whole number from 1 to 120 for `fps`, found `9999`\n"
          "      | --fps 9999\n"

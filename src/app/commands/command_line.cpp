@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -40,7 +41,16 @@ CLI::Option& declare(CLI::App& app, const Option& option, bool* value) {
 
 CLI::Option& declare(CLI::App& app, const Option& option, int* value) {
     constexpr int most = 1024;
-    return *app.add_option(flags_of(option), *value, option.meaning)->check(CLI::Range(1, most));
+    const auto complaint = [=](const std::string& word) {
+        int number = 0;
+        const char* const end = word.data() + word.size();
+        const auto [rest, error] = std::from_chars(word.data(), end, number);
+        const bool is_right = error == std::errc{} && rest == end && number >= 1 && number <= most;
+        return is_right
+                   ? std::string()
+                   : fmt::format("expected a whole number from 1 to {}, found `{}`", most, word);
+    };
+    return *app.add_option(flags_of(option), *value, option.meaning)->check(complaint);
 }
 
 // Behind a flag one word only, so that a scene may stand behind it.
@@ -98,6 +108,12 @@ SceneError as_typed(const SceneError& error, const Command& command, const CLI::
     return SceneError(std::move(all));
 }
 
+std::string other_choice(const std::string& word, const std::vector<std::string>& choices) {
+    const std::string mistake = fmt::format("expected {}, found `{}`", listed(choices, "or"), word);
+    const auto meant = nearest_spelling(word, choices);
+    return meant ? fmt::format("{}; did you mean {}?", mistake, *meant) : mistake;
+}
+
 // With the options of the one that is called: to declare those of all takes a millisecond.
 void add_command(CLI::App& app, const Command& command, bool is_called) {
     CLI::App& declared = *app.add_subcommand(command.name, command.meaning);
@@ -107,7 +123,11 @@ void add_command(CLI::App& app, const Command& command, bool is_called) {
             [&](const auto& value) -> CLI::Option& { return declare(declared, option, value); },
             option.value);
         if (!option.name.starts_with('-')) its.required(!option.name.starts_with('['));
-        if (!option.choices.empty()) its.check(CLI::IsMember(option.choices));
+        if (!option.choices.empty())
+            its.check([choices = option.choices](const std::string& word) {
+                return std::ranges::count(choices, word) > 0 ? std::string()
+                                                             : other_choice(word, choices);
+            });
     }
     declared.callback([&command, &declared] {
         try {
@@ -205,10 +225,20 @@ std::string mistake_in(const CLI::App& app, const CLI::ParseError& error) {
         return unexpected_word(app, command) + help;
     }
     const std::string what = error.what();
+    if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr)
+        for (const CLI::Option* option : command.get_options())
+            if (const std::string flag = option->get_name();
+                what.ends_with(fmt::format(": {} = {}", flag, fmt::join(option->results(), ","))))
+                return fmt::format("{}: expected a number, found `{}`{}", flag,
+                                   fmt::join(option->results(), " "), help);
     const std::string flag = what.substr(0, what.find(':'));
     const CLI::Option* option = command.get_option_no_throw(flag);
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr)
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr) {
+        if (option->results().size() > 1)
+            return fmt::format("{} is given more than once: {}{}", flag,
+                               fmt::join(option->results(), " and "), help);
         return fmt::format("{} needs a value: {}{}", flag, option->get_description(), help);
+    }
     return what + help;
 }
 

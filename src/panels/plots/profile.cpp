@@ -206,10 +206,9 @@ void ProfilePanel::archive(Archive& archive) {
 std::vector<plot::Text> ProfilePanel::titles() const {
     if (spec_.title) return {escape_markup(*spec_.title)};
     const Language language = context_.language();
-    std::string name = name_of_quantity(language, context_.scene, spec_.quantity, {});
+    std::string name = capitalised(name_of_quantity(language, context_.scene, spec_.quantity, {}));
     if (context_.scene.gas.box.dimension == 2)
         name = is_up() ? say(language, "{} along y", name) : say(language, "{} along x", name);
-    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     if (spec_.of.empty()) return {name};
     const plot::Text names = names_of(context_, choices_, plot::Sample::line);
     return {name + ": " + names, names};

@@ -37,13 +37,17 @@ bool same_file(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, ignored);
 }
 
-void report_unknown(const Node& asked, const fs::path& films, Errors& errors) {
+void report_unknown(const Node& asked, const fs::path& scenes, const fs::path& films,
+                    Errors& errors) {
     const std::vector<std::string> names = names_in(films);
+    const std::string& name = asked.text;
     std::string hint = names.empty() ? "no templates in " + films.string()
                                      : fmt::format("templates: {}", fmt::join(names, ", "));
-    if (const auto near = nearest_spelling(asked.text, names))
+    if (const auto near = nearest_spelling(name, names))
         hint = fmt::format("did you mean `{}`?", *near);
-    errors.add(asked, fmt::format("there is no template {}", in_quotes(asked.text)), hint);
+    if (name.ends_with(".yaml") && (is_there(scenes / name) || is_there(films / name)))
+        hint = fmt::format("without its extension: `{}`", fs::path(name).stem().string());
+    errors.add(asked, fmt::format("there is no template {}", in_quotes(name)), hint);
 }
 
 // None where it cannot be read: it is not the template that was asked for.
@@ -180,8 +184,9 @@ std::optional<TemplateFile> find_template(const Node& asked, const fs::path& sce
         return TemplateFile{fs::path{name}.stem().string(), name};
     if (!is_plain_name(name)) {
         errors.add(asked, fmt::format("expected the name of a template, found {}", in_quotes(name)),
-                   "a template is a file in the scene's folder or in templates/films, without "
-                   "folder and extension");
+                   typed ? "a name, or a file that ends in .yaml"
+                         : "a template is a file in the scene's folder or in templates/films, "
+                           "without folder and extension");
         return std::nullopt;
     }
     const fs::path beside = folder_of(scene) / (name + ".yaml");
@@ -196,7 +201,7 @@ std::optional<TemplateFile> find_template(const Node& asked, const fs::path& sce
     }
     const fs::path own = templates / "films" / (name + ".yaml");
     if (is_there(own)) return TemplateFile{name, own};
-    report_unknown(asked, templates / "films", errors);
+    report_unknown(asked, folder_of(scene), templates / "films", errors);
     return std::nullopt;
 }
 

@@ -115,3 +115,11 @@ TEST_CASE("lists are words") {
     CHECK(listed(std::vector<std::string>{"a", "b"}, "or") == "a or b");
     CHECK(listed(std::vector<std::string>{"a", "b", "c"}, "and", "`") == "`a`, `b` and `c`");
 }
+
+TEST_CASE("words begin with a large letter, also one with an accent") {
+    CHECK(capitalised("density") == "Density");
+    CHECK(capitalised("écoulement suivant x") == "Écoulement suivant x");
+    CHECK(capitalised("öffnen") == "Öffnen");
+    CHECK(capitalised("÷ 2") == "÷ 2");
+    CHECK(capitalised("x") == "X");
+}

@@ -1,9 +1,9 @@
 // The program's malloc, which libraries call too: where the system grants no memory, it gives back
 // what the program keeps for that (util/memory/memory_reserve.h) and tries once more; and what is
-// freed in large blocks goes back to the system, or to the next that the thread asks for
-// (util/memory/kept_blocks.h). A part of the program, not of the library: other programs keep their
-// own. Only with glibc, whose functions may be replaced so (its manual, "Replacing malloc"), and
-// without sanitizers, which replace them.
+// freed in large blocks goes back to the system or, in threads that encode films, to the next
+// encoder (util/memory/kept_blocks.h). A part of the program, not of the library: other programs
+// keep their own. Only with glibc, whose functions may be replaced so (its manual, "Replacing
+// malloc"), and without sanitizers, which replace them.
 #include <cstdlib>
 
 #if defined(__GLIBC__)
@@ -60,7 +60,8 @@ constinit Next<void*(void*, std::size_t)> next_realloc("realloc", __libc_realloc
 constinit Next<void*(std::size_t, std::size_t)> next_memalign("memalign", __libc_memalign);
 constinit Next<void(void*)> next_free("free", __libc_free);
 
-// `allocate`, again without what is kept, and with the reserve, where it fails.
+// `allocate`; where it fails, once more after the thread's kept blocks are freed, and once more
+// after the reserve is given back.
 template <class Allocate>
 void* with_reserve(const Allocate& allocate) noexcept {
     if (void* const made = allocate()) return made;

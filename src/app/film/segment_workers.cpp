@@ -74,7 +74,7 @@ void SegmentWorkers::rethrow_if_failed() {
 
 void SegmentWorkers::work() {
     try {
-        const KeptBlocks kept;  // each encoder takes what the one before it had
+        const KeptBlocks kept;
         FramePainter painter(panels_);
         WorkerSeconds seconds;
         while (true) {
@@ -114,7 +114,10 @@ void SegmentWorkers::draw_segment(std::size_t index, FramePainter& painter,
         progress_.advance();
     }
     const Stopwatch encoding;
-    segment->finish();
+    {
+        const KeptBlocks::Collection for_the_next_encoder;
+        segment->finish();
+    }
     seconds.encode += encoding.cpu();
     join(index, std::move(segment));
 }

@@ -22,7 +22,8 @@ namespace carom {
 class AtomicFile : public PendingOutput {
   public:
     /// Creates the folder of `path` when it is missing. Throws SystemError naming the path and the
-    /// cause, for a device or a pipe too; UsageError where `path` was read (one_use_paths.h), or another output is written.
+    /// cause, for a device or a pipe too; UsageError where `path` was read (one_use_paths.h), or
+    /// another output is written.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile() override;
 

@@ -17,6 +17,16 @@ KeptBlocks::KeptBlocks() noexcept {
     if (current == nullptr) current = this;
 }
 
+KeptBlocks::Collection::Collection() noexcept {
+    if (current == nullptr) return;
+    current->release();
+    current->is_collecting_ = true;
+}
+
+KeptBlocks::Collection::~Collection() {
+    if (current != nullptr) current->is_collecting_ = false;
+}
+
 KeptBlocks::~KeptBlocks() {
     release();
     if (current == this) current = nullptr;
@@ -27,7 +37,7 @@ void KeptBlocks::free_with(void (*free)(void*)) noexcept { free_block = free; }
 KeptBlocks* KeptBlocks::of_thread() noexcept { return current; }
 
 bool KeptBlocks::keep(void* block, std::size_t bytes) noexcept {
-    if (bytes < least_bytes || count_ == blocks_.size()) return false;
+    if (!is_collecting_ || bytes < least_bytes || count_ == blocks_.size()) return false;
     blocks_[count_++] = {block, bytes};
     return true;
 }
@@ -35,7 +45,7 @@ bool KeptBlocks::keep(void* block, std::size_t bytes) noexcept {
 void* KeptBlocks::take(std::size_t alignment, std::size_t bytes) noexcept {
     if (bytes < least_bytes) return nullptr;
     constexpr std::size_t page = 4096;
-    // Behind an aligned block lies what its alignment did not need.
+    // For an aligned block glibc takes as much more as the alignment; the rest stays behind it.
     const std::size_t most = bytes + 2 * page + (alignment > page ? alignment : 0);
     Block* const end = blocks_.data() + count_;
     Block* const found = std::find_if(blocks_.data(), end, [&](const Block& block) {

@@ -7,26 +7,37 @@
 
 namespace carom {
 
-/// While one lives, the program's malloc (app/allocation.cpp) gives large blocks that its thread
-/// has freed to the same thread again. Of one thread: it must be destroyed by the thread that made
-/// it. Where one lives already, a second does nothing.
+/// The large blocks of one thread. The program's malloc (app/allocation.cpp) keeps what the thread
+/// frees while a `Collection` is open, and gives it to the same thread again. Must be destroyed by
+/// the thread that made it. Where a thread has one already, a second does nothing.
 class KeptBlocks {
   public:
     static constexpr std::size_t least_bytes = std::size_t{1} << 20;  ///< of a large block
+
+    /// While it lives, those of its thread keep what is freed; what they kept before and nobody has
+    /// asked for is freed first. Does nothing in a thread that has none.
+    class Collection {
+      public:
+        Collection() noexcept;
+        Collection(const Collection&) = delete;
+        Collection& operator=(const Collection&) = delete;
+        ~Collection();
+    };
 
     KeptBlocks() noexcept;
     KeptBlocks(const KeptBlocks&) = delete;
     KeptBlocks& operator=(const KeptBlocks&) = delete;
     ~KeptBlocks();  ///< frees what is kept
 
-    /// With what all of them free, std::free unless the program's own free keeps blocks here. To be
-    /// called before the first is made.
+    /// The function by which kept blocks are freed: std::free, unless told otherwise, which the
+    /// program's malloc does, whose own free keeps blocks. To be called before the first is made.
     static void free_with(void (*free)(void*)) noexcept;
 
     /// Those of this thread, if any.
     static KeptBlocks* of_thread() noexcept;
 
-    /// Keeps a block of so many bytes that is to be freed; false if it must be freed.
+    /// Keeps a block of so many bytes that is to be freed; false if it must be freed, as always
+    /// while no collection is open.
     bool keep(void* block, std::size_t bytes) noexcept;
 
     /// A kept block with room for so many bytes, not much more, and this alignment, a power of two;
@@ -43,6 +54,7 @@ class KeptBlocks {
     };
     std::array<Block, 64> blocks_;  ///< the first count_ of them
     std::size_t count_ = 0;
+    bool is_collecting_ = false;
 };
 
 }  // namespace carom

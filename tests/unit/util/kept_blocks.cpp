@@ -23,6 +23,7 @@ void* block_of(std::size_t bytes, std::size_t alignment = 64) {
 
 TEST_CASE("a kept block is given to a request of its size once") {
     KeptBlocks kept;
+    const KeptBlocks::Collection collection;
     void* const block = block_of(4 * mebibyte);
     CHECK(kept.take(16, 4 * mebibyte) == nullptr);
     REQUIRE(kept.keep(block, 4 * mebibyte));
@@ -35,19 +36,21 @@ TEST_CASE("a kept block is given to a request of its size once") {
 
 TEST_CASE("a kept block is given where its address has the alignment that is asked for") {
     KeptBlocks kept;
+    const KeptBlocks::Collection collection;
     constexpr std::size_t alignment = 2 * mebibyte;
     auto* const whole = static_cast<std::uint8_t*>(block_of(8 * mebibyte, alignment));
     REQUIRE(kept.keep(whole + 64, 4 * mebibyte));
     CHECK(kept.take(alignment, 4 * mebibyte) == nullptr);
-    CHECK(kept.take(64, 4 * mebibyte) == whole + 64);
+    REQUIRE(kept.take(64, 4 * mebibyte) == whole + 64);
     REQUIRE(kept.keep(whole, 5 * mebibyte));
     CHECK(kept.take(64, 4 * mebibyte) == nullptr);
-    CHECK(kept.take(alignment, 4 * mebibyte) == whole);  // what lies behind was for its alignment
+    REQUIRE(kept.take(alignment, 4 * mebibyte) == whole);  // what lies behind was for its alignment
     std::free(whole);
 }
 
 TEST_CASE("small blocks and more than its room are not kept") {
     KeptBlocks kept;
+    const KeptBlocks::Collection collection;
     std::uint8_t small = 0;
     CHECK_FALSE(kept.keep(&small, mebibyte - 1));
     CHECK_FALSE(kept.release());
@@ -77,4 +80,26 @@ TEST_CASE("each thread has its own kept blocks, and the first of them counts") {
         CHECK(KeptBlocks::of_thread() == &first);
     }
     CHECK(KeptBlocks::of_thread() == nullptr);
+}
+
+TEST_CASE("blocks are kept while they are collected, until the next collection") {
+    KeptBlocks kept;
+    void* const block = block_of(2 * mebibyte);
+    CHECK_FALSE(kept.keep(block, 2 * mebibyte));
+    {
+        const KeptBlocks::Collection collection;
+        REQUIRE(kept.keep(block, 2 * mebibyte));
+    }
+    void* const again = kept.take(64, 2 * mebibyte);
+    REQUIRE(again == block);
+    CHECK_FALSE(kept.keep(again, 2 * mebibyte));
+    {
+        const KeptBlocks::Collection collection;
+        REQUIRE(kept.keep(again, 2 * mebibyte));
+    }
+    {
+        const KeptBlocks::Collection collection;
+        CHECK(kept.take(64, 2 * mebibyte) == nullptr);
+    }
+    CHECK_FALSE(kept.release());
 }

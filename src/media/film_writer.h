@@ -21,9 +21,12 @@ class Archive;
 
 enum class Quality { draft, standard, final_ };
 
-/// How a film moves, for its encoder: few edges slowly; many edges, or beads or a field slowly; or
-/// few edges by several pixels from frame to frame.
-enum class Motion { sparse, usual, fast };
+/// How a film moves, for its encoder.
+enum class Motion {
+    sparse,  ///< few edges, slowly
+    usual,   ///< many edges; or beads or a field, slowly
+    fast     ///< few edges, by several pixels from frame to frame
+};
 
 /// A part of a film that players can jump to.
 struct FilmChapter {

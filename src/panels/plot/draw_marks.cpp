@@ -56,7 +56,10 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
             place.rect = rect_of(frame, place.baseline, anchor.align, width);
             if (steps && !frame.placer.is_inside(place.rect)) break;
             if (lies_on_x_axis(frame, place.rect)) break;
-            if (has_shorter && !fits_across(frame, place)) break;
+            if (!fits_across(frame, place)) {
+                if (has_shorter) break;
+                place.has_sample = false;  // it would lie on the numbers of the axis
+            }
             if (frame.placer.is_free(place.rect)) return place;
             if (!steps) break;
             place.baseline.x += frame.pixels(anchor.step.x);
@@ -88,8 +91,10 @@ std::optional<Place> place_of(const Frame& frame, const Label& label) {
     if (label.may_be_left_out || label.anchors.empty()) return {};
     const Anchor& first = label.anchors.front();
     const Point at = place_of(frame, first);
-    return Place{at,    first.align, rect_of(frame, at, first.align, width), first.has_sample,
-                 words, false};
+    Place place{at,    first.align, rect_of(frame, at, first.align, width), first.has_sample,
+                words, false};
+    place.has_sample = place.has_sample && fits_across(frame, place);
+    return place;
 }
 
 }  // namespace

@@ -13,13 +13,14 @@ namespace carom::plot {
 namespace {
 
 constexpr double sample_gap = 0.5, entry_gap = 1.5;  // of notes, units
-constexpr double first_baseline = 2.5;               // of notes, units
-constexpr double least_left = 3.0;                   // for the labels of the axis up, units
-constexpr double zero_place_height = 1.5;            // units
-constexpr double sample_over_plot = 2.4;  // of notes that begin at the plot's edge, units
-constexpr double gap_over_bars = 0.4;     // under notes, for the counts of bars that are cut, units
-constexpr double gap_beside = 1.4;        // between a plot and the note beside it, units
-constexpr double most_rows = 0.45;        // of the height, that a note takes which may be beside
+constexpr double narrow_gap = 0.5;         // between entries that are in one row for want of room
+constexpr double first_baseline = 2.5;     // of notes, units
+constexpr double least_left = 3.0;         // for the labels of the axis up, units
+constexpr double zero_place_height = 1.5;  // units
+constexpr double sample_over_plot = 2.4;   // of notes that begin at the plot's edge, units
+constexpr double gap_over_bars = 0.4;  // under notes, for the counts of bars that are cut, units
+constexpr double gap_beside = 1.4;     // between a plot and the note beside it, units
+constexpr double most_rows = 0.45;     // of the height, that a note takes which may be beside
 constexpr double thinnest = 0.8, widest = 1.6;  // of a plot beside a note, width over height
 
 // How much lower rows of words stand over bars.
@@ -56,6 +57,40 @@ PlacedEntry measured(const Note& note, const KeyEntry& entry, std::size_t length
     const double gap = sample > 0.0 ? sample_gap * dc.unit : 0.0;
     const Text& words = entry.longest ? *entry.longest : words_of(entry, length);
     return {&entry, length, {}, sample, sample + gap + width_of(words, dc)};
+}
+
+// Makes the widest of them narrower, until all have room side by side.
+void squeeze(std::vector<PlacedEntry>& row, double room) {
+    std::vector<double> widths;
+    for (const PlacedEntry& one : row) widths.push_back(one.width);
+    std::ranges::sort(widths);
+    double most = room;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        most = room / static_cast<double>(widths.size() - i);
+        if (widths[i] > most) break;
+        room -= widths[i];
+    }
+    for (PlacedEntry& one : row) one.width = std::min(one.width, most);
+}
+
+// All in one row, the ends of some words cut off; none where too little of them would be left.
+std::vector<PlacedEntry> places_in_one_row(const Note& note, const DrawContext& dc, Point start) {
+    constexpr double most_cut = 0.1;  // of all words
+    std::vector<PlacedEntry> placed;
+    double whole = 0.0;
+    for (const KeyEntry& entry : note.entries) {
+        placed.push_back(measured(note, entry, entry.words.size() - 1, dc));
+        whole += placed.back().width;
+    }
+    const double gap = narrow_gap * dc.unit;
+    const double room = dc.area.width - gap * static_cast<double>(placed.size() - 1);
+    if (room < (1.0 - most_cut) * whole) return {};
+    squeeze(placed, room);
+    for (PlacedEntry& one : placed) {
+        one.at = start;
+        start.x += one.width + gap;
+    }
+    return placed;
 }
 
 // In rows, from the left end of the first one's baseline.
@@ -111,15 +146,12 @@ std::vector<PlacedEntry> places_beside(const Note& note, const DrawContext& dc, 
     return placed;
 }
 
-}  // namespace
-
+// The height of its rows, units.
 double height_of(const Note& note, const DrawContext& dc) {
     if (note.entries.empty()) return note.changes ? note_height : 0.0;
     const std::vector<PlacedEntry> placed = places(note, dc);
     return note_height + (placed.empty() ? 0.0 : placed.back().at.y / dc.unit);
 }
-
-namespace {
 
 // Whether all but the last of the titles are too long.
 bool has_short_title(const Plot& plot, const DrawContext& dc) {
@@ -136,17 +168,27 @@ bool has_short_title(const Plot& plot, const DrawContext& dc) {
     return true;
 }
 
+struct ShownNote {
+    const Note* note;
+    double height;       // units
+    bool is_in_one_row;  // although it wraps: there is no room for more
+};
+
 // The notes that are drawn: those for which the title leaves no room, and as many as leave room to
-// the data.
-std::vector<const Note*> notes_of(const Plot& plot, const DrawContext& dc) {
+// the data. A key whose rows do not is cut to one: lines that have no names tell nothing.
+std::vector<ShownNote> notes_of(const Plot& plot, const DrawContext& dc) {
     double room = plot_area(dc).height / dc.unit - least_height;
-    std::vector<const Note*> notes;
+    std::vector<ShownNote> notes;
     for (const Note& note : plot.notes) {
         if (note.is_of_short_title && !has_short_title(plot, dc)) continue;
-        const double height = height_of(note, dc);
-        if (!note.may_be_beside && height > room) continue;
-        room -= height;
-        notes.push_back(&note);
+        ShownNote shown{&note, height_of(note, dc), false};
+        if (!note.may_be_beside && shown.height > room) {
+            const bool is_key = note.wraps && note.is_of_short_title && note.entries.size() > 1;
+            if (!is_key || note_height > room || places_in_one_row(note, dc, {}).empty()) continue;
+            shown = {&note, note_height, true};
+        }
+        room -= shown.height;
+        notes.push_back(shown);
     }
     return notes;
 }
@@ -155,8 +197,8 @@ std::vector<const Note*> notes_of(const Plot& plot, const DrawContext& dc) {
 
 double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_beside) {
     double sum = 0.0;
-    for (const Note* note : notes_of(plot, dc))
-        if (!(note->may_be_beside && is_key_beside)) sum += height_of(*note, dc);
+    for (const ShownNote& shown : notes_of(plot, dc))
+        if (!(shown.note->may_be_beside && is_key_beside)) sum += shown.height;
     return sum;
 }
 
@@ -212,18 +254,19 @@ void draw_note(Canvas& canvas, const Frame& frame, const std::vector<PlacedEntry
 void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part) {
     const DrawContext& dc = frame.dc;
     double y = dc.area.y + first_baseline * dc.unit + drop_over_bars(plot, dc);
-    for (const Note* one : notes_of(plot, dc)) {
-        const Note& note = *one;
+    for (const ShownNote& shown : notes_of(plot, dc)) {
+        const Note& note = *shown.note;
         const bool is_beside = note.may_be_beside && frame.is_key_beside;
         if (note.changes == (part == Part::changing)) {
             if (note.is_over_plot)
                 draw_note_over_plot(canvas, frame, note, y);
             else
                 draw_note(canvas, frame,
-                          is_beside ? places_beside(note, dc, frame.area)
-                                    : places(note, dc, {dc.area.x, y}));
+                          is_beside             ? places_beside(note, dc, frame.area)
+                          : shown.is_in_one_row ? places_in_one_row(note, dc, {dc.area.x, y})
+                                                : places(note, dc, {dc.area.x, y}));
         }
-        if (!is_beside) y += height_of(note, dc) * dc.unit;
+        if (!is_beside) y += shown.height * dc.unit;
     }
 }
 

@@ -314,7 +314,7 @@ TEST_CASE("a key that is longer than a column takes several rows") {
     const auto rows = [&](const std::vector<std::string>& names) {
         plot::Plot plot;
         name_runs(plot, names);
-        return height_of(plot.notes.front(), dc) / note_height;
+        return height_of_rows(plot, dc, false) / note_height;
     };
     CHECK(rows({}) == 0);
     CHECK(rows({"one", "two", "three"}) == 1);

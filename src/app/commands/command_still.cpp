@@ -85,7 +85,8 @@ CommandText still_text() {
     return {
         {"carom still SCENE [--at T] [-o PICTURE] [options]"},
         "Draws the frame of the film that is nearest to simulated time T; without --at, the first. "
-        "SVG and PDF contain lines, curves and text that can be searched, and no pixels.",
+        "SVG and PDF contain lines, curves and letters, and no pixels; the words of a PDF can be "
+        "searched.",
         {{"carom still scenes/one-hot-particle.yaml --at 3", "writes out/one-hot-particle.png"},
          {"carom still scenes/one-hot-particle.yaml --at 3 -o frame.pdf --theme print",
           "the same frame for print"},

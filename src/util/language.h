@@ -29,6 +29,11 @@ struct Phrase {
 /// Those words in a language; in English where the table has none.
 std::string say(Language language, Phrase phrase);
 
+/// What stands between numbers in a row: a semicolon where they may have commas themselves.
+constexpr std::string_view between_numbers(Language language) {
+    return language == Language::english ? ", " : "; ";
+}
+
 /// A number as written in English, with the decimal sign of a language.
 std::string localised(Language language, std::string number);
 

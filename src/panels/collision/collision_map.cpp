@@ -69,10 +69,8 @@ std::vector<std::string> numbers(Language language, const Vector& velocity) {
     return {words(velocity[0]), words(velocity[1])};
 }
 
-// A comma between numbers that have commas would be one too many.
 std::string in_brackets(Language language, const Vector& velocity) {
-    const char* between = language == Language::english ? ", " : "; ";
-    return fmt::format("({})", fmt::join(numbers(language, velocity), between));
+    return fmt::format("({})", fmt::join(numbers(language, velocity), between_numbers(language)));
 }
 
 class CollisionMapPanel : public PlotPanel {

@@ -198,7 +198,7 @@ void SingleCollisionPanel::draw_words(Canvas& canvas, const DrawContext& dc,
         index == 1
             ? std::array<std::string, 3>{say(language, "changes") + " ", "|Δ<i>v</i>| ", "Δ "}
             : std::array<std::string, 3>{say(language, "speeds") + " ", "|<i>v</i>| ", ""};
-    const char* between = language == Language::english ? ", " : "; ";
+    const std::string between(between_numbers(language));
     for (const std::string& words : all) {
         const std::string text =
             plot::markup_of(plot::Text(words) + first + between + second, dc.theme);

@@ -185,7 +185,7 @@ void draw_counts_of_broken_bars(Canvas& canvas, const Frame& frame, const Plot& 
     for (std::size_t i = 0; i < first.value.size(); ++i) {
         for (const Bars* bars : all) {
             if (!is_broken(*bars, i)) continue;
-            if (!words.empty()) words += ", ";
+            if (!words.empty()) words += std::string(between_numbers(plot.language));
             words += named(bars->broken[i], bars->role);
         }
         const bool is_next_broken = i + 1 < first.value.size() && is_any_broken(all, i + 1);

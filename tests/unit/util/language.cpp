@@ -178,3 +178,9 @@ TEST_CASE("counts have the plural of the language") {
 TEST_CASE("words that the table does not have stay English") {
     CHECK(say(Language::german, Phrase{std::string_view("no such words")}) == "no such words");
 }
+
+TEST_CASE("numbers with commas in a row have semicolons between them") {
+    CHECK(between_numbers(Language::english) == ", ");
+    for (const Language language : {Language::german, Language::french, Language::spanish})
+        CHECK(between_numbers(language) == "; ");
+}

@@ -4,6 +4,7 @@
 
 #include "draw/style.h"
 #include "panels/plot/draw_bars.h"
+#include "panels/plot/notes.h"
 
 namespace carom::plot {
 namespace {

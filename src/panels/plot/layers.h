@@ -76,11 +76,6 @@ ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, dou
 /// Draws an arrow between two points of the canvas.
 void draw_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point to, const Arrow& arrow);
 
-/// The height of all notes under the title that are drawn, in units, but for the one that stands
-/// beside the plot if it does; those that would leave less than `least_height` to the data are not.
-double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_beside);
-inline constexpr double least_height = 2.4;  // units
-
 /// A text as markup in a theme's colours.
 std::string markup_of(const Text& text, const Theme& theme);
 

@@ -10,7 +10,7 @@
 #include "draw/style.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
-#include "panels/plot/layers.h"
+#include "panels/plot/notes.h"
 #include "panels/plots/histogram_panel.h"
 #include "panels/plots/series_panel.h"
 #include "scene/limits.h"
@@ -320,6 +320,32 @@ TEST_CASE("a key that is longer than a column takes several rows") {
     CHECK(rows({"one", "two", "three"}) == 1);
     CHECK(rows({"a name of some length", "another name like it", "and a third"}) == 2);
     CHECK(rows({std::string(200, 'x'), "short"}) == 2);
+}
+
+TEST_CASE(
+    "a key has one row where two leave too little to the plot, and none where that cuts much") {
+    DiskPainter disks;
+    const auto rows = [&](double height, const std::vector<std::string>& names) {
+        const DrawContext dc{{0, 0, 360, height}, 10, theme(ThemeKind::print), disks};
+        plot::Plot plot;
+        plot.notes = {{.wraps = true, .is_of_short_title = true}};
+        for (const std::string& name : names)
+            plot.notes.front().entries.push_back({.words = {plot::Text(name)}});
+        return height_of_rows(plot, dc, false) / note_height;
+    };
+    std::vector<std::string> names{"light", "heavy"};  // just too long for one row
+    while (rows(300, names) < 2)
+        for (std::string& name : names) name += "e";
+    const std::vector<std::string> longer{std::string(60, 'x'), std::string(60, 'y')};
+    CHECK(rows(300, longer) == 2);
+    // The heights at which two rows are too many and one is not.
+    std::set<double> seen, of_longer;
+    for (double height = 20; height < 300; height += 1) {
+        seen.insert(rows(height, names));
+        of_longer.insert(rows(height, longer));
+    }
+    CHECK(seen == std::set<double>{0, 1, 2});
+    CHECK(of_longer == std::set<double>{0, 2});
 }
 
 TEST_CASE("pressure and area of two runs are two paths, with theory where they begin alike") {

@@ -54,6 +54,8 @@ double difference(Color one, Color other);
 
 /// Contrast ratio of WCAG 2.2, dimensionless in [1, 21].
 double contrast(Color a, Color b);
+
+/// The same of two colours by their relative luminances.
 double contrast_of_luminances(double a, double b);
 
 }  // namespace carom

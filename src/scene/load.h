@@ -16,6 +16,9 @@ namespace carom {
 /// with a key path (counted lists: gas.0.count) and a YAML value each; the last wins.
 using Overrides = std::vector<std::string>;
 
+/// What messages call such a change, and show as its text: "--set KEY.PATH=VALUE".
+std::string text_of_change(const std::string& change);
+
 /// What the scene is for. A scene that says nothing of a film is one of 1 second for each unit of
 /// time where a film is wanted, and has none where only the physics is.
 enum class Wanted { film, physics };

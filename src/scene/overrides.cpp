@@ -101,8 +101,9 @@ void apply(const Source& source, std::size_t begin, Node& scene, Errors& errors)
 
 }  // namespace
 
+std::string text_of_change(const std::string& change) { return "--set " + change; }
+
 void apply_overrides(const Overrides& overrides, Node& scene, Sources& sources, Errors& errors) {
-    constexpr std::string_view option = "--set ";
     if (overrides.size() > most_overrides.count()) {
         sources.push_back({"--set", "", Origin::command_line});
         errors.add(sources.back(), fmt::format("{} values are set", overrides.size()),
@@ -110,9 +111,9 @@ void apply_overrides(const Overrides& overrides, Node& scene, Sources& sources, 
         return;
     }
     for (const std::string& change : overrides) {
-        const std::string text = fmt::format("{}{}", option, change);
+        const std::string text = text_of_change(change);
         sources.push_back({text, text, Origin::command_line});
-        apply(sources.back(), option.size(), scene, errors);
+        apply(sources.back(), text.size() - change.size(), scene, errors);
     }
 }
 

@@ -82,19 +82,17 @@ void place_at_option(Diagnostic& diagnostic, const Option& option, const CLI::Ap
     const CLI::Option* const given =
         option.key.empty() ? nullptr : called.get_option_no_throw(flags_of(option));
     if (given == nullptr || given->empty()) return;
-    constexpr std::string_view set = "--set ";
     const std::string& value = given->results().back();
-    const std::string change = change_of(option.key, value);
-    if (diagnostic.span.file != fmt::format("{}{}", set, change)) return;
-    const std::string flag = flags_of(option) + " ";
-    const auto before = static_cast<int>(set.size() + option.key.size() + 1);
-    const auto column = static_cast<int>(flag.size()) + diagnostic.span.column - before;
-    diagnostic.span.file = diagnostic.source_line = flag + value;
-    if (change == option.key + "=" + value) {
-        diagnostic.span.column = column;
-    } else {
-        diagnostic.span.column = static_cast<int>(flag.size()) + 1;
-        diagnostic.span.length = static_cast<int>(value.size());
+    const std::string change = change_of(option.key, value), flag = flags_of(option) + " ";
+    const std::string text = text_of_change(change);
+    SourceSpan& span = diagnostic.span;
+    if (span.file != text) return;
+    span.file = diagnostic.source_line = flag + value;
+    if (text.ends_with("=" + value)) {
+        span.column += static_cast<int>(span.file.size()) - static_cast<int>(text.size());
+    } else {  // written as YAML in another way: all of it
+        span.column = static_cast<int>(flag.size()) + 1;
+        span.length = static_cast<int>(value.size());
     }
 }
 
@@ -108,10 +106,16 @@ SceneError as_typed(const SceneError& error, const Command& command, const CLI::
     return SceneError(std::move(all));
 }
 
-std::string other_choice(const std::string& word, const std::vector<std::string>& choices) {
-    const std::string mistake = fmt::format("expected {}, found `{}`", listed(choices, "or"), word);
-    const auto meant = nearest_spelling(word, choices);
+// A mistake, and which of these the word was meant to be, if one is near.
+std::string with_meant(const std::string& mistake, const std::string& word,
+                       const std::vector<std::string>& known) {
+    const auto meant = nearest_spelling(word, known);
     return meant ? fmt::format("{}; did you mean {}?", mistake, *meant) : mistake;
+}
+
+std::string other_choice(const std::string& word, const std::vector<std::string>& choices) {
+    return with_meant(fmt::format("expected {}, found `{}`", listed(choices, "or"), word), word,
+                      choices);
 }
 
 // With the options of the one that is called: to declare those of all takes a millisecond.
@@ -187,8 +191,7 @@ std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
     std::vector<std::string> flags;
     for (const CLI::Option* option : command.get_options())
         for (const std::string& its : option->get_lnames()) flags.push_back("--" + its);
-    const auto meant = nearest_spelling(word, flags);
-    return meant ? fmt::format("{}; did you mean {}?", mistake, *meant) : mistake;
+    return with_meant(mistake, word, flags);
 }
 
 // "carom render SCENE...", of a command whose words are missing.

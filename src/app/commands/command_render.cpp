@@ -228,10 +228,9 @@ RenderReport render_all(const std::vector<Scene>& scenes, const JoinedTitle& tit
 }
 
 // Writes nothing of a film of more bytes than `most`.
-RenderReport render_to_stream(const std::string& name, const std::vector<Scene>& scenes,
+RenderReport render_to_stream(Output& stream, const std::vector<Scene>& scenes,
                               const JoinedTitle& title, FilmOptions options, double most,
                               Progress& progress) {
-    Output stream(name);
     const ScratchFolder folder;
     options.output = folder.path() / options.output;
     const RenderReport report = render_all(scenes, title, options, progress);
@@ -283,24 +282,27 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     const double most = most_bytes(arguments);
     std::vector<Scene> scenes = asked;
     RenderReport report;
+    std::optional<Output>
+        whole;  // page or stream, opened once: the reader of a pipe leaves at its end
+    const bool is_page = !arguments.page.empty();
+    const std::string target = is_page ? output.string() : arguments.destination.output;
     // What was measured on a few frames may be a little less than the whole film.
     for (double aim = most;; aim *= 0.9) {
         if (std::isfinite(most)) scenes = fitted(arguments, asked, aim, options, progress);
-        if (!arguments.page.empty())
-            report = render_page(scenes.front(), options, output.string(), most, progress);
-        else if (const std::string& stream = arguments.destination.output;
-                 Output::is_stream(stream))
-            report = render_to_stream(stream, scenes, title, options, most, progress);
+        if (!whole && (is_page || Output::is_stream(target))) whole.emplace(target);
+        if (is_page)
+            report = render_page(scenes.front(), options, *whole, most, progress);
+        else if (whole)
+            report = render_to_stream(*whole, scenes, title, options, most, progress);
         else
             report = render_all(scenes, title, options, progress);
         if (static_cast<double>(report.bytes) <= most) break;
-        if (!arguments.page.empty()) continue;  // it was not written
+        if (is_page) continue;  // it was not written
         std::error_code error;
         fs::remove_all(report.path, error);  // it does not stay where none fits
     }
     print_report(arguments, scenes.front(), report);
-    if (!arguments.quiet)
-        say(warnings_of(report, format_of_film(options.output), !arguments.page.empty()));
+    if (!arguments.quiet) say(warnings_of(report, format_of_film(options.output), is_page));
 }
 
 // What a plan has fixed already, or would be the same for all its chunks.

@@ -24,8 +24,7 @@ std::string recipe(const Scene& scene, const FilmOptions& options) {
     std::string text = fmt::format("seed: {}\n", scene.seed);
     if (options.from) text += fmt::format("--from {}\n", *options.from);
     if (options.to) text += fmt::format("--to {}\n", *options.to);
-    for (const std::string& change : scene.source.overrides)
-        text += fmt::format("--set {}\n", change);
+    for (const std::string& change : scene.source.overrides) text += text_of_change(change) + "\n";
     return text + "\n" + scene.source.text;
 }
 

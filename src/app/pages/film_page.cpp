@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/output.h"
 #include "app/resources.h"
 #include "app/scratch_folder.h"
 #include "media/base64.h"
@@ -96,9 +95,9 @@ std::string film_page(const Source& page, const FilmPage& its) {
     return filled_page(page, PageKind::html, fields, placeholders_of_film());
 }
 
-RenderReport render_page(const Scene& scene, FilmOptions options, const std::string& page,
-                         double most, Progress& progress) {
-    Output output(page);  // before the work: it may not be allowed to write it
+RenderReport render_page(const Scene& scene, FilmOptions options, Output& output, double most,
+                         Progress& progress) {
+    const std::string page = output.name();
     const Source document = document_template("film.html");
     const ScratchFolder folder;
     options.output = folder.path() / options.output.filename();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/film/render.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "figures/page.h"
 #include "scene/scene.h"
@@ -37,10 +38,11 @@ std::string film_page(const Source& page, const FilmPage& its);
 /// addresses of 32 MiB.
 inline constexpr double most_inlined_bytes = 24e6;
 
-/// Renders the film of a scene into a page of its own, whole or not at all; `page` may be `-`.
-/// Of a film of more than `most` bytes it writes nothing. The report is about the film, its path
-/// that of the page. The ending of `options.output` gives the format. Throws as render() does.
-RenderReport render_page(const Scene& scene, FilmOptions options, const std::string& page,
-                         double most, Progress& progress);
+/// Renders the film of a scene into a page of its own, whole or not at all.
+/// Of a film of more than `most` bytes it writes nothing, and may be called again. The report is
+/// about the film, its path that of the page. The ending of `options.output` gives the format.
+/// Throws as render() does.
+RenderReport render_page(const Scene& scene, FilmOptions options, Output& page, double most,
+                         Progress& progress);
 
 }  // namespace carom

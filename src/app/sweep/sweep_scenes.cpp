@@ -16,7 +16,7 @@ namespace {
 
 // A mistake in what an axis says stands in its text, not in that of a --set.
 void place_at_axis(Diagnostic& diagnostic, const Sweep& sweep, const std::string& change) {
-    if (diagnostic.span.file != "--set " + change) return;
+    if (diagnostic.span.file != text_of_change(change)) return;
     const std::string key = change.substr(0, change.find('='));
     for (const SweepAxis& axis : sweep.axes)
         if (axis.key == key) diagnostic.span = {.file = "--vary " + key};

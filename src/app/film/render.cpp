@@ -12,6 +12,7 @@
 #include "app/means.h"
 #include "app/simulate.h"
 #include "draw/pages/pages.h"
+#include "scene/load.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"

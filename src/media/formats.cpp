@@ -21,20 +21,20 @@ constexpr PowerLaw megabytes_of_300(double at_200, double at_1000) {
     return {1e6 / 300 * at_200, 1e6 / 300 * at_1000};
 }
 
-constexpr FormatCost mp4_cost{.core_seconds = milliseconds(16.7, 25.3),
-                              .bytes = megabytes_of_300(2.56, 5.14),
+constexpr FormatCost mp4_cost{.core_seconds = milliseconds(9.3, 13.0),
+                              .bytes = megabytes_of_300(2.62, 5.14),
                               .power_of_pixels = 0.5,
                               .memory_per_pixel = 48,
-                              .seconds_by_quality = {.draft = 0.6, .final_ = 2.3},
+                              .seconds_by_quality = {.draft = 0.65, .final_ = 3.0},
                               .bytes_by_quality = {.draft = 2.2, .final_ = 1.4}};
-constexpr FormatCost webm_cost{.core_seconds = milliseconds(40.7, 57.5),
-                               .bytes = megabytes_of_300(3.62, 8.12),
+constexpr FormatCost webm_cost{.core_seconds = milliseconds(23.8, 34.5),
+                               .bytes = megabytes_of_300(3.69, 8.14),
                                .power_of_pixels = 0.5,
                                .memory_per_pixel = 100,
-                               .seconds_by_quality = {.draft = 0.65, .final_ = 4.8},
+                               .seconds_by_quality = {.draft = 0.65, .final_ = 5.3},
                                .bytes_by_quality = {.draft = 0.8, .final_ = 1.0}};
-constexpr FormatCost gif_cost{milliseconds(21.7, 28.3), megabytes_of_300(10.9, 20.4), 0.7, 30, 0.7};
-constexpr FormatCost png_cost{milliseconds(94.1, 96.6), megabytes_of_300(73.1, 109), 0.8, 24};
+constexpr FormatCost gif_cost{milliseconds(13.5, 17.2), megabytes_of_300(10.6, 20.4), 0.7, 30, 0.6};
+constexpr FormatCost png_cost{milliseconds(62.2, 68.2), megabytes_of_300(73.5, 109), 0.8, 24};
 
 // Of 200 and 1000 disks at 1080p, roughly: pages are drawn one by one, and only their memory
 // counts.

@@ -136,12 +136,12 @@ TEST_CASE("carom check names words that have no room, and a field of blank cells
     CHECK(told("4").find("on average") == std::string::npos);  // of 12: 8 in each
 }
 
-// As measured: docs/encoding.md has 16.7 and 25.3 ms of one core a frame, and 2.56 and 5.14 MB in
+// As measured: docs/encoding.md has 9.3 and 13.0 ms of one core a frame, and 2.62 and 5.14 MB in
 // 300 frames, of 200 and 1,000 disks.
 TEST_CASE("the rough cost of a film is that of the films that were measured") {
     const std::string rest = "run: {until: 0.001}\nfilm: {seconds: 10}\n";
     for (const auto& [disks, milliseconds, megabytes] :
-         {std::tuple{200, 16.7, 2.56}, {1000, 25.3, 5.14}}) {
+         {std::tuple{200, 9.3, 2.62}, {1000, 13.0, 5.14}}) {
         const json rough =
             checked("box: {size: [64, 48]}\ngas: [{radius: 0.3, count: " + std::to_string(disks) +
                     "}]\n" + rest)

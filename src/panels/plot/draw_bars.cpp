@@ -68,16 +68,20 @@ bool is_any_broken(const std::vector<const Bars*>& all, std::size_t bin) {
     return std::ranges::any_of(all, [&](const Bars* bars) { return is_broken(*bars, bin); });
 }
 
-// Two strokes across each bar that is taller than the axis.
+// Two strokes across each bar that is taller than the axis, and across all of such neighbours.
 void draw_breaks(Canvas& canvas, const Frame& frame, const std::vector<const Bars*>& all) {
     const double u = frame.dc.unit;
     const Bars& first = *all.front();
-    for (std::size_t i = 0; i < first.value.size(); ++i) {
-        if (!is_any_broken(all, i)) continue;
-        const double left = frame.x(first.from[i]), right = frame.x(first.to[i]);
+    const std::size_t count = first.value.size();
+    for (std::size_t from = 0; from < count; ++from) {
+        std::size_t to = from;
+        while (to < count && is_any_broken(all, to)) ++to;
+        if (to == from) continue;
+        const double left = frame.x(first.from[from]), right = frame.x(first.to[to - 1]);
         for (const double y : {frame.area.y + 0.9 * u, frame.area.y + 1.3 * u})
             canvas.stroke_line({left - 0.15 * u, y + 0.25 * u}, {right + 0.15 * u, y - 0.25 * u},
                                0.14 * u, frame.dc.theme.page);
+        from = to;
     }
 }
 

@@ -140,7 +140,7 @@ double height_of(const Note& note, const DrawContext& dc) {
     return note_height + (placed.empty() ? 0.0 : placed.back().at.y / dc.unit);
 }
 
-// Whether all but the last of the titles are too long.
+// Whether all but the short titles are too long.
 bool has_short_title(const Plot& plot, const DrawContext& dc) {
     const auto fits = [&](const Text& title, TextStyle style) {
         return measure_text(markup_of(title, dc.theme), style).width <= dc.area.width;
@@ -150,7 +150,7 @@ bool has_short_title(const Plot& plot, const DrawContext& dc) {
     small.size = dc.unit;
     for (const Text& title : plot.wide_titles)
         if (fits(title, full)) return false;
-    for (std::size_t i = 0; i + 1 < plot.titles.size(); ++i)
+    for (std::size_t i = 0; i + plot.short_titles < plot.titles.size(); ++i)
         if (fits(plot.titles[i], small)) return false;
     return true;
 }

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double probe_frames = 40;        // whose bars decide the height of the axis, at least
 constexpr double most_in_probe = 100'000;  // values
-constexpr double break_seconds = 1;        // of film, for which a bar stays broken at least
+constexpr double break_seconds = 1;        // of film, for which a bar near the end stays broken
+constexpr double least_broken = 0.9;       // of the axis: lower bars are drawn as they are
 
 using Values = Eigen::Map<const Eigen::ArrayXd>;
 
@@ -218,8 +219,8 @@ void HistogramPanel::archive_progress(Archive& archive) {
     archive(seen_until_, readouts_, broken_until_);
 }
 
-// Those that the axis cannot hold, and those that it could not a moment ago: a bar that wavers
-// about the end of the axis does not break and heal from frame to frame.
+// Those that the axis cannot hold, and those near its end that it could not hold a moment ago: a
+// bar that wavers about the end of the axis does not break and heal from frame to frame.
 std::vector<bool> HistogramPanel::broken_bars(const MeanHistogram& now, int frame, std::size_t k) {
     const int hold = static_cast<int>(std::lround(break_seconds * context_.scene.film.fps));
     std::vector<int>& until = broken_until_[k];
@@ -227,7 +228,7 @@ std::vector<bool> HistogramPanel::broken_bars(const MeanHistogram& now, int fram
     std::vector<bool> broken;
     for (std::size_t i = 0; i < now.counts.size(); ++i) {
         if (now.counts[i] > axes_.top) until[i] = frame + (context_.in_film ? hold : 0);
-        broken.push_back(frame <= until[i]);
+        broken.push_back(frame <= until[i] && now.counts[i] > least_broken * axes_.top);
     }
     return broken;
 }

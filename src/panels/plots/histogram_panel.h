@@ -132,6 +132,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::string name_of_series(std::size_t k) const;
     plot::Note note_of_short_title() const;
     void add_titles();
+    void add_titles_of_runs();
     void make_plot();
     std::string height_name() const;
     plot::Bars bars_of(const HistogramState& state, std::size_t k) const;

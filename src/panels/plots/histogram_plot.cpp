@@ -23,6 +23,8 @@ constexpr std::size_t most_fit_rows = 3;  // more would leave no room for the ba
 // What lies over what, from the bottom up; the bars of runs side by side from the last to the
 // first.
 constexpr int depth_of_bars = 3, depth_of_lines = 2, depth_of_starts = 1;
+// Parts of titles.
+constexpr Phrase apart{"{}: {}"}, aside{"{}, {}"};
 
 Line line_of(const char* part, HistogramCurve curve, const std::string& x_name,
              const std::string& y_name) {
@@ -304,56 +306,66 @@ plot::Note HistogramPanel::note_of_short_title() const {
     return note;
 }
 
-// What the words say of the time and of the equilibrium curves.
+// What the words say of the time and of the equilibrium curves. A title of the scene's own is never
+// left out: the curves are then explained below it.
 void HistogramPanel::add_titles() {
     const Language language = context_.language();
     const auto both = [&](Phrase phrase, const Text& first, const Text& second) {
         return text_of(language, phrase, {first, second});
     };
-    const Phrase apart{"{}: {}"}, aside{"{}, {}"};
+    if (spec_.title) whole_.short_titles = 2;
+    if (compares()) return add_titles_of_runs();
     const Text quantity = capitalised(say(language, subject_.quantity));
     Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
+    if (!spec_.title && !spec_.of.empty())
+        words = both(Phrase{"{} of {}"}, words, names_of_choices(Joint::last_by_and));
     Text time = axes_.time;
     if (axes_.runs > 1)
         time = both(
             aside, time,
             counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));
-    if (compares()) {
-        if (!spec_.title && !spec_.of.empty())
-            words = both(Phrase{"{} of {}"}, words,
-                         escape_markup(name_of(context_.scene, choices_.front().chosen)));
-        const auto ended = [&](Text title) {
-            if (axes_.counts_per_cent()) title = both(aside, title, say(language, "per cent"));
-            return axes_.time.empty() ? title : both(apart, title, axes_.time);
-        };
-        whole_.titles = {ended(words), ended(quantity)};
-        if (axes_.has_curves())
-            whole_.titles = {both(aside, ended(words), say(language, "thin lines: equilibrium")),
-                             both(aside, ended(words), say(language, "thin: equilibrium")),
-                             both(aside, ended(quantity), say(language, "thin: equilibrium")),
-                             ended(quantity)};
-        return;
+    else if (count() == 1)
+        time = named(axes_.time, {Role::Of::bar});
+    const auto at_time = [&](const Text& what) { return both(apart, what, time); };
+    const auto with_curves = [&](const Text& what, const Text& when) {
+        if (!axes_.has_curves()) return both(apart, what, when);
+        if (count() > 1)
+            return both(aside, both(apart, what, when), say(language, "lines: equilibrium"));
+        const Text curve = named(say(language, "equilibrium"), {Role::Of::accent});
+        return both(apart, what, both(Phrase{"{} / {}"}, when, curve));
+    };
+    if (spec_.title) {
+        whole_.titles = {with_curves(words, time), at_time(words), words};
+    } else if (count() > 1) {
+        const Text names = both(aside, names_of_choices(Joint::commas), time);
+        whole_.titles = {with_curves(words, time), with_curves(quantity, names), at_time(quantity)};
+    } else {
+        whole_.titles = {with_curves(words, time), with_curves(quantity, time)};
+        if (axes_.has_curves()) whole_.titles.push_back(at_time(quantity));
     }
+}
+
+void HistogramPanel::add_titles_of_runs() {
+    const Language language = context_.language();
+    const auto both = [&](Phrase phrase, const Text& first, const Text& second) {
+        return text_of(language, phrase, {first, second});
+    };
+    Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
     if (!spec_.title && !spec_.of.empty())
-        words = both(Phrase{"{} of {}"}, words, names_of_choices(Joint::last_by_and));
-    if (count() > 1) {
-        words = both(apart, words, time);
-        const Text names =
-            both(apart, quantity, both(aside, names_of_choices(Joint::commas), time));
-        for (const Text& title : {words, names})
-            whole_.titles.push_back(axes_.has_curves()
-                                        ? both(aside, title, say(language, "lines: equilibrium"))
-                                        : title);
-        whole_.titles.push_back(spec_.title ? words : both(apart, quantity, time));
-        return;
-    }
-    if (time.pieces.size() == 1) time = named(axes_.time, {Role::Of::bar});
-    const Text curve = named(say(language, "equilibrium"), {Role::Of::accent});
-    whole_.titles = {both(apart, words, time), both(apart, quantity, time)};
-    if (!axes_.has_curves()) return;
-    const Text shown = text_of(language, Phrase{"{} / {}"}, {time, curve});
-    whole_.titles = {both(apart, words, shown), both(apart, quantity, shown),
-                     both(apart, quantity, time)};
+        words = both(Phrase{"{} of {}"}, words,
+                     escape_markup(name_of(context_.scene, choices_.front().chosen)));
+    const auto ended = [&](Text title) {
+        if (axes_.counts_per_cent()) title = both(aside, title, say(language, "per cent"));
+        return axes_.time.empty() ? title : both(apart, title, axes_.time);
+    };
+    const Text quantity = ended(capitalised(say(language, subject_.quantity)));
+    const Text whole = ended(words), thin = say(language, "thin: equilibrium");
+    if (axes_.has_curves())
+        whole_.titles = {both(aside, whole, say(language, "thin lines: equilibrium")),
+                         both(aside, whole, thin)};
+    if (axes_.has_curves() && !spec_.title) whole_.titles.push_back(both(aside, quantity, thin));
+    if (!axes_.has_curves() || spec_.title) whole_.titles.push_back(whole);
+    whole_.titles.push_back(spec_.title ? words : quantity);
 }
 
 std::string HistogramPanel::from_name() const {

@@ -6,6 +6,8 @@
 #include "panels/plots/histogram_panel.h"
 #include "support/pixels.h"
 #include "support/relative.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
 
 using namespace carom;
 using test::relative;
@@ -214,4 +216,27 @@ TEST_CASE("the number beyond the lower end is told beside the axis, which stays 
     for (std::size_t y = 0; y < 300; ++y)
         changed += drawn[y * 600 + axis] != ground[y * 600 + axis];
     CHECK(changed == 0);
+}
+
+TEST_CASE("the scene's own title is shown in panels of any width, and curves are explained") {
+    for (const std::string choice : {"", "of: [light, heavy], "})
+        for (const int width : {640, 1280, 2400}) {
+            CAPTURE(choice);
+            CAPTURE(width);
+            const test::Shot film(test::scene_from(
+                "title: T\nbox: {size: [40, 30]}\n"
+                "gas: [{name: light, count: 30, temperature: 1}, "
+                "{name: heavy, count: 30, mass: 4, temperature: 1}]\n"
+                "run: {until: 1}\nfilm: {seconds: 1, size: [" +
+                std::to_string(width) + ", 720], panels: [{kind: speed-histogram, " + choice +
+                "title: How fast they fly}]}\n"));
+            FramePainter painter(*film.panels);
+            const TextLog log;
+            painter.paint(film.frames.back());
+            std::string words;
+            for (const DrawnLine& line : log.lines) words += line.markup + "\n";
+            CAPTURE(words);
+            CHECK(words.find("How fast they fly") != std::string::npos);
+            CHECK(words.find("equilibrium") != std::string::npos);
+        }
 }

@@ -166,12 +166,20 @@ std::vector<std::string> FramePainter::cut_words() {
                 [&] { draw_caption(scratch, caption.words, 1.0); });
     const std::vector<PanelSpec>& specs = scene_.film.panels;
     const std::size_t first = panels_.panels().size() - specs.size();
-    for (std::size_t i = 0; i < specs.size(); ++i)
+    for (std::size_t i = 0; i < specs.size(); ++i) {
+        const PanelSet::Placed& placed = panels_.panels()[first + i];
+        const DrawContext dc = context_at(placed.slot);
+        const double width = dc.area.width / dc.unit, height = dc.area.height / dc.unit;
+        const auto [least_width, least_height] = placed.panel->least_room();
+        if (width < least_width || height < least_height)
+            cut.push_back(
+                fmt::format("the panel `{}` (its place is {:.3g} by {:.3g} units, it "
+                            "needs {:g} by {:g})",
+                            specs[i].kind, width, height, least_width, least_height));
         if (specs[i].title)
-            add(fmt::format("the title “{}” of a panel", *specs[i].title), [&] {
-                draw_panel_title(scratch, context_at(panels_.panels()[first + i].slot),
-                                 escape_markup(*specs[i].title));
-            });
+            add(fmt::format("the title “{}” of a panel", *specs[i].title),
+                [&] { draw_panel_title(scratch, dc, escape_markup(*specs[i].title)); });
+    }
     return cut;
 }
 

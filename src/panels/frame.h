@@ -33,8 +33,8 @@ class FramePainter {
     /// or a panel that comes or goes is whole.
     void paint_on(Canvas& canvas, const FrameData& frame);
 
-    /// What the scene says that has no room where it stands, and ends in an ellipsis there: "the
-    /// title", "the caption “...”". Needs no axes.
+    /// What has no room where it stands: what the scene says and ends in an ellipsis there, "the
+    /// title", "the caption “...”", and panels whose places are too small. Needs no axes.
     std::vector<std::string> cut_words();
 
   private:

@@ -116,6 +116,14 @@ class Panel {
     /// gains by any.
     virtual std::optional<double> enough_height() const { return {}; }
 
+    /// Width and height, in units.
+    struct Room {
+        double width = 0.0, height = 0.0;
+    };
+
+    /// The least room in which what it shows can be read.
+    virtual Room least_room() const { return {}; }
+
     /// What the panel fills of an area; `unit` as in DrawContext.
     virtual Rect frame_in(const Rect& area, double unit) const {
         (void)unit;

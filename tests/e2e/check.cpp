@@ -113,7 +113,7 @@ TEST_CASE("a gas in equilibrium collides as often as carom check expects") {
     CHECK(std::abs(counted(scene) / expected - 1.0) < 0.03);
 }
 
-TEST_CASE("carom check names words that have no room, and a field of blank cells") {
+TEST_CASE("carom check names what has no room, and a field of blank cells") {
     const std::string scene = "subtitle: " + std::string(190, 'w') +
                               "\nbox: {size: [40, 30]}\ngas: [{count: 96, radius: 0.3, speed: 2}]\n"
                               "run: {until: 12}\nfilm:\n  seconds: 8\n"
@@ -122,6 +122,20 @@ TEST_CASE("carom check names words that have no room, and a field of blank cells
     const json cut = checked(scene).at("cut");
     CHECK(cut ==
           json{"the title or the subtitle", "the title “" + std::string(99, 'w') + "” of a panel"});
+    const TemporaryFolder places;
+    places.write("small.yaml",
+                 "layout:\n  grid: [60, 33.75]\n  title: [1, 1, 57, 3]\n  gas: [1, 5, 35, 25]\n"
+                 "  color_bar: [36, 5, 5, 25]\n"
+                 "  panels: [[42, 4, 16, 7], [42, 14, 16, 6.9], [42, 24, 7, 9], [50, 24, 4, 3]]\n");
+    places.write("scene.yaml",
+                 "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 2}]\n"
+                 "run: {until: 12}\nfilm: {seconds: 8, template: small, panels: "
+                 "[speed-histogram, entropy, {kind: temperature, title: T}, "
+                 "{kind: text, words: a}]}\n");
+    const Outcome small = run({program, "check", "--json", "scene.yaml"}, places.path());
+    CHECK(json::parse(small.out).at(0).at("cut") ==
+          json{"the panel `entropy` (its place is 16 by 6.9 units, it needs 8 by 7)",
+               "the panel `temperature` (its place is 7 by 9 units, it needs 8 by 7)"});
     CHECK(checked("box: {size: [40, 30]}\ngas: [{count: 96, radius: 0.3, speed: 2}]\n"
                   "run: {until: 12}\nfilm: {seconds: 8}\n")
               .at("cut") == json::array());

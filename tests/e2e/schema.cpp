@@ -110,6 +110,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"template_caption", other_file},
     {"template_hidden", other_file},
     {"template_link", other_file},
+    {"template_overlap", other_file},
     {"template_slots", other_file},
     {"theory_alone", several_places},  // `theory` against what is in the gas
     {"theory_at_rest", several_places},

@@ -30,6 +30,7 @@ class SingleCollisionPanel : public Panel {
     void archive(Archive& archive) override { archive(met_); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive&) override {}
+    Room least_room() const override { return {8.0, 7.0}; }
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;

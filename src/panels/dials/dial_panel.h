@@ -61,6 +61,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     std::optional<double> enough_height() const override { return subject_.enough; }
+    Room least_room() const override { return {6.0, 5.0}; }
     void draw_ground(Canvas& canvas, const DrawContext& dc) const final;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const final;
     Table table(const PanelState& state, const Theme& theme) const override;

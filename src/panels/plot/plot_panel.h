@@ -24,6 +24,7 @@ class PlotPanel : public SharedPanel {
     /// fix_axes(), from any thread.
     virtual plot::Plot plot(const PanelState* state) const = 0;
 
+    Room least_room() const override { return {8.0, 7.0}; }
     void draw_ground(Canvas& canvas, const DrawContext& dc) const final;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const final;
     Table table(const PanelState& state, const Theme& theme) const final;

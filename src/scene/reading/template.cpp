@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "scene/time/captions.h"
@@ -83,19 +84,24 @@ void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& erro
         errors.add(line, "the place for captions leaves another place without room");
 }
 
-/// A layout with the nodes of its places.
+struct NamedPlace {
+    std::string name;  // as messages have it
+    Placed<Slot> place;
+};
+
+/// A layout with its places where they are written.
 struct LayoutDraft : LayoutSpec {
     std::optional<Eigen::Array2d> grid;
-    std::vector<Placed<Slot>> places;
+    std::vector<NamedPlace> places;
 };
 
 // A place in the grid, which is looked at when the grid is known.
 template <typename Field>
 Binding<LayoutDraft> slot_key(std::string name, Field LayoutSpec::*field,
                               const Notation<Placed<Slot>>& slot, std::string meaning) {
-    const auto fill = [field](LayoutDraft& layout, const Placed<Slot>& place) {
+    const auto fill = [field, name](LayoutDraft& layout, const Placed<Slot>& place) {
         layout.*field = place.value;
-        layout.places.push_back(place);
+        layout.places.push_back({fmt::format("`{}`", name), place});
     };
     return bind_with<LayoutDraft>(std::move(name), fill, slot, std::move(meaning));
 }
@@ -114,24 +120,58 @@ Notation<Placed<Slot>> slot_notation() {
         checked(mapped(list_of(number(units), 4, {4}, "[x, y, width, height]"), slot), check));
 }
 
+bool overlap(const Slot& a, const Slot& b) {
+    constexpr double rounding = 1e-9;
+    return std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x) > rounding &&
+           std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y) > rounding;
+}
+
+// Captions take their room from the others.
+void check_overlaps(const LayoutDraft& layout, Errors& errors) {
+    std::vector<const NamedPlace*> seen;
+    for (const NamedPlace& one : layout.places) {
+        if (one.name == "`caption`") continue;
+        for (const NamedPlace* before : seen)
+            if (overlap(before->place.value, one.place.value)) {
+                errors.add(
+                    *one.place.node,
+                    fmt::format("the place of {} overlaps that of {}", one.name, before->name),
+                    "places may touch; only `caption` may lie over others, which are then "
+                    "made smaller");
+                break;
+            }
+        seen.push_back(&one);
+    }
+}
+
 void complete_layout(LayoutDraft& layout, const Node& node, Reading& reading) {
     if (!layout.grid) return;
     layout.grid_width = (*layout.grid)[0];
     layout.grid_height = (*layout.grid)[1];
-    for (const Placed<Slot>& place : layout.places)
+    for (const auto& [name, place] : layout.places)
         if (!is_inside(place.value, layout))
             reading.errors.add(*place.node,
                                fmt::format("the place reaches outside the grid of {} by {}",
                                            layout.grid_width, layout.grid_height));
-    if (layout.caption) check_caption_line(*given(node, "caption"), layout, reading.errors);
+    if (std::ranges::all_of(layout.places, [&](const NamedPlace& one) {
+            return is_inside(one.place.value, layout);
+        }))
+        check_overlaps(layout, reading.errors);
+    const bool is_whole = std::ranges::all_of(
+        std::array{layout.title, layout.gas, layout.color_bar},
+        [](const Slot& slot) { return slot.width > 0.0; });  // what is not has its own message
+    if (layout.caption && is_whole)
+        check_caption_line(*given(node, "caption"), layout, reading.errors);
 }
 
 KeyTable<LayoutDraft> layout_table() {
     const Range sides{1.0, largest_grid};
     const auto slot = slot_notation();
     const auto panels = [](LayoutDraft& layout, const std::vector<Placed<Slot>>& places) {
+        int count = 0;
         layout.panels = values_of(places);
-        layout.places.insert(layout.places.end(), places.begin(), places.end());
+        for (const Placed<Slot>& place : places)
+            layout.places.push_back({fmt::format("panel {}", ++count), place});
     };
     return {
         .name = "`layout`",
@@ -154,7 +194,8 @@ KeyTable<LayoutDraft> layout_table() {
                  bind_with<LayoutDraft>(
                      "panels", panels,
                      list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
-                     "The places of the panels, in their order.")
+                     "The places of the panels, in their order. Places may touch; none but "
+                     "`caption` may overlap another.")
                      .default_text("none")},
         .rule = complete_layout};
 }

@@ -49,14 +49,17 @@ const plot::Role of_velocities{.of = plot::Role::Of::bar};
 const plot::Role of_positions{.of = plot::Role::Of::highlight};
 
 void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
+    const std::string sum = "−Σ <i>p</i> ln <i>p</i>";
     if (what == EntropyOf::velocities) {
-        subject.titles = {say(language, "Entropy of the velocities, −<i>H</i>")};
+        subject.titles = {
+            say(language, "Entropy of the velocities, −<i>H</i>"),
+            plot::text_of(language, Phrase{"{}, {}"}, {say(language, "Entropy"), "−<i>H</i>"})};
         subject.notes = {
             say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells; 0 if all move alike"),
-            say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells")};
+            say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells"), sum};
     } else if (what == EntropyOf::positions) {
         subject.titles = {say(language, "Entropy of the positions")};
-        subject.notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over cells of the box")};
+        subject.notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over cells of the box"), sum};
     } else {
         subject.names = {say(language, "velocities"), say(language, "positions")};
         const plot::Text names =
@@ -65,7 +68,7 @@ void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
         subject.titles = {plot::text_of(language, Phrase{"Entropy of {}"}, {names}),
                           say(language, "Entropy")};
         subject.last_title_names = false;
-        subject.notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over cells")};
+        subject.notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over cells"), sum};
     }
 }
 

@@ -119,6 +119,21 @@ TEST_CASE("frames speak the scene's language, and write its numbers") {
     }
 }
 
+TEST_CASE("words that carom writes have room in every language") {
+    for (const char* name :
+         {"brownian-motion", "entropy-reversed", "free-expansion", "free-gas", "second-law"})
+        for (const char* code : {"en", "de", "fr", "es"}) {
+            const Scene scene = library_scene(name, code);
+            const Shot film(scene, 40);
+            FramePainter painter(*film.panels);
+            const TextLog log;
+            for (const std::size_t k : {std::size_t{0}, film.frames.size() - 1})
+                painter.paint(film.frames[k]);
+            for (const DrawnLine& line : log.lines)
+                CHECK_FALSE_MESSAGE(line.is_cut, name, ", ", code, ": ", line.markup);
+        }
+}
+
 TEST_CASE("a caption that carom makes is in the scene's language, the scene's words are not") {
     const Scene scene = test::scene_from(
         "title: Own words\nbox: {size: [40, 30.5]}\ngas: [{count: 3, radius: 0.5, speed: 1.5}]\n"

@@ -14,9 +14,11 @@
 namespace carom {
 namespace {
 
-/// A value on its way through the check: what it is for, and where to report.
+/// A value on its way through the check: what it is for, the section of the whole file, and where
+/// to report.
 struct Context {
     const std::string& what;
+    const Section& whole;
     Errors& errors;
 };
 
@@ -193,6 +195,7 @@ void check_scalar(Node& node, const std::vector<Form>& forms, Context context) {
 }
 
 void check_value(Node& node, const std::vector<Form>& forms, Context context);
+void check_section(Node& node, const Section& section, const Section& whole, Errors& errors);
 
 bool fits_items(const Node& node, const Form& form) {
     if (form.shape != Shape::list) return false;
@@ -219,7 +222,7 @@ void check_list(Node& node, const std::vector<Form>& forms, Context context) {
     const bool independent = form_of(form->items, Shape::mapping) != nullptr;
     const std::string what = "an item of " + context.what;
     for (Node& item : node.items) {
-        check_value(item, form->items, {what, context.errors});
+        check_value(item, form->items, {what, context.whole, context.errors});
         if (!item.valid && !independent) node.valid = false;
     }
 }
@@ -229,7 +232,7 @@ std::string structure_hint(const Node& node, const std::vector<Form>& forms) {
         return "`#` begins a comment; put the value in quotes";
     const Form* list = form_of(forms, Shape::list);
     if (node.is_mapping() && list && form_of(list->items, Shape::mapping))
-        return "begin each item of the list with `- `";
+        return "begin each item of the list with `- `, or put brackets around it: [{...}]";
     return "";
 }
 
@@ -241,20 +244,51 @@ void check_value(Node& node, const std::vector<Form>& forms, Context context) {
             return check_list(node, forms, context);
         case Node::Kind::mapping:
             if (const Form* form = form_of(forms, Shape::mapping))
-                return check_mapping(node, *form->section, context.errors);
+                return check_section(node, *form->section, context.whole, context.errors);
             return mismatch(node, forms, structure_hint(node, forms), context);
         case Node::Kind::null:
             return mismatch(node, forms, structure_hint(node, forms), context);
     }
 }
 
-void unknown_key(const Node& key, const Section& section, Errors& errors) {
+// The names of the sections that have a key, of those least deep in this one.
+std::vector<std::string> owners_of(const std::string& key, const Section& whole) {
+    std::vector<const Section*> level{&whole};
+    std::vector<std::string> owners;
+    while (owners.empty() && !level.empty()) {
+        std::vector<const Section*> inner;
+        for (const Section* section : level)
+            for (const Key& one : section->keys)
+                for (const Section* its : sections_in(one.forms)) inner.push_back(its);
+        for (const Section* section : inner)
+            if (section->index(key) < section->keys.size() && !contains(owners, section->name))
+                owners.push_back(section->name);
+        level = std::move(inner);
+    }
+    return owners;
+}
+
+// Where else in a file a key belongs; nothing where it belongs nowhere or to many, or where the
+// section has so few keys that they say more.
+std::string elsewhere_hint(const std::string& key, const Section& section, const Section& whole) {
+    if (whole.index(key) < whole.keys.size())
+        return fmt::format("`{}` stands at the top level of the file", key);
+    constexpr std::size_t few = 3;
+    if (section.keys.size() <= few) return "";
+    const std::vector<std::string> owners = owners_of(key, whole);
+    if (owners.empty() || owners.size() > few) return "";
+    return fmt::format("`{}` is a key of {}", key, listed(owners, "and"));
+}
+
+void unknown_key(const Node& key, const Section& section, const Section& whole, Errors& errors) {
     if (errors.is_full()) return errors.add(key, "");
     const auto refused = std::ranges::find(section.refused, key.text, &Refused::name);
     if (refused != section.refused.end()) return errors.add(key, refused->reason, refused->hint);
     const std::vector<std::string> names = key_names(section);
     const auto near = nearest_spelling(key.text, names);
-    std::string hint = near ? fmt::format("did you mean `{}`?", *near) : keys_hint(section);
+    std::string hint =
+        near ? fmt::format("did you mean `{}`?", *near) : elsewhere_hint(key.text, section, whole);
+    if (hint.empty()) hint = keys_hint(section);
     if (key.text.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
         hint = "a comma separates keys; write decimals with a point: 0.5";
     errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name), hint);
@@ -335,21 +369,25 @@ void check_kind(Node& node, const Section& section, Errors& errors) {
     }
 }
 
-}  // namespace
-
-void check_mapping(Node& node, const Section& section, Errors& errors) {
+void check_section(Node& node, const Section& section, const Section& whole, Errors& errors) {
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
         const std::size_t index = section.index(node.keys[i].text);
         if (index == section.keys.size()) {
-            unknown_key(node.keys[i], section, errors);
+            unknown_key(node.keys[i], section, whole, errors);
             continue;
         }
         const Key& key = section.keys[index];
-        check_value(node.items[i], key.forms, {"`" + key.name + "`", errors});
+        check_value(node.items[i], key.forms, {"`" + key.name + "`", whole, errors});
     }
     for (const Choice& choice : section.choices) check_choice(node, choice, section, errors);
     check_presence(node, section, errors);
     check_kind(node, section, errors);
+}
+
+}  // namespace
+
+void check_mapping(Node& node, const Section& section, Errors& errors) {
+    check_section(node, section, section, errors);
 }
 
 }  // namespace carom

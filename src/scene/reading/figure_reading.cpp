@@ -96,7 +96,8 @@ Notation<std::vector<ComparedRun>> compared_runs() {
         return std::optional(runs_of_seeds(several.count, node, reading));
     };
     const auto listed = checked(
-        list_of(placed(mapping(run)), 2, most_compared, "a list of {label, set}"), check_labels);
+        list_of(placed(mapping(run)), 2, most_compared, "a list of two or more {label, set}"),
+        check_labels);
     return either(parsed(mapping(seeds, "{seeds: number}"), of_seeds),
                   mapped(listed, values_of<ComparedRun>));
 }

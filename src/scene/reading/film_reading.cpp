@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -288,7 +289,16 @@ const Node& place_of_length(const Node& film, const Node& root) {
     return film;
 }
 
+// A length that was given and could not be read has its own message.
+bool has_length_in_error(const Node& film) {
+    return std::ranges::any_of(std::array{"seconds", "pace"}, [&](const char* key) {
+        const Node* node = find(film, key);
+        return node != nullptr && !node->valid;
+    });
+}
+
 bool check_frames(const Film& film, const Node& node, const Node& root, Errors& errors) {
+    if (has_length_in_error(node)) return false;
     const double frames = std::round(film.seconds * film.fps);
     if (frames >= 2.0 && frames <= most_frames.value) return true;
     const bool has_seconds = given(node, "seconds") != nullptr;

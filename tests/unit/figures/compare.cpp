@@ -391,8 +391,8 @@ TEST_CASE("what cannot be compared is refused with the reason") {
     CHECK(
         message_of(bars + ", compare: {seeds: 1}}\n").find("expected a whole number from 2 to 6") !=
         std::string::npos);
-    CHECK(message_of(bars + ", compare: [{label: one}]}\n").find("a list of {label, set}") !=
-          std::string::npos);
+    CHECK(message_of(bars + ", compare: [{label: one}]}\n")
+              .find("a list of two or more {label, set}") != std::string::npos);
     CHECK(message_of(bars + ", of: [0, 1], compare: {seeds: 2}}\n")
               .find("a comparison shows one line for each run") != std::string::npos);
     CHECK(message_of(bars + ", compare: [{label: x}, {label: x, set: seed=2}]}\n")

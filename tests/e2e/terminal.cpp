@@ -54,6 +54,7 @@ TEST_CASE("no command writes to a terminal what a name of a file or a word of a 
         {"still", name, "-o", evil},
         {"figure", name, "--kind", "speed-histogram"},
         {"figure", name, "--kind", evil},
+        {"figure", name, "--kind", "gas", "--at", evil},
         {"figures", name},
         {"run", name},
         {"run", name, "--csv", evil + ".csv"},

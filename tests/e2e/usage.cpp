@@ -142,3 +142,22 @@ TEST_CASE("carom figure draws a figure that the scene does not list") {
     CHECK(wrong.exit_code == 2);
     CHECK(has(wrong.err, "expected a width in centimetres"));
 }
+
+TEST_CASE("mistakes in what carom figure is asked for are shown at the option that was typed") {
+    const TemporaryFolder folder;
+    const std::string call = "'" + program + "' figure '" + plain + "' --kind ";
+    for (const auto& [asked, said] :
+         {std::pair{"text",
+                    "--kind text: error: a panel of kind `text` needs `words`\n"
+                    "      | --kind text\n      |        ^^^^\n"},
+          {"sped", "--kind sped: error: expected one of"},
+          {"gas --at 1e9", "--at 1e9: error: the run ends at"},
+          {"gas --width 900cm", "      | --width 900cm\n      |         ^^^^^\n"},
+          {"gas --width 8 --at [1", "--at [1: error: not valid YAML"}}) {
+        const Outcome outcome = shell(call + asked, folder.path());
+        CAPTURE(outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK(has(outcome.err, said));
+        CHECK_FALSE(has(outcome.err, "--set"));
+    }
+}

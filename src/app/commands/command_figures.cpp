@@ -14,6 +14,7 @@
 #include "app/progress.h"
 #include "figures/sweep_figure.h"
 #include "media/formats.h"
+#include "scene/load.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -155,23 +156,67 @@ std::string as_centimetres(const std::string& width) {
     return number;
 }
 
-Overrides overrides_of(const FigureAsked& asked) {
-    std::string keys = fmt::format("name: {0}, kind: {0}", asked.kind);
-    if (!asked.at.empty()) keys += ", at: " + asked.at;
-    if (!asked.width.empty()) keys += ", size: " + as_centimetres(asked.width);
-    return {"figures=[{" + keys + "}]"};
+// A key of the figure, and the option that it stands for.
+struct AskedKey {
+    std::string key, flag, typed, value;
+};
+
+std::vector<AskedKey> keys_of(const FigureAsked& asked) {
+    std::vector<AskedKey> keys{{"name", "--kind", asked.kind, asked.kind},
+                               {"kind", "--kind", asked.kind, asked.kind}};
+    if (!asked.at.empty()) keys.push_back({"at", "--at", asked.at, asked.at});
+    if (!asked.width.empty())
+        keys.push_back({"size", "--width", asked.width, as_centimetres(asked.width)});
+    return keys;
+}
+
+// All of them as a change of the scene; and where each value begins in its text.
+std::pair<std::string, std::vector<std::size_t>> change_by(const std::vector<AskedKey>& keys) {
+    std::string change = "figures=[{";
+    std::vector<std::size_t> places;
+    for (const AskedKey& one : keys) {
+        if (!places.empty()) change += ", ";
+        change += one.key + ": ";
+        places.push_back(text_of_change(change).size());
+        change += one.value;
+    }
+    return {change + "}]", places};
+}
+
+// What is wrong in the figure that was asked for, at the option that was typed.
+SceneError at_options(const SceneError& error, const std::vector<AskedKey>& keys) {
+    const auto [change, places] = change_by(keys);
+    std::vector<Diagnostic> all = error.diagnostics();
+    for (Diagnostic& one : all) {
+        SourceSpan& span = one.span;
+        if (span.file != text_of_change(change)) continue;
+        const auto column = static_cast<std::size_t>(span.column);  // from 1 on
+        std::size_t at = 0;
+        while (at + 1 < places.size() && places[at + 1] < column) ++at;
+        const AskedKey& key = keys[at];
+        span.file = one.source_line = key.flag + " " + key.typed;
+        span.column = static_cast<int>(key.flag.size()) + 2;
+        span.length = static_cast<int>(key.typed.size());
+        if (at == 0 && !one.hint.empty())
+            one.hint += "; `carom figures` draws what a scene lists under `figures`";
+    }
+    return SceneError(std::move(all));
 }
 
 void make_one(FiguresArguments arguments, const FigureAsked& asked) {
     if (asked.kind.empty())
         throw UsageError("carom figure needs the kind of the figure: --kind gas, for instance");
-    const Overrides overrides = overrides_of(asked);
-    arguments.shortcuts.insert(arguments.shortcuts.end(), overrides.begin(), overrides.end());
+    const std::vector<AskedKey> keys = keys_of(asked);
+    arguments.shortcuts.push_back(change_by(keys).first);
     if (arguments.output.empty())
         arguments.output = (fs::path("out") /
                             fmt::format("{}-{}", scene_stem(arguments.scenes.front()), asked.kind))
                                .string();
-    make_all(arguments);
+    try {
+        make_all(arguments);
+    } catch (const SceneError& error) {
+        throw at_options(error, keys);
+    }
 }
 
 Option formats_option(FiguresArguments& arguments) {

@@ -218,6 +218,10 @@ ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const
                     fmt::format("gaps of {} lie between {} = {}", name, along,
                                 fmt::format("0 and {}", box.length(1 - line.axis)))};
         case Kind::gaps_unordered:
+            if (line.gaps[p.item].first > line.gaps[p.item].second)
+                return {fmt::format("the gap from {} to {} ends before it begins",
+                                    line.gaps[p.item].first, line.gaps[p.item].second),
+                        "give gaps as [from, to], the smaller first"};
             return {fmt::format("the gap from {} to {} does not come after what is before it",
                                 line.gaps[p.item].first, line.gaps[p.item].second),
                     "give gaps as [from, to] in rising order, none over another"};

@@ -55,14 +55,13 @@ Notation<Heat> heat_notation() {
     struct Target {
         double temperature = 0.0;
     };
-    const auto target =
-        mapped(complete_mapping(
-                   KeyTable<Target>{.name = "`to`",
-                                    .keys = {bind_key("temperature", &Target::temperature,
-                                                      number(not_negative), "The temperature.")
-                                                 .required()}},
-                   "{temperature: T}"),
-               [](const Target& its) { return its.temperature; });
+    const auto target = mapped(
+        complete_mapping(KeyTable<Target>{.name = "`to`",
+                                          .keys = {bind_key("temperature", &Target::temperature,
+                                                            number(positive), "The temperature.")
+                                                       .required()}},
+                         "{temperature: T}"),
+        [](const Target& its) { return its.temperature; });
     const KeyTable<HeatDraft> table{
         .name = "`heat`",
         .keys = {bind_key("of", &HeatDraft::of, kept(text(1, most_name_letters)),

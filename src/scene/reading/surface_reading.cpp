@@ -222,12 +222,18 @@ class Names {
         const Node* node = find(item, "name");
         if (!taken_.insert(name).second)
             errors_.add(node != nullptr ? *node : item,
-                        fmt::format("the name {} is taken by another surface", in_quotes(name)),
-                        "left, right, bottom and top are the sides of the box");
+                        fmt::format("the name {} is taken by {}", in_quotes(name),
+                                    is_side(name) ? "a side of the box" : "another surface"),
+                        is_side(name) ? "left, right, bottom and top are its sides"
+                                      : "give one of them another name");
         return name;
     }
 
   private:
+    static bool is_side(const std::string& name) {
+        return name == "left" || name == "right" || name == "bottom" || name == "top";
+    }
+
     std::set<std::string> taken_{"left", "right", "bottom", "top"};
     Errors& errors_;
 };

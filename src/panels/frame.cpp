@@ -173,7 +173,7 @@ std::vector<std::string> FramePainter::cut_words() {
         const auto [least_width, least_height] = placed.panel->least_room();
         if (width < least_width || height < least_height)
             cut.push_back(
-                fmt::format("the panel `{}` (its place is {:.3g} by {:.3g} units, it "
+                fmt::format("the panel `{}` (its place is {:.4g} by {:.4g} units, it "
                             "needs {:g} by {:g})",
                             specs[i].kind, width, height, least_width, least_height));
         if (specs[i].title)

@@ -80,17 +80,11 @@ std::vector<std::string> values_of(const Spacing& spacing, const std::string& te
     return values;
 }
 
-bool are_numbers(const std::vector<std::string>& parts) {
-    return std::ranges::all_of(parts, [](const std::string& part) {
-        return number_from<double>(trimmed(part)).has_value();
-    });
-}
-
-// FIRST:LAST without a number of values, or with one that is none; FIRST-LAST-N.
-void refuse_other_ranges(const std::string& values, const std::string& axis) {
-    const std::vector<std::string> parts = parts_of(values, ':'), dashed = parts_of(values, '-');
-    const bool has_colons = parts.size() > 1 && are_numbers({parts[0], parts[1]});
-    if (has_colons || (dashed.size() == 3 && are_numbers(dashed)))
+// FIRST:LAST without a number of values, or with one that is none.
+void refuse_colons(const std::string& values, const std::string& axis) {
+    const std::vector<std::string> parts = parts_of(values, ':');
+    if (parts.size() > 1 && number_from<double>(trimmed(parts[0])) &&
+        number_from<double>(trimmed(parts[1])))
         throw SweepError(fmt::format("{}: expected FIRST:LAST:N, found {}", axis, values),
                          "for instance 0.1:0.4:7, which are 7 values");
 }
@@ -158,7 +152,7 @@ SweepAxis sweep_axis(const std::string& text) {
             "for instance gas.0.radius=0.1:0.4:7");
     const std::string values = text.substr(sign + 1);
     const auto spacing = spacing_from(values);
-    if (!spacing) refuse_other_ranges(values, text);
+    if (!spacing) refuse_colons(values, text);
     SweepAxis axis{trimmed(text.substr(0, sign)),
                    spacing ? values_of(*spacing, text) : listed_values(values, text)};
     refuse_equal_values(axis);

@@ -10,6 +10,9 @@
 namespace carom {
 namespace {
 
+constexpr const char* range_hint =
+    "values in equal steps are written KEY=FIRST:LAST:N, for instance gas.0.radius=0.1:0.4:7";
+
 // The first of the mistakes, at the figure.
 Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& changes,
                      const SceneError& error) {
@@ -17,7 +20,7 @@ Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& c
     Diagnostic diagnostic = figure.panel.place;
     diagnostic.message =
         fmt::format("with {} the scene is not valid: {}", fmt::join(changes, ", "), first.message);
-    diagnostic.hint = first.hint;
+    diagnostic.hint = first.hint.empty() ? range_hint : first.hint;
     return diagnostic;
 }
 

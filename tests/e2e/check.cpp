@@ -150,6 +150,21 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
     CHECK(told("4").find("on average") == std::string::npos);  // of 12: 8 in each
 }
 
+TEST_CASE("a length that the command line sets is checked, whichever the file has") {
+    const TemporaryFolder folder;
+    for (const auto& [written, set] : {std::pair{"pace: 1", "film.seconds=80000"},
+                                       {"pace: 1", "film.seconds=0.01"},
+                                       {"seconds: 5", "film.pace=1e-5"}}) {
+        folder.write("scene.yaml", std::string("title: T\nbox: {size: [40, 30]}\ngas: [{count: 5, "
+                                               "speed: 1}]\nrun: {until: 5}\nfilm: {") +
+                                       written + "}\n");
+        const Outcome outcome = run({program, "check", "scene.yaml", "--set", set}, folder.path());
+        CAPTURE(set);
+        CHECK(outcome.exit_code == 2);
+        CHECK(outcome.err.find("at 30 frames a second has") != std::string::npos);
+    }
+}
+
 // As measured: docs/encoding.md has 9.3 and 13.0 ms of one core a frame, and 2.62 and 5.14 MB in
 // 300 frames, of 200 and 1,000 disks.
 TEST_CASE("the rough cost of a film is that of the films that were measured") {

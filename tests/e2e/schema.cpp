@@ -57,6 +57,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"events_too_dense", several_places},
     {"figure_sweep_elsewhere", several_places},  // the folder of a name
     {"figure_compare_run", several_places},      // `set` of a run against the scene
+    {"figure_sweep_dashes", several_places},     // values of `vary` against the scene
     {"figure_sweep_point", several_places},      // values of `vary` against the scene
     {"figure_test_few", several_places},         // its particles against what it counts
     {"figure_test_over", several_places},

@@ -151,9 +151,11 @@ TEST_CASE("mistakes in what carom figure is asked for are shown at the option th
                     "--kind text: error: a panel of kind `text` needs `words`\n"
                     "      | --kind text\n      |        ^^^^\n"},
           {"sped", "--kind sped: error: expected one of"},
-          {"gas --at 1e9", "--at 1e9: error: the run ends at"},
+          {"gas --at 1000", "--at 1000: error: the run ends at"},
           {"gas --width 900cm", "      | --width 900cm\n      |         ^^^^^\n"},
-          {"gas --width 8 --at [1", "--at [1: error: not valid YAML"}}) {
+          {"gas --width 8 --at [1", "--at: expected a number, found `[1`"},
+          {"Speed-histogram", "--kind Speed-histogram: expected a name such as speed-histogram"},
+          {"'gas, title: T'", "--kind gas, title: T: expected a name such as speed-histogram"}}) {
         const Outcome outcome = shell(call + asked, folder.path());
         CAPTURE(outcome.err);
         CHECK(outcome.exit_code == 2);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "app/command.h"
@@ -14,7 +15,9 @@
 #include "app/progress.h"
 #include "figures/sweep_figure.h"
 #include "media/formats.h"
+#include "panels/registry.h"
 #include "scene/load.h"
+#include "scene/panel_kind.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -145,7 +148,9 @@ void make_all(const FiguresArguments& arguments) {
 
 // What `carom figure` draws, which the scene need not list.
 struct FigureAsked {
-    std::string kind, at, width;
+    std::string kind;
+    std::optional<double> at;
+    std::string width;
 };
 
 std::string as_centimetres(const std::string& width) {
@@ -156,56 +161,74 @@ std::string as_centimetres(const std::string& width) {
     return number;
 }
 
+void check_kind(const std::string& kind) {
+    if (kind.empty())
+        throw UsageError("carom figure needs the kind of the figure: --kind gas, for instance");
+    if (kind.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos) return;
+    std::vector<std::string> names;
+    for (const PanelKind& one : panel_kinds()) names.push_back(one.name);
+    const auto near = nearest_spelling(kind, names);
+    throw UsageError(fmt::format("--kind {}: expected a name such as {}", printable(kind),
+                                 near ? *near : "speed-histogram"));
+}
+
 // A key of the figure, and the option that it stands for.
 struct AskedKey {
     std::string key, flag, typed, value;
 };
 
 std::vector<AskedKey> keys_of(const FigureAsked& asked) {
+    check_kind(asked.kind);
     std::vector<AskedKey> keys{{"name", "--kind", asked.kind, asked.kind},
                                {"kind", "--kind", asked.kind, asked.kind}};
-    if (!asked.at.empty()) keys.push_back({"at", "--at", asked.at, asked.at});
+    if (asked.at) {
+        const std::string time = fmt::format("{}", *asked.at);
+        keys.push_back({"at", "--at", time, time});
+    }
     if (!asked.width.empty())
         keys.push_back({"size", "--width", asked.width, as_centimetres(asked.width)});
     return keys;
 }
 
-// All of them as a change of the scene; and where each value begins in its text.
-std::pair<std::string, std::vector<std::size_t>> change_by(const std::vector<AskedKey>& keys) {
+// All of them as a change of the scene; and where each value begins in its text, from 1 on.
+std::pair<std::string, std::vector<int>> change_by(const std::vector<AskedKey>& keys) {
     std::string change = "figures=[{";
-    std::vector<std::size_t> places;
+    std::vector<int> places;
     for (const AskedKey& one : keys) {
         if (!places.empty()) change += ", ";
         change += one.key + ": ";
-        places.push_back(text_of_change(change).size());
+        places.push_back(static_cast<int>(text_of_change(change).size()) + 1);
         change += one.value;
     }
     return {change + "}]", places};
 }
 
-// What is wrong in the figure that was asked for, at the option that was typed.
+// What is wrong in the figure that was asked for, at the option that was typed. A name that is
+// wrong is so because the kind is.
 SceneError at_options(const SceneError& error, const std::vector<AskedKey>& keys) {
     const auto [change, places] = change_by(keys);
-    std::vector<Diagnostic> all = error.diagnostics();
-    for (Diagnostic& one : all) {
+    std::vector<Diagnostic> all;
+    for (Diagnostic one : error.diagnostics()) {
         SourceSpan& span = one.span;
-        if (span.file != text_of_change(change)) continue;
-        const auto column = static_cast<std::size_t>(span.column);  // from 1 on
+        if (span.file != text_of_change(change)) {
+            all.push_back(one);
+            continue;
+        }
+        if (span.column == places[0] && error.diagnostics().size() > 1) continue;
         std::size_t at = 0;
-        while (at + 1 < places.size() && places[at + 1] < column) ++at;
-        const AskedKey& key = keys[at];
-        span.file = one.source_line = key.flag + " " + key.typed;
-        span.column = static_cast<int>(key.flag.size()) + 2;
-        span.length = static_cast<int>(key.typed.size());
-        if (at == 0 && !one.hint.empty())
+        while (at + 1 < places.size() && places[at + 1] <= span.column) ++at;
+        const bool is_of_all = span.column < places[0];
+        if (is_of_all && !one.hint.empty())
             one.hint += "; `carom figures` draws what a scene lists under `figures`";
+        span.file = one.source_line = keys[at].flag + " " + keys[at].typed;
+        span.column = static_cast<int>(keys[at].flag.size()) + 2;
+        span.length = static_cast<int>(keys[at].typed.size());
+        all.push_back(one);
     }
     return SceneError(std::move(all));
 }
 
 void make_one(FiguresArguments arguments, const FigureAsked& asked) {
-    if (asked.kind.empty())
-        throw UsageError("carom figure needs the kind of the figure: --kind gas, for instance");
     const std::vector<AskedKey> keys = keys_of(asked);
     arguments.shortcuts.push_back(change_by(keys).first);
     if (arguments.output.empty())

@@ -198,8 +198,7 @@ void CurvePanel::make_plot() {
     else if (subject_.names_axis)
         whole_.y.title = say(language, subject_.up);
     if (subject_.names.size() > 1 && !record_.compares())
-        whole_.notes.push_back(
-            {.entries = subject_.names, .wraps = true, .is_of_short_title = true});
+        whole_.notes.push_back({.entries = subject_.names, .wraps = true, .of_last_titles = 1});
     const std::string along(subject_.along.english);
     const std::string up = column_name(std::string(subject_.up.english), subject_.unit_up);
     if (is_steps)
@@ -328,7 +327,7 @@ plot::Plot CurvePanel::plot(const PanelState* state) const {
     const bool compares = record_.compares();
     if (!compares && subject_.add) subject_.add(shown ? shown->readouts.get() : nullptr, now);
     if (subject_.names.size() == 1 && !compares)  // less missed than what was added
-        now.notes.push_back({.entries = subject_.names, .is_of_short_title = true});
+        now.notes.push_back({.entries = subject_.names, .of_last_titles = 1});
     if (const std::string words = remark(); !words.empty())
         now.notes.push_back({.entries = {{.words = {plot::Text(words)}}}});
     if (shown == nullptr) return now;

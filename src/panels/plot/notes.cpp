@@ -140,8 +140,8 @@ double height_of(const Note& note, const DrawContext& dc) {
     return note_height + (placed.empty() ? 0.0 : placed.back().at.y / dc.unit);
 }
 
-// Whether all but the short titles are too long.
-bool has_short_title(const Plot& plot, const DrawContext& dc) {
+// Whether the title is one of so many last ones: all others are too long.
+bool has_one_of_last_titles(const Plot& plot, std::size_t count, const DrawContext& dc) {
     const auto fits = [&](const Text& title, TextStyle style) {
         return measure_text(markup_of(title, dc.theme), style).width <= dc.area.width;
     };
@@ -150,7 +150,7 @@ bool has_short_title(const Plot& plot, const DrawContext& dc) {
     small.size = dc.unit;
     for (const Text& title : plot.wide_titles)
         if (fits(title, full)) return false;
-    for (std::size_t i = 0; i + plot.short_titles < plot.titles.size(); ++i)
+    for (std::size_t i = 0; i + count < plot.titles.size(); ++i)
         if (fits(plot.titles[i], small)) return false;
     return true;
 }
@@ -168,10 +168,11 @@ std::vector<ShownNote> notes_of(const Plot& plot, const DrawContext& dc) {
     double room = plot_area(dc).height / dc.unit - least_height;
     std::vector<ShownNote> notes;
     for (const Note& note : plot.notes) {
-        if (note.is_of_short_title && !has_short_title(plot, dc)) continue;
+        if (note.of_last_titles > 0 && !has_one_of_last_titles(plot, note.of_last_titles, dc))
+            continue;
         ShownNote shown{&note, height_of(note, dc), false};
         if (!note.may_be_beside && shown.height > room) {
-            const bool is_key = note.wraps && note.is_of_short_title && note.entries.size() > 1;
+            const bool is_key = note.wraps && note.of_last_titles > 0 && note.entries.size() > 1;
             if (!is_key || note_height > room || places_in_one_row(note, dc, {}).empty()) continue;
             shown = {&note, note_height, true};
         }

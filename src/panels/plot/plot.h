@@ -264,7 +264,7 @@ struct Note {
     bool is_over_plot = false;       ///< begins at the plot's left edge, samples left of it
     bool may_be_beside = false;      ///< in a column right of the plot, where that leaves it larger
     double sample_width = 2.6;       ///< units
-    bool is_of_short_title = false;  ///< what short titles leave out: under those alone
+    std::size_t of_last_titles = 0;  ///< stands under so many of the last titles; 0: under all
 };
 
 // ------------------------------------------------------------------------------------ axes, plot
@@ -287,7 +287,6 @@ struct Axis {
 struct Plot {
     Language language = Language::english;  ///< of its numbers
     std::vector<Text> titles = {};          ///< from the longest on
-    std::size_t short_titles = 1;           ///< the last of these, which have notes under them
     std::vector<Text> wide_titles = {};     ///< tried before those, at full size only
     Axis x = {}, y = {};
     bool has_equal_scales = false;  ///< then the axes show at least what they say

@@ -227,8 +227,11 @@ std::vector<bool> HistogramPanel::broken_bars(const MeanHistogram& now, int fram
     until.resize(now.counts.size(), -1);
     std::vector<bool> broken;
     for (std::size_t i = 0; i < now.counts.size(); ++i) {
-        if (now.counts[i] > axes_.top) until[i] = frame + (context_.in_film ? hold : 0);
-        broken.push_back(frame <= until[i] && now.counts[i] > least_broken * axes_.top);
+        if (now.counts[i] > axes_.top)
+            until[i] = frame + (context_.in_film ? hold : 0);
+        else if (now.counts[i] <= least_broken * axes_.top)
+            until[i] = -1;
+        broken.push_back(frame <= until[i]);
     }
     return broken;
 }

@@ -131,8 +131,9 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::Text names_of_choices(Joint joint) const;
     std::string name_of_series(std::size_t k) const;
     plot::Note note_of_short_title() const;
-    void add_titles();
-    void add_titles_of_runs();
+    plot::Text add_titles();
+    plot::Text add_titles_of_runs();
+    bool marks_name_choices() const;
     void make_plot();
     std::string height_name() const;
     plot::Bars bars_of(const HistogramState& state, std::size_t k) const;

@@ -287,10 +287,13 @@ plot::Text HistogramPanel::names_of_choices(Joint joint) const {
     return joined(context_.language(), names, joint);
 }
 
+// Whether marks of means have the names of choices.
+bool HistogramPanel::marks_name_choices() const { return marks_mean_now() && !spec_.fit; }
+
 // What a title has no room for: the names of choices, and that curves are of the equilibrium.
 plot::Note HistogramPanel::note_of_short_title() const {
-    Note note{.wraps = true, .is_of_short_title = true};
-    if (count() > 1 && !compares())
+    Note note{.wraps = true, .of_last_titles = spec_.title ? 2U : 1U};
+    if (count() > 1 && !compares() && !(spec_.title && marks_name_choices()))
         for (std::size_t k = 0; k < count(); ++k)
             note.entries.push_back(
                 {*layers_[k].bars.edge, {named(name_of_series(k), roles_[k].bar)}});
@@ -307,13 +310,13 @@ plot::Note HistogramPanel::note_of_short_title() const {
 }
 
 // What the words say of the time and of the equilibrium curves. A title of the scene's own is never
-// left out: the curves are then explained below it.
-void HistogramPanel::add_titles() {
+// left out: what it has no room for stands below it, see note_of_short_title(). Gives what the last
+// of such titles leaves out besides.
+plot::Text HistogramPanel::add_titles() {
     const Language language = context_.language();
     const auto both = [&](Phrase phrase, const Text& first, const Text& second) {
         return text_of(language, phrase, {first, second});
     };
-    if (spec_.title) whole_.short_titles = 2;
     if (compares()) return add_titles_of_runs();
     const Text quantity = capitalised(say(language, subject_.quantity));
     Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
@@ -335,17 +338,22 @@ void HistogramPanel::add_titles() {
         return both(apart, what, both(Phrase{"{} / {}"}, when, curve));
     };
     if (spec_.title) {
-        whole_.titles = {with_curves(words, time), at_time(words), words};
-    } else if (count() > 1) {
+        if (count() == 1 || marks_name_choices()) whole_.titles = {with_curves(words, time)};
+        whole_.titles.push_back(at_time(words));
+        whole_.titles.push_back(words);
+        return time;
+    }
+    if (count() > 1) {
         const Text names = both(aside, names_of_choices(Joint::commas), time);
         whole_.titles = {with_curves(words, time), with_curves(quantity, names), at_time(quantity)};
     } else {
         whole_.titles = {with_curves(words, time), with_curves(quantity, time)};
         if (axes_.has_curves()) whole_.titles.push_back(at_time(quantity));
     }
+    return {};
 }
 
-void HistogramPanel::add_titles_of_runs() {
+plot::Text HistogramPanel::add_titles_of_runs() {
     const Language language = context_.language();
     const auto both = [&](Phrase phrase, const Text& first, const Text& second) {
         return text_of(language, phrase, {first, second});
@@ -366,6 +374,9 @@ void HistogramPanel::add_titles_of_runs() {
     if (axes_.has_curves() && !spec_.title) whole_.titles.push_back(both(aside, quantity, thin));
     if (!axes_.has_curves() || spec_.title) whole_.titles.push_back(whole);
     whole_.titles.push_back(spec_.title ? words : quantity);
+    if (!spec_.title || axes_.time.empty()) return {};
+    return axes_.counts_per_cent() ? both(aside, say(language, "per cent"), axes_.time)
+                                   : Text(axes_.time);
 }
 
 std::string HistogramPanel::from_name() const {
@@ -402,7 +413,7 @@ void HistogramPanel::make_plot() {
     whole_.y.high = axes_.top;
     whole_.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
     for (std::size_t k = 0; k < count(); ++k) layers_.push_back(layers_of(k));
-    add_titles();
+    const Text left_out = add_titles();
     whole_.columns = {from_name(), to_name(), value_name()};
     if (axes_.runs > 1) whole_.columns.emplace_back("standard error (count)");
     std::vector<std::string> names;
@@ -410,6 +421,8 @@ void HistogramPanel::make_plot() {
     if (compares()) name_runs(whole_, std::move(names));
     if (Note note = note_of_short_title(); !note.entries.empty())
         whole_.notes.push_back(std::move(note));
+    if (!left_out.empty())
+        whole_.notes.push_back({.entries = {{{}, {left_out}}}, .of_last_titles = 1});
 }
 
 Plot HistogramPanel::plot(const PanelState* state) const {

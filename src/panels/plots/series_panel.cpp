@@ -238,7 +238,7 @@ void SeriesPanel::make_plot() {
 
 // Each line's name in its colour.
 void SeriesPanel::add_key() {
-    plot::Note names{.wraps = true, .is_of_short_title = true};
+    plot::Note names{.wraps = true, .of_last_titles = 1};
     for (std::size_t k = 0; k < subject_.names.size(); ++k)
         names.entries.push_back(
             {{},

@@ -122,9 +122,12 @@ std::vector<std::string> key_names(const Section& section) {
     return names;
 }
 
-std::string keys_hint(const Section& section) {
+std::string keys_hint(const Section& section, const std::string& of = "") {
     const std::vector<std::string> names = key_names(section);
-    return (names.size() == 1 ? "its key is " : "its keys are ") + listed(names, "and");
+    const std::string subject = names.size() == 1 ? "key" : "keys",
+                      verb = names.size() == 1 ? "is" : "are";
+    return (of.empty() ? "its " + subject : fmt::format("the {} of {}", subject, of)) + " " + verb +
+           " " + listed(names, "and");
 }
 
 // Whether a name has a word of `text`; words of names stand between dashes.
@@ -268,30 +271,35 @@ std::vector<std::string> owners_of(const std::string& key, const Section& whole)
     return owners;
 }
 
-// Where else in a file a key belongs; nothing where it belongs nowhere or to many, or where the
-// section has so few keys that they say more.
-std::string elsewhere_hint(const std::string& key, const Section& section, const Section& whole) {
-    if (whole.index(key) < whole.keys.size())
-        return fmt::format("`{}` stands at the top level of the file", key);
+// Where a key belongs, if it does in at most a few places: inside this section, at the top level of
+// the file, or elsewhere in it.
+std::string place_of_key(const std::string& key, const Section& section, const Section& whole) {
     constexpr std::size_t few = 3;
-    if (section.keys.size() <= few) return "";
-    const std::vector<std::string> owners = owners_of(key, whole);
+    std::vector<std::string> owners = owners_of(key, section);
+    if (owners.empty() && whole.index(key) < whole.keys.size())
+        return fmt::format("`{}` stands at the top level of the file", key);
+    if (owners.empty()) owners = owners_of(key, whole);
     if (owners.empty() || owners.size() > few) return "";
     return fmt::format("`{}` is a key of {}", key, listed(owners, "and"));
+}
+
+std::string hint_for_unknown(const std::string& key, const Section& section, const Section& whole) {
+    if (key.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
+        return "a comma separates keys; write decimals with a point: 0.5";
+    constexpr std::size_t few = 13;
+    const std::string place = place_of_key(key, section, whole);
+    if (const auto near = nearest_spelling(key, key_names(section)))
+        return fmt::format("did you mean `{}`?{}", *near, place.empty() ? "" : " Or, " + place);
+    if (place.empty()) return keys_hint(section);
+    return section.keys.size() > few ? place : place + "; " + keys_hint(section, section.name);
 }
 
 void unknown_key(const Node& key, const Section& section, const Section& whole, Errors& errors) {
     if (errors.is_full()) return errors.add(key, "");
     const auto refused = std::ranges::find(section.refused, key.text, &Refused::name);
     if (refused != section.refused.end()) return errors.add(key, refused->reason, refused->hint);
-    const std::vector<std::string> names = key_names(section);
-    const auto near = nearest_spelling(key.text, names);
-    std::string hint =
-        near ? fmt::format("did you mean `{}`?", *near) : elsewhere_hint(key.text, section, whole);
-    if (hint.empty()) hint = keys_hint(section);
-    if (key.text.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
-        hint = "a comma separates keys; write decimals with a point: 0.5";
-    errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name), hint);
+    errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name),
+               hint_for_unknown(key.text, section, whole));
 }
 
 bool knows_all(const Section& section, const Node& mapping) {

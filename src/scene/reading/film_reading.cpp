@@ -289,12 +289,12 @@ const Node& place_of_length(const Node& film, const Node& root) {
     return film;
 }
 
-// A length that was given and could not be read has its own message.
+// A length that was given and could not be read has its own message. One that another origin has
+// replaced has none, but then the other is there.
 bool has_length_in_error(const Node& film) {
-    return std::ranges::any_of(std::array{"seconds", "pace"}, [&](const char* key) {
-        const Node* node = find(film, key);
-        return node != nullptr && !node->valid;
-    });
+    const std::array keys{"seconds", "pace"};
+    return std::ranges::any_of(keys, [&](const char* key) { return find(film, key) != nullptr; }) &&
+           std::ranges::none_of(keys, [&](const char* key) { return given(film, key) != nullptr; });
 }
 
 bool check_frames(const Film& film, const Node& node, const Node& root, Errors& errors) {

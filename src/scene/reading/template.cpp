@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "scene/time/captions.h"
@@ -157,9 +156,11 @@ void complete_layout(LayoutDraft& layout, const Node& node, Reading& reading) {
             return is_inside(one.place.value, layout);
         }))
         check_overlaps(layout, reading.errors);
-    const bool is_whole = std::ranges::all_of(
-        std::array{layout.title, layout.gas, layout.color_bar},
-        [](const Slot& slot) { return slot.width > 0.0; });  // what is not has its own message
+    const bool is_whole =  // what is not has its own message
+        given(node, "title") && given(node, "gas") && given(node, "color_bar") &&
+        std::ranges::all_of(layout.places, [](const NamedPlace& one) {
+            return one.place.value.width > 0.0 && one.place.value.height > 0.0;
+        });
     if (layout.caption && is_whole)
         check_caption_line(*given(node, "caption"), layout, reading.errors);
 }

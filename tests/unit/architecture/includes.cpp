@@ -112,10 +112,13 @@ std::set<std::string> calls(const std::string& text) {
 // In templates of headers: what is called depends on the type that they are used for.
 const std::set<std::string> by_argument{"archive_parts", "invert", "mean_of"};
 
-// A function of this file alone, or a variable that is called.
+// A function of this file alone, or a variable that is called: behind a type, which `return` and an
+// operand of an operator are not.
 bool defines(const std::string& text, const std::string& name) {
-    return std::regex_search(text,
-                             std::regex(R"((auto|[\w>&*\]])&? )" + name + R"(\b *[({=;,):])"));
+    const std::regex behind_word(R"((\w+)[>\]&*]* )" + name + R"(\b *[({=;,):])");
+    for (std::sregex_iterator one(text.begin(), text.end(), behind_word), end; one != end; ++one)
+        if ((*one)[1] != "return" && (*one)[1] != "throw" && (*one)[1] != "case") return true;
+    return false;
 }
 
 }  // namespace

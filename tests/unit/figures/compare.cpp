@@ -328,7 +328,7 @@ TEST_CASE(
     const auto rows = [&](double height, const std::vector<std::string>& names) {
         const DrawContext dc{{0, 0, 360, height}, 10, theme(ThemeKind::print), disks};
         plot::Plot plot;
-        plot.notes = {{.wraps = true, .is_of_short_title = true}};
+        plot.notes = {{.wraps = true, .of_last_titles = 1}};
         for (const std::string& name : names)
             plot.notes.front().entries.push_back({.words = {plot::Text(name)}});
         return height_of_rows(plot, dc, false) / note_height;

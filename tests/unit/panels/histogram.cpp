@@ -219,7 +219,8 @@ TEST_CASE("the number beyond the lower end is told beside the axis, which stays 
 }
 
 TEST_CASE("the scene's own title is shown in panels of any width, and curves are explained") {
-    for (const std::string choice : {"", "of: [light, heavy], "})
+    for (const std::string choice :
+         {"", "of: [light, heavy], ", "of: [light, heavy], mean_now: false, "})
         for (const int width : {640, 1280, 2400}) {
             CAPTURE(choice);
             CAPTURE(width);
@@ -238,5 +239,7 @@ TEST_CASE("the scene's own title is shown in panels of any width, and curves are
             CAPTURE(words);
             CHECK(words.find("How fast they fly") != std::string::npos);
             CHECK(words.find("equilibrium") != std::string::npos);
+            CHECK(words.find("now") != std::string::npos);
+            if (!choice.empty()) CHECK(words.find("light") != std::string::npos);
         }
 }

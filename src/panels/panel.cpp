@@ -78,7 +78,7 @@ bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double wid
 
 std::string line_sample(std::size_t line, Color color, const Theme& theme) {
     if (theme.kind != ThemeKind::print) return "";
-    constexpr std::array<const char*, 4> samples = {"—", "- - -", "···", "–·–"};
+    constexpr std::array<const char*, 4> samples = {"—", "- -", "···", "–·–"};
     return fmt::format("<span foreground=\"{}\" weight=\"900\">{}</span> ",
                        hex_of(edge_of(color, theme)), samples[line % samples.size()]);
 }

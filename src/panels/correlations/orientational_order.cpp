@@ -22,7 +22,7 @@ std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
                           .quantity = Phrase{"hexagonal order"},
                           .unit = "1"};
     const std::string title = say(language, "Hexagonal order");
-    subject.names = {say(language, "whole gas"), say(language, "neighbours of each")};
+    subject.names = {say(language, "whole gas"), say(language, "local")};
     title_with_names(subject, language, title);
     subject.compared_title = title;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));

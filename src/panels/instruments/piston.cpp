@@ -32,8 +32,8 @@ std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec&
                                    (*known)->law.deviation()}};
         };
         subject.numbers = [known]() -> std::vector<std::vector<MeanError>> {
-            if (!*known) return {};
-            return {{{(*known)->law.period((*known)->mass), 0.0}}};
+            if (!*known || !(*known)->period()) return {};
+            return {{{*(*known)->period(), 0.0}}};
         };
         subject.add = [language](const SeriesRecord& record, plot::Plot& whole) {
             const auto& numbers = record.runs.front().numbers;

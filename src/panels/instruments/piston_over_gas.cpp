@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "panels/surfaces/surface_words.h"
 #include "physics/energy_account.h"
@@ -9,6 +11,12 @@
 namespace carom {
 
 namespace {
+
+// Of a dilute gas of disks in this area, 1 / (2 sqrt(2) n d).
+double mean_free_path(const Particles& particles, double area) {
+    const double diameters = 2.0 * particles.radius.sum();
+    return area / (2.0 * std::numbers::sqrt2 * diameters);
+}
 
 double force_to_gas(const Piston& piston, std::int32_t surface) {
     return Surfaces::is_far_side(surface) ? -piston.force : piston.force;
@@ -44,11 +52,19 @@ std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::i
     const std::vector<SurfaceState>& states = start.advanced.surfaces;
     const EnergyAccount now = energies(box, context.particles, start.sample, states);
     const double height = std::abs(place_of_surface(box, states, side) - zero);
-    return PistonOverGas{.law = {.count = static_cast<double>(context.particles.count()),
-                                 .energy = now.kinetic + now.pistons + force * height,
-                                 .force = force,
-                                 .dimension = box.dimension},
+    const PistonLaw law{.count = static_cast<double>(context.particles.count()),
+                        .energy = now.kinetic + now.pistons + force * height,
+                        .force = force,
+                        .dimension = box.dimension};
+    const double free_path =
+        box.dimension == 1
+            ? std::numeric_limits<double>::infinity()
+            : mean_free_path(context.particles,
+                             law.mean() * box.length(1 - box.surfaces.axis_of(surface)));
+    return PistonOverGas{.law = law,
                          .mass = piston.mass,
+                         .gas_mass = (1.0 / context.particles.inverse_mass).sum(),
+                         .free_path = free_path,
                          .zero = zero,
                          .direction = direction};
 }

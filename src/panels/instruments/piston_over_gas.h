@@ -11,14 +11,25 @@ namespace carom {
 /// The law of a side that moves freely, over an ideal gas with the energy of a run's.
 struct PistonOverGas {
     PistonLaw law;
-    double mass = 1.0;
-    double zero = 0.0;       ///< the place where h is 0
+    double mass = 1.0, gas_mass = 1.0;
+    double free_path =
+        0.0;            ///< of a disk; infinite on a line, where disks only exchange velocities
+    double zero = 0.0;  ///< the place where h is 0
     double direction = 1.0;  ///< of h
 
-    void archive(auto& archive) { archive(law, mass, zero, direction); }
+    void archive(auto& archive) { archive(law, mass, gas_mass, free_path, zero, direction); }
 
     double mean_place() const { return zero + direction * law.mean(); }
     double density_at(double place) const { return law.density(direction * (place - zero)); }
+
+    /// Of its slow oscillations. None where the gas weighs so much that it matters how sound goes
+    /// through it, and sound does not, as disks fly too far between their collisions.
+    std::optional<double> period() const {
+        constexpr double light = 0.1, dense = 0.2;
+        const bool carries_sound = free_path < dense * law.mean();
+        if (!carries_sound && gas_mass > light * mass) return std::nullopt;
+        return law.period(mass, gas_mass);
+    }
 };
 
 /// Whether nothing but the gas and a constant force acts on this surface, a free side, and nothing

@@ -9,7 +9,7 @@ namespace carom::plot {
 namespace {
 
 constexpr double sample_gap = 0.5, entry_gap = 1.5;  // units
-constexpr double narrow_gap = 0.5;        // between entries that are in one row for want of room
+constexpr double narrow_gap = 0.4;        // between entries that are in one row for want of room
 constexpr double first_baseline = 2.5;    // units
 constexpr double sample_over_plot = 2.4;  // of notes that begin at the plot's edge, units
 constexpr double gap_beside = 1.4;        // between a plot and the note beside it, units

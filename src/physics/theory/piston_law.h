@@ -41,11 +41,19 @@ struct PistonLaw {
     /// The mean of M v^2: twice the mean energy of each of the d N + 1 degrees of freedom.
     double temperature() const { return (energy - force * mean()) / beta(); }
 
-    /// Of small oscillations of a piston of mass M about the mean, so slow that the gas stays in
-    /// equilibrium, from M omega^2 deviation^2 = T. Where N is large this is the motion along the
-    /// adiabat, omega^2 = (1 + 2/d) F / (M h).
-    double period(double mass) const {
-        return 2.0 * std::numbers::pi * deviation() * std::sqrt(mass / temperature());
+    /// The period of the slowest small oscillations of a piston of mass M on a gas of mass m
+    /// through which sound travels. A standing wave u = sin(x z / h) sin(omega t) of the
+    /// displacement in the column 0 < z < h, with omega = x c / h, moves the piston by its pressure
+    /// at z = h if x tan x = m / M; the smallest x counts. With the stiffness K = m c^2 / h^2 of
+    /// the column, omega^2 = x^2 K / m; where m << M this is K / M, that of a spring. K = T /
+    /// deviation^2, which is (1 + 2/d) F / h, that of the adiabat, where N is large.
+    double period(double mass, double gas_mass) const {
+        double low = 0.0, high = 0.5 * std::numbers::pi;
+        while (0.5 * (low + high) > low && 0.5 * (low + high) < high) {
+            const double x = 0.5 * (low + high);
+            (x * std::sin(x) * mass < gas_mass * std::cos(x) ? low : high) = x;
+        }
+        return 2.0 * std::numbers::pi * deviation() / low * std::sqrt(gas_mass / temperature());
     }
 
     void archive(auto& archive) { archive(count, energy, force, dimension); }

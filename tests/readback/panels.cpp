@@ -46,7 +46,7 @@ const std::map<std::string, Check>& checks() {
         {"piston-histogram",
          plot({"position from (length)", "share (per cent)", "position to (length)"})},
         {"sides", plot({"time (time)", "particles (1)"})},
-        {"flux", plot({"time (time)", "crossings per time (1/time)"})},
+        {"flux", plot({"time (time)", "crossing rate (1/time)"})},
         {"energy-account",
          [](const DrawnFigure& figure) {
              return stack_problems(figure, {"time (time)", "energy (mass length^2/time^2)"});

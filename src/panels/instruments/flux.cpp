@@ -101,9 +101,9 @@ class FluxMeter {
 Phrase flux_title(Carried carried) {
     switch (carried) {
         case Carried::particles:
-            return Phrase{"Crossings per time"};
+            return Phrase{"Crossing rate"};
         case Carried::energy:
-            return Phrase{"Energy carried across per time"};
+            return Phrase{"Energy current"};
         case Carried::mean_energy:
             return Phrase{"Mean energy of those that cross"};
     }
@@ -113,9 +113,9 @@ Phrase flux_title(Carried carried) {
 Phrase flux_quantity(Carried carried) {
     switch (carried) {
         case Carried::particles:
-            return Phrase{"crossings per time"};
+            return Phrase{"crossing rate"};
         case Carried::energy:
-            return Phrase{"energy per time"};
+            return Phrase{"energy current"};
         case Carried::mean_energy:
             return Phrase{"mean energy"};
     }

@@ -8,6 +8,7 @@
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/instruments/surface_pressure.h"
 #include "panels/plot/plot_panel.h"
+#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
 #include "stats/histogram.h"
@@ -76,8 +77,7 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
     PressureVolumePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context),
           spec_(spec),
-          meter_(context.scene.gas.box, {spec.surfaces.front()},
-                 spec.over.value_or(usual_window(context.scene.run))) {}
+          meter_(context.scene.gas.box, {spec.surfaces.front()}, over()) {}
 
     void survey(const FrameInput& input) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
@@ -87,6 +87,12 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
 
   private:
     const Box& box() const { return context_.scene.gas.box; }
+    Over over() const { return spec_.over.value_or(usual_window(context_.scene.run)); }
+
+    // Over a whole window: single hits soon after the start would be strokes up and down.
+    bool is_measured(double time) const {
+        return over().since != Over::Since::window || time >= (1.0 - 1e-9) * over().window;
+    }
     void make_axes() override;
     void add_curves();
     plot::Line path_of(std::size_t run) const;
@@ -107,7 +113,9 @@ void PressureVolumePanel::survey(const FrameInput& input) {
         run.start = area;
     }
     run.area.push_back(area);
-    run.pressure.push_back(meter_(input.tick.time, input.advanced).front());
+    const double pressure = meter_(input.tick.time, input.advanced).front();
+    run.pressure.push_back(is_measured(input.tick.time) ? pressure
+                                                        : std::numeric_limits<double>::quiet_NaN());
 }
 
 std::shared_ptr<const PanelState> PressureVolumePanel::state(const FrameInput&) {
@@ -127,9 +135,13 @@ void PressureVolumePanel::make_axes() {
     const Phrase area = is_line ? Phrase{"length"} : Phrase{"area"};
     whole_ = {};
     whole_.language = language;
-    whole_.titles = {spec_.title ? escape_markup(*spec_.title)
-                                 : say(language, is_line ? Phrase{"Pressure and length"}
-                                                         : Phrase{"Pressure and area"})};
+    const plot::Text title = spec_.title ? escape_markup(*spec_.title)
+                                         : say(language, is_line ? Phrase{"Pressure and length"}
+                                                                 : Phrase{"Pressure and area"});
+    PanelSpec timed = spec_;
+    timed.over = over();
+    whole_.titles = {
+        plot::text_of(language, Phrase{"{}: {}"}, {title, time_words(language, timed)}), title};
     whole_.x = {.title = say(language, area), .low = INFINITY, .high = 0.0};
     std::vector<double> pressures;
     for (const PressureVolumeRun& run : record_.runs) {
@@ -161,8 +173,10 @@ void PressureVolumePanel::add_curves() {
     whole_.layers.emplace_back(curve(whole_, "adiabat", of_adiabat, [=](double its) {
         return work / area * std::pow(area / its, exponent);
     }));
-    whole_.notes.push_back({.entries = {{{}, {plot::Text(say(language, "ideal gas:"))}},
-                                        {of_isotherm, {plot::Text(say(language, "isotherm"))}},
+    const plot::Text isotherm = say(language, "isotherm");
+    const plot::Text of_ideal_gas =
+        plot::text_of(language, Phrase{"{}, {}"}, {say(language, "ideal gas"), isotherm});
+    whole_.notes.push_back({.entries = {{of_isotherm, {of_ideal_gas, isotherm}},
                                         {of_adiabat, {plot::Text(say(language, "adiabat"))}}},
                             .wraps = true});
 }

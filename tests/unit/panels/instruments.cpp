@@ -367,3 +367,26 @@ TEST_CASE("pressure against area begins at the box, with the ideal gas from ther
     CHECK(plot.x.low < 100.0);
     CHECK(plot.x.high > 140.0);
 }
+
+TEST_CASE("the path of pressure and area begins when its window is full") {
+    const Seen seen(
+        "box: {size: [10, 14], walls: {top: {velocity: -0.5}}}\n"
+        "gas: [{name: a, count: 20, radius: 0.01, temperature: {exact: 2}}]\n"
+        "run: {until: 8}\nfilm: {seconds: 8, panels: [{kind: pressure-volume, over: {window: "
+        "4}}]}\n");
+    const auto state = seen.last_state();
+    const plot::Plot plot = seen.plot(state.get());
+    const plot::Line* path = nullptr;
+    for (const auto& layer : plot.layers)
+        if (const auto* line = std::get_if<plot::Line>(&layer); line && line->part == "path")
+            path = line;
+    REQUIRE(path != nullptr);
+    int before = 0;
+    for (std::size_t i = 0; i < path->y.size(); ++i) {
+        const bool is_full = path->x[i] < 120.0 + 1e-6;  // the wall has gone 2 of 14 by then
+        CHECK(std::isfinite(path->y[i]) == is_full);
+        before += !is_full;
+    }
+    CHECK(before > 30);
+    CHECK(before < 50);
+}

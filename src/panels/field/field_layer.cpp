@@ -165,7 +165,8 @@ std::shared_ptr<const FieldState> FieldLayer::see(const FrameInput& input) {
 }
 
 // Not the disks': magma, or viridis where they have it or one that is like it. It goes from where
-// it differs from blank cells to where the outlines of the disks still stand out.
+// it differs from blank cells to where the outlines of the disks still stand out; for temperatures
+// on a light ground the other way, so that hot is yellow beside red walls, and cold violet.
 ColorMap FieldLayer::colors(const Theme& theme) const {
     if (theme.kind == ThemeKind::print) return ColorMap({rgb(0xE4E4E4), rgb(0x8A8A8A)});
     const std::string disks = context_.scene.film.palette.value_or("viridis");
@@ -178,7 +179,8 @@ ColorMap FieldLayer::colors(const Theme& theme) const {
                least_contrast_of_outlines &&
            std::abs(last - first) > 0.3)
         last += step;
-    return color_map(name, first, last);
+    const bool is_turned = !theme.dark && field_->of == FieldOf::temperature;
+    return is_turned ? color_map(name, last, first) : color_map(name, first, last);
 }
 
 // The longest arrow of the scale is as long as a cell is wide.

@@ -155,6 +155,27 @@ TEST_CASE("the outlines of disks stand out from the darkest and the lightest cel
         }
 }
 
+TEST_CASE("hot cells are warmer in colour than cold ones, in dark and light themes") {
+    const std::string gas =
+        "gas: [{name: hot, count: 60, radius: 0.1, temperature: 4, position: {within: [1, 1, 9, "
+        "9]}}, {name: cold, count: 60, radius: 0.1, temperature: 0.2, position: {within: [11, 11, "
+        "19, 19]}}]\n";
+    for (const std::string kind : {"dark", "light"}) {
+        CAPTURE(kind);
+        const test::FirstFrame first(
+            scene_with("of: temperature, cells: 2", "panels: [], theme: " + kind, gas));
+        const Rect box = first.box();
+        const auto at = [&](double x, double y) {
+            return rgb(first.view.data[std::lround(box.bottom() - y * box.height / 20.0) *
+                                           first.view.stride +
+                                       std::lround(box.x + x * box.width / 20.0)] &
+                       0xFFFFFF);
+        };
+        const Color hot = at(0.5, 0.5), cold = at(19.5, 19.5);
+        CHECK(hot.red - hot.blue > cold.red - cold.blue + 0.2);
+    }
+}
+
 TEST_CASE("a field is listed and told in words") {
     const test::FirstFrame first(scene_with("of: density, cells: 2"));
     const Table table = first.panels.gas().table(*first.frame.states.front(), Theme{});

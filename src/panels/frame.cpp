@@ -180,6 +180,9 @@ std::vector<std::string> FramePainter::cut_words() {
             add(fmt::format("the title “{}” of a panel", *specs[i].title),
                 [&] { draw_panel_title(scratch, dc, escape_markup(*specs[i].title)); });
     }
+    for (const std::string& kind : scene_.film.panels_left_out)
+        cut.push_back(fmt::format("the panel `{}` (template {} has places for {})", kind,
+                                  scene_.film.template_name, specs.size()));
     return cut;
 }
 

@@ -34,7 +34,8 @@ class FramePainter {
     void paint_on(Canvas& canvas, const FrameData& frame);
 
     /// What has no room where it stands: what the scene says and ends in an ellipsis there, "the
-    /// title", "the caption “...”", and panels whose places are too small. Needs no axes.
+    /// title", "the caption “...”", and panels whose places are too small, or missing. Needs no
+    /// axes.
     std::vector<std::string> cut_words();
 
   private:

@@ -334,6 +334,7 @@ struct Film {
     std::vector<SlowSpan> slow;     ///< in order, apart, with room for the easing between them
     std::vector<Monitor> monitors;  ///< the numbers in the layout's row; none: all
     std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
+    std::vector<std::string> panels_left_out = {};  ///< kinds; a template laid over has no place
     std::vector<Spotlight> spotlights;
     std::vector<Callout> callouts;
     std::vector<CameraMove> camera;  ///< in order of time; none: the whole box throughout

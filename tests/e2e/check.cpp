@@ -136,6 +136,14 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
     CHECK(json::parse(small.out).at(0).at("cut") ==
           json{"the panel `entropy` (its place is 16 by 6.9 units, it needs 8 by 7)",
                "the panel `temperature` (its place is 7 by 9 units, it needs 8 by 7)"});
+    places.write("three.yaml",
+                 "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 2}]\n"
+                 "run: {until: 12}\nfilm: {seconds: 8, panels: [speed-histogram, "
+                 "entropy, temperature]}\n");
+    const Outcome square = run(
+        {program, "check", "--json", "three.yaml", "--set", "film.template=square"}, places.path());
+    CHECK(json::parse(square.out).at(0).at("cut") ==
+          json{"the panel `temperature` (template square has places for 2)"});
     CHECK(checked("box: {size: [40, 30]}\ngas: [{count: 96, radius: 0.3, speed: 2}]\n"
                   "run: {until: 12}\nfilm: {seconds: 8}\n")
               .at("cut") == json::array());

@@ -31,12 +31,12 @@ const std::string& name_of(const BarNotes::Name& name, bool is_short) {
 }
 
 double width_of_names(const DrawContext& dc, const Plot& plot, bool is_short) {
+    if (plot.bar_notes->names.empty()) return usual_width * dc.unit;
     const double numbers_waver = 0.6 * dc.unit;
-    double width = is_short ? 0.0 : usual_width * dc.unit;
-    if (!plot.bar_notes->are_in_a_row)
-        for (const BarNotes::Name& name : plot.bar_notes->names)
-            width = std::max(width, width_of(dc, *plot.bar_notes, name_of(name, is_short)) +
-                                        (is_short ? numbers_waver : 0.0));
+    double width = 0.0;
+    for (const BarNotes::Name& name : plot.bar_notes->names)
+        width =
+            std::max(width, width_of(dc, *plot.bar_notes, name_of(name, is_short)) + numbers_waver);
     return width;
 }
 
@@ -75,6 +75,7 @@ double left_end(const Frame& frame) {
 // Short names where a row has no room for more.
 bool are_short(const Frame& frame, const Plot& plot) {
     const BarNotes& notes = *plot.bar_notes;
+    if (frame.notes.side != Side::above) return frame.notes.is_short;
     if (plot.bar_notes->are_in_a_row) {
         const double share =
             frame.area.width / std::max<double>(2.0, static_cast<double>(notes.names.size()));
@@ -82,7 +83,6 @@ bool are_short(const Frame& frame, const Plot& plot) {
             return width_of(frame.dc, notes, name.name) + 0.6 * frame.dc.unit > share;
         });
     }
-    if (frame.notes.side != Side::above) return frame.notes.is_short;
     double width = 0.0;
     for (const BarNotes::Name& name : notes.names) width += width_of(frame.dc, notes, name.name);
     return width + frame.dc.unit > frame.area.right() - frame.dc.area.x;
@@ -128,9 +128,10 @@ void draw_words(Canvas& canvas, const Frame& frame, Point at, const std::string&
 
 PlaceOfNotes place_of_notes(const Plot& plot, const DrawContext& dc) {
     if (!plot.bar_notes) return {};
-    double width = width_of_names(dc, plot, false);
+    // Those of several choices are short beside each other, or one below the other.
+    bool is_short = plot.bar_notes->are_in_a_row;
+    double width = width_of_names(dc, plot, is_short);
     Side side = side_of(plot, dc, width);
-    bool is_short = false;
     if (side == Side::above && has_short_names(plot)) {
         const double short_width = width_of_names(dc, plot, true);
         side = side_of(plot, dc, short_width);

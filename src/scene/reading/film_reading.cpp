@@ -213,6 +213,8 @@ void check_slots(const Node& node, Film& film, const std::filesystem::path& temp
     const std::size_t slots = film.layout.panels.size();
     if (list == nullptr || list->items.size() <= slots) return;
     if (is_laid_over(node, *list)) {
+        for (std::size_t i = slots; i < film.panels.size(); ++i)
+            film.panels_left_out.push_back(film.panels[i].kind);
         film.panels.resize(std::min(film.panels.size(), slots));
         return;
     }

@@ -21,19 +21,17 @@ namespace {
 // Texts by their paths in src/, without comments and without what stands in quotes.
 using Sources = std::map<std::string, std::string>;
 
-std::string code_of(const std::string& text) {
-    static const std::regex raw(R"re(R"\([^]*?\)")re"), quoted(R"re("(\\.|[^"\\\n])*")re"),
-        comment("//.*");
-    std::string code = std::regex_replace(text, raw, "\"\"");
+std::string code_of(std::string code) {
+    static const std::regex quoted(R"re("(\\.|[^"\\\n])*")re"), comment("//.*");
+    for (std::size_t raw = code.find("R\"("); raw != std::string::npos;
+         raw = code.find("R\"(", raw + 2))
+        code.replace(raw, code.find(")\"", raw) + 2 - raw, "\"\"");
     std::string kept;
     std::istringstream lines(code);
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("#")) {
-            kept += line + "\n";
-            continue;
-        }
-        line = std::regex_replace(line, quoted, "\"\"");
-        kept += std::regex_replace(line, comment, "") + "\n";
+        if (!line.starts_with("#"))
+            line = std::regex_replace(std::regex_replace(line, quoted, "\"\""), comment, "");
+        kept += line + "\n";
     }
     return kept;
 }

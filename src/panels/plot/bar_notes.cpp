@@ -128,10 +128,14 @@ void draw_words(Canvas& canvas, const Frame& frame, Point at, const std::string&
 
 PlaceOfNotes place_of_notes(const Plot& plot, const DrawContext& dc) {
     if (!plot.bar_notes) return {};
-    // Those of several choices are short beside each other, or one below the other.
+    // Names of several choices are short beside the bars; above them, the row has room for more.
     bool is_short = plot.bar_notes->are_in_a_row;
     double width = width_of_names(dc, plot, is_short);
     Side side = side_of(plot, dc, width);
+    if (side == Side::above && is_short) {
+        is_short = false;
+        width = width_of_names(dc, plot, is_short);
+    }
     if (side == Side::above && has_short_names(plot)) {
         const double short_width = width_of_names(dc, plot, true);
         side = side_of(plot, dc, short_width);

@@ -243,3 +243,25 @@ TEST_CASE("the scene's own title is shown in panels of any width, and curves are
             if (!choice.empty()) CHECK(words.find("light") != std::string::npos);
         }
 }
+
+TEST_CASE("the names of means over the bars are whole") {
+    for (const int width : {640, 1280, 2400}) {
+        CAPTURE(width);
+        const test::Shot film(test::scene_from(
+            "title: T\nbox: {size: [40, 30]}\n"
+            "gas: [{name: light, count: 30, temperature: 1}, "
+            "{name: heavy, count: 30, mass: 4, temperature: 1}]\n"
+            "run: {until: 1}\nfilm: {seconds: 1, size: [" +
+            std::to_string(width) +
+            ", 720], panels: [{kind: velocity-histogram, component: x, of: [light, heavy], "
+            "mean_now: true}]}\n"));
+        FramePainter painter(*film.panels);
+        const TextLog log;
+        painter.paint(film.frames.back());
+        const auto names = std::ranges::count_if(log.lines, [](const DrawnLine& line) {
+            return line.markup.starts_with("mean: light") || line.markup.starts_with("light ");
+        });
+        CHECK(names == 1);
+        for (const DrawnLine& line : log.lines) CHECK_FALSE_MESSAGE(line.is_cut, line.markup);
+    }
+}

@@ -64,6 +64,13 @@ std::string change_of(const std::string& key, const std::string& value) {
     return key + "=" + (key == "film.size" ? as_yaml_size(value) : value);
 }
 
+void show_at_option(Diagnostic& diagnostic, const std::string& flag, const std::string& value) {
+    SourceSpan& span = diagnostic.span;
+    span.file = diagnostic.source_line = flag + " " + value;
+    span.column = static_cast<int>(flag.size()) + 2;
+    span.length = static_cast<int>(value.size());
+}
+
 std::string flags_of(const Option& option) {
     std::string flags = option.name.substr(0, option.name.find(' '));
     std::erase_if(flags, [](char c) { return c == '[' || c == ']'; });

@@ -47,6 +47,9 @@ std::string change_of(const std::string& key, const std::string& value);
 /// The flags of an option: "-o,--output"; the name of words without flags.
 std::string flags_of(const Option& option);
 
+/// Shows a mistake at an option as it was typed, "--fps 9999", below the whole of its value.
+void show_at_option(Diagnostic& diagnostic, const std::string& flag, const std::string& value);
+
 /// What the help calls the value of an option: FILM, mp4|webm, SCENE...; empty for a flag.
 std::string word_of(const Option& option);
 

@@ -209,7 +209,7 @@ SceneError at_options(const SceneError& error, const std::vector<AskedKey>& keys
     const auto [change, places] = change_by(keys);
     std::vector<Diagnostic> all;
     for (Diagnostic one : error.diagnostics()) {
-        SourceSpan& span = one.span;
+        const SourceSpan span = one.span;
         if (span.file != text_of_change(change)) {
             all.push_back(one);
             continue;
@@ -220,9 +220,7 @@ SceneError at_options(const SceneError& error, const std::vector<AskedKey>& keys
         const bool is_of_all = span.column < places[0];
         if (is_of_all && !one.hint.empty())
             one.hint += "; `carom figures` draws what a scene lists under `figures`";
-        span.file = one.source_line = keys[at].flag + " " + keys[at].typed;
-        span.column = static_cast<int>(keys[at].flag.size()) + 2;
-        span.length = static_cast<int>(keys[at].typed.size());
+        show_at_option(one, keys[at].flag, keys[at].typed);
         all.push_back(one);
     }
     return SceneError(std::move(all));

@@ -83,17 +83,15 @@ void place_at_option(Diagnostic& diagnostic, const Option& option, const CLI::Ap
         option.key.empty() ? nullptr : called.get_option_no_throw(flags_of(option));
     if (given == nullptr || given->empty()) return;
     const std::string& value = given->results().back();
-    const std::string change = change_of(option.key, value), flag = flags_of(option) + " ";
-    const std::string text = text_of_change(change);
+    const std::string text = text_of_change(change_of(option.key, value));
+    if (diagnostic.span.file != text) return;
+    const SourceSpan in_change = diagnostic.span;
+    show_at_option(diagnostic, flags_of(option), value);
+    if (!text.ends_with("=" + value)) return;  // written as YAML in another way: all of it
     SourceSpan& span = diagnostic.span;
-    if (span.file != text) return;
-    span.file = diagnostic.source_line = flag + value;
-    if (text.ends_with("=" + value)) {
-        span.column += static_cast<int>(span.file.size()) - static_cast<int>(text.size());
-    } else {  // written as YAML in another way: all of it
-        span.column = static_cast<int>(flag.size()) + 1;
-        span.length = static_cast<int>(value.size());
-    }
+    span.column =
+        in_change.column + static_cast<int>(span.file.size()) - static_cast<int>(text.size());
+    span.length = in_change.length;
 }
 
 SceneError as_typed(const SceneError& error, const Command& command, const CLI::App& called) {

@@ -282,8 +282,8 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     const double most = most_bytes(arguments);
     std::vector<Scene> scenes = asked;
     RenderReport report;
-    std::optional<Output>
-        whole;  // page or stream, opened once: the reader of a pipe leaves at its end
+    // A page or a stream, opened once: the reader of a pipe leaves at its end.
+    std::optional<Output> whole;
     const bool is_page = !arguments.page.empty();
     const std::string target = is_page ? output.string() : arguments.destination.output;
     // What was measured on a few frames may be a little less than the whole film.

@@ -99,10 +99,7 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
         if (options.quiet) continue;
         Output("-").write(report_of(folder, report));
         if (loaded[i].film.sound && !format.sound) say(warning_of_silence(format));
-        if (!report.cut.empty())
-            say(fmt::format(
-                "carom: no room for all of {}; write less, or choose another template\n",
-                printable(listed(report.cut))));
+        say(warning_of_cut(report.cut));
     }
 }
 

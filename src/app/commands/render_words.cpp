@@ -11,12 +11,6 @@
 namespace carom {
 namespace {
 
-std::string warning_of_cut_words(const RenderReport& report) {
-    if (report.cut.empty()) return "";
-    return fmt::format("carom: no room for all of {}; write less, or choose another template\n",
-                       printable(listed(report.cut)));
-}
-
 // What pages and mail take without trouble is soon passed by a format that holds every change of
 // every pixel.
 std::string warning(const OutputFormat& format, const RenderReport& report) {
@@ -66,9 +60,15 @@ std::string warning_of_silence(const OutputFormat& format) {
         upper_case(format.name));
 }
 
+std::string warning_of_cut(const std::vector<std::string>& cut) {
+    if (cut.empty()) return "";
+    return fmt::format("carom: no room for all of {}; write less, or choose another template\n",
+                       printable(listed(cut)));
+}
+
 std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page) {
     return (report.lacks_sound ? warning_of_silence(format) : "") + warning(format, report) +
-           (in_page ? warning_of_page(report) : "") + warning_of_cut_words(report);
+           (in_page ? warning_of_page(report) : "") + warning_of_cut(report.cut);
 }
 
 }  // namespace carom

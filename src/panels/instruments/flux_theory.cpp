@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "physics/mechanics.h"
+#include "physics/theory/collision_rate.h"
 #include "physics/theory/theory.h"
 
 namespace carom {
@@ -104,13 +105,13 @@ class GapFlux : public FluxTheory {
 
   private:
     // Where particles meet one another before they have crossed the side, and come to a gap one by
-    // one: their mean free path, 1 / (2 sqrt(2) n d) of disks, is between these.
+    // one: their mean free path is between these.
     bool is_like_equilibrium(const std::vector<Eigen::Index>& side, double width) const {
         double diameters = 0.0;
         for (const Eigen::Index i : side) diameters += 2.0 * context_.particles.radius[i];
         if (side.size() < 2) return false;
         const double area = width * context_.scene.gas.box.length(1 - line_.axis);
-        const double path = area / (2.0 * std::numbers::sqrt2 * diameters);
+        const double path = dilute_free_path(area, diameters);
         const double least = 2.0 * context_.particles.radius.minCoeff();
         return path <= width && path >= DiluteGas::paths * (std::ranges::max(gaps_) - least);
     }

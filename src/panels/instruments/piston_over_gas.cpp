@@ -3,20 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "panels/surfaces/surface_words.h"
 #include "physics/energy_account.h"
+#include "physics/theory/collision_rate.h"
 
 namespace carom {
 
 namespace {
-
-// Of a dilute gas of disks in this area, 1 / (2 sqrt(2) n d).
-double mean_free_path(const Particles& particles, double area) {
-    const double diameters = 2.0 * particles.radius.sum();
-    return area / (2.0 * std::numbers::sqrt2 * diameters);
-}
 
 double force_to_gas(const Piston& piston, std::int32_t surface) {
     return Surfaces::is_far_side(surface) ? -piston.force : piston.force;
@@ -56,11 +50,10 @@ std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::i
                         .energy = now.kinetic + now.pistons + force * height,
                         .force = force,
                         .dimension = box.dimension};
-    const double free_path =
-        box.dimension == 1
-            ? std::numeric_limits<double>::infinity()
-            : mean_free_path(context.particles,
-                             law.mean() * box.length(1 - box.surfaces.axis_of(surface)));
+    const double area = law.mean() * box.length(1 - box.surfaces.axis_of(surface));
+    const double free_path = box.dimension == 1
+                                 ? std::numeric_limits<double>::infinity()
+                                 : dilute_free_path(area, 2.0 * context.particles.radius.sum());
     return PistonOverGas{.law = law,
                          .mass = piston.mass,
                          .gas_mass = (1.0 / context.particles.inverse_mass).sum(),

@@ -12,9 +12,9 @@ namespace carom {
 struct PistonOverGas {
     PistonLaw law;
     double mass = 1.0, gas_mass = 1.0;
-    double free_path =
-        0.0;            ///< of a disk; infinite on a line, where disks only exchange velocities
-    double zero = 0.0;  ///< the place where h is 0
+    /// Of the particles; infinite on a line, where these only exchange velocities.
+    double free_path = 0.0;
+    double zero = 0.0;       ///< the place where h is 0
     double direction = 1.0;  ///< of h
 
     void archive(auto& archive) { archive(law, mass, gas_mass, free_path, zero, direction); }
@@ -22,8 +22,8 @@ struct PistonOverGas {
     double mean_place() const { return zero + direction * law.mean(); }
     double density_at(double place) const { return law.density(direction * (place - zero)); }
 
-    /// Of its slow oscillations. None where the gas weighs so much that it matters how sound goes
-    /// through it, and sound does not, as disks fly too far between their collisions.
+    /// The period of its slow oscillations. None where the gas weighs so much that it matters how
+    /// sound goes through it, and sound does not, as disks fly too far between their collisions.
     std::optional<double> period() const {
         constexpr double light = 0.1, dense = 0.2;
         const bool carries_sound = free_path < dense * law.mean();

@@ -140,6 +140,10 @@ double packing_fraction(const Box& box, const Particles& particles) {
     return sum_of_sizes(box, particles.radius) / size_of(box, box.size);
 }
 
+double dilute_free_path(double area, double diameters) {
+    return area / (2.0 * std::numbers::sqrt2 * diameters);
+}
+
 std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
                                               const Sample& sample) {
     if (infinite_mass_moves(particles, sample) || !box.surfaces.are_plain()) return std::nullopt;

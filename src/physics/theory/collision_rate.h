@@ -31,6 +31,10 @@ std::optional<double> expected_collision_rate(const Box& box, const Particles& p
 double contact_correlation(const Box& box, const Particles& particles, double radius,
                            double other_radius);
 
+/// The mean free path of equal disks in a dilute gas, A / (2 sqrt(2) N d), of the area A and of the
+/// diameters N d of all together. For unequal disks an estimate.
+double dilute_free_path(double area, double diameters);
+
 /// The part of the box that particles cover: of the area, or of the length on a line.
 double packing_fraction(const Box& box, const Particles& particles);
 

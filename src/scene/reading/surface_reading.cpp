@@ -230,11 +230,12 @@ class Names {
     }
 
   private:
-    static bool is_side(const std::string& name) {
-        return name == "left" || name == "right" || name == "bottom" || name == "top";
+    bool is_side(const std::string& name) const {
+        return std::ranges::find(sides_, name) != sides_.end();
     }
 
-    std::set<std::string> taken_{"left", "right", "bottom", "top"};
+    std::vector<std::string> sides_ = Surfaces{}.names();
+    std::set<std::string> taken_{sides_.begin(), sides_.end()};
     Errors& errors_;
 };
 

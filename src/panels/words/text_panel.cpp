@@ -6,6 +6,7 @@
 #include "draw/formula/words.h"
 #include "panels/layout.h"
 #include "panels/registry.h"
+#include "util/formula/formula.h"
 
 namespace carom {
 namespace {
@@ -29,6 +30,15 @@ std::vector<std::string> paragraphs(const std::string& words) {
         begin = end + 1;
     }
     return found;
+}
+
+// A line break in a formula is a space; everything stays in its place.
+std::string with_whole_formulas(std::string words) {
+    for (const formula::Span& span : formula::spans_of(words)) {
+        const auto begin = words.begin() + static_cast<std::ptrdiff_t>(span.at);
+        if (span.is_formula) std::replace(begin, begin + std::ssize(span.text), '\n', ' ');
+    }
+    return words;
 }
 
 SetWords set_at(const std::string& words, double width, double size) {
@@ -126,8 +136,9 @@ double height_of(const SetWords& set) {
 }
 
 // Smaller rather than with a word broken; but some scripts have no spaces between words.
-std::optional<SetWords> set_words(const std::string& words, double width, double height,
+std::optional<SetWords> set_words(const std::string& text, double width, double height,
                                   double unit) {
+    const std::string words = with_whole_formulas(text);
     for (const bool whole : {true, false})
         for (const double step : steps) {
             SetWords set = set_at(words, width, step * unit);

@@ -86,6 +86,14 @@ TEST_CASE("lines end where they are ended, and paragraphs stand apart") {
     CHECK(set->lines == std::vector<std::string>{"one", "two", "", "three"});
 }
 
+TEST_CASE("a line break in a formula is a space") {
+    const auto set = set_words("where $r\n^2$ falls\nto $\\sigma^2$", 240.0, 100.0, 10.0);
+    REQUIRE(set);
+    CHECK(set->lines == std::vector<std::string>{"where $r ^2$ falls", "to $\\sigma^2$"});
+    const std::string panel = R"({kind: text, words: "where $r\n^2$ falls"})";
+    CHECK(complaint(panel).empty());
+}
+
 TEST_CASE("a film with words that do not fit is refused with their place") {
     const std::string few = "{kind: text, words: \"" + words_of(20) + "\"}";
     const std::string many = "{kind: text, title: T, words: \"" + words_of(60) + "\"}";

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "scene/limits.h"
 #include "util/text.h"
 
 namespace carom {
@@ -98,6 +99,7 @@ class Parser {
     }
 
     void check(const Tag& tag, const Scopes& scopes) {
+        if (errors_.is_full()) return errors_.add(page_, tag.place, "");
         if (const auto phrase = phrase_of(tag.name); phrase && is_known(*phrase)) return;
         const std::vector<string> names = names_in(scopes);
         const bool lists = tag.sign == ' ' && !tag.name.empty() && names_.contains(tag.name);
@@ -134,12 +136,7 @@ class Parser {
             }
             check(*tag, scopes);
             Part part{tag->sign, tag->name};
-            if (tag->sign != ' ') {
-                Scopes inside = scopes;
-                if (tag->sign == '#' && names_.contains(tag->name))
-                    inside.insert(inside.begin(), tag->name);
-                part.inner = until(&*tag, inside);
-            }
+            if (tag->sign != ' ') part.inner = stretch(*tag, scopes);
             parts.push_back(std::move(part));
         }
         if (opened != nullptr && !broken_)
@@ -150,10 +147,35 @@ class Parser {
         return parts;
     }
 
+    // What stands between a tag and the one that closes it. Lists in themselves would repeat what
+    // is in them without end.
+    std::vector<Part> stretch(const Tag& tag, const Scopes& scopes) {
+        Scopes inside = scopes;
+        const bool is_list = tag.sign == '#' && names_.contains(tag.name);
+        if (is_list && std::ranges::find(scopes, tag.name) != scopes.end())
+            errors_.add(page_, tag.place, fmt::format("`{}` stands in itself", tag.name),
+                        fmt::format("close it before with {{{{/{}}}}}", tag.name));
+        else if (is_list)
+            inside.insert(inside.begin(), tag.name);
+        if (depth_ == most_page_nesting.count()) {
+            errors_.add(
+                page_, tag.place,
+                fmt::format("more than {} levels, one in another", most_page_nesting.count()),
+                to_text(most_page_nesting));
+            broken_ = true;
+            at_ = page_.text.size();
+            return {};
+        }
+        ++depth_;
+        std::vector<Part> parts = until(&tag, inside);
+        --depth_;
+        return parts;
+    }
+
     const Source& page_;
     const Placeholders& names_;
     Errors& errors_;
-    std::size_t at_ = 0;
+    std::size_t at_ = 0, depth_ = 0;
     bool broken_ = false;  ///< reported, and nothing after it is read
 };
 

@@ -76,7 +76,26 @@ TEST_CASE("mistakes in a template are told with their place") {
     CHECK(message("x {{title").find("1:3: error: a placeholder that is not closed") !=
           std::string::npos);
     CHECK(message("{{}}").find("is no placeholder of a page") != std::string::npos);
+    CHECK(message("{{#figures}}\n{{#figures}}").find("2:1: error: `figures` stands in itself") !=
+          std::string::npos);
     CHECK(message("<p>\nGr\xFCn").starts_with("page.html:2:3: error: byte 0xFC is not UTF-8"));
+}
+
+TEST_CASE("a template of many stretches takes time and memory as its size") {
+    const auto repeated = [](const std::string& text, int count) {
+        std::string all;
+        while (count-- > 0) all += text;
+        return all;
+    };
+    // One in another: without an end to it, each would keep the names of all around it.
+    for (const char* tag : {"figures", "title"}) {
+        const std::string open = repeated("{{#" + std::string(tag) + "}}", 100'000);
+        CHECK(message(open).find("more than 24 levels, one in another") != std::string::npos);
+    }
+    CHECK(filled(repeated("{{#title}}", 24) + "x" + repeated("{{/title}}", 24),
+                 {.words = {{"title", "T"}}}) == "x");
+    // Beside one another: what is not shown needs no hint.
+    CHECK(message(repeated("{{ttile}}", 100'000)).find("`title`") != std::string::npos);
 }
 
 TEST_CASE("the templates of pages know their placeholders, and the manual knows all") {

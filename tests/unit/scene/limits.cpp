@@ -23,6 +23,7 @@ namespace {
 // All of them, in the order of the page.
 constexpr std::array limits{most_file_bytes,
                             most_nesting,
+                            most_page_nesting,
                             most_values,
                             most_letters,
                             most_title_letters,

@@ -40,18 +40,25 @@ bool ends_line_or_turns(std::string_view letter) {
            (letter >= "\u2028" && letter <= "\u202E") || (letter >= "\u2066" && letter <= "\u2069");
 }
 
+// Insertions, deletions, changes and transpositions of neighbours; of the table, three rows are
+// kept.
 int edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<int>> d(a.size() + 1, std::vector<int>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = static_cast<int>(i);
-    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = static_cast<int>(j);
-    for (std::size_t i = 1; i <= a.size(); ++i)
-        for (std::size_t j = 1; j <= b.size(); ++j) {
+    const std::size_t width = b.size() + 1;
+    std::vector<int> rows(3 * width);
+    int *before = rows.data(), *last = before + width, *row = last + width;
+    for (std::size_t j = 0; j < width; ++j) last[j] = static_cast<int>(j);
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = static_cast<int>(i);
+        for (std::size_t j = 1; j < width; ++j) {
             const int change = a[i - 1] == b[j - 1] ? 0 : 1;
-            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+            row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + change});
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+                row[j] = std::min(row[j], before[j - 2] + 1);
         }
-    return d[a.size()][b.size()];
+        std::swap(before, last);
+        std::swap(last, row);
+    }
+    return last[b.size()];
 }
 
 }  // namespace
@@ -85,6 +92,11 @@ std::string as_utf8(std::string_view text) {
     return valid;
 }
 
+std::size_t plain_length(std::string_view text) {
+    const auto other = std::ranges::find_if(text, [](char c) { return c < ' ' || c > '~'; });
+    return static_cast<std::size_t>(other - text.begin());
+}
+
 bool is_control(std::string_view code_point) {
     const auto lead = static_cast<unsigned char>(code_point[0]);
     if (code_point.size() == 1) return lead < 0x20 || lead == 0x7F;
@@ -94,6 +106,10 @@ bool is_control(std::string_view code_point) {
 std::string printable(std::string_view words) {
     std::string shown;
     for (std::size_t i = 0; i < words.size();) {
+        const std::size_t plain = plain_length(words.substr(i));
+        shown += words.substr(i, plain);
+        i += plain;
+        if (i == words.size()) break;
         const Decoded decoded = decode(words, i);
         const std::string_view letter = words.substr(i, decoded.length);
         const bool good =
@@ -125,7 +141,9 @@ std::optional<std::string> nearest_spelling(std::string_view word,
     if (word.size() > longest_compared) return std::nullopt;
     std::optional<std::string> best;
     int least = static_cast<int>(std::max<std::size_t>(1, word.size() / 3)) + 1;
+    const auto length = static_cast<int>(word.size());
     for (const std::string& candidate : candidates) {
+        if (std::abs(length - static_cast<int>(candidate.size())) >= least) continue;
         const int distance = edit_distance(word, candidate);
         if (distance < least) {
             least = distance;

@@ -25,6 +25,9 @@ bool is_utf8(std::string_view text);
 /// anything.
 std::string as_utf8(std::string_view text);
 
+/// The number of printable characters of ASCII that a text begins with.
+std::size_t plain_length(std::string_view text);
+
 /// Whether a code point (its UTF-8 bytes) is a control character: C0, delete or C1.
 bool is_control(std::string_view code_point);
 

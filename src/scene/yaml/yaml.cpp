@@ -240,6 +240,8 @@ class TreeBuilder : public YAML::EventHandler {
 // Bytes that no text holds: broken UTF-8 and control characters but tab and line ends.
 std::optional<Stop> unreadable_byte(std::string_view text, std::size_t begin) {
     for (std::size_t i = begin; i < text.size();) {
+        i += plain_length(text.substr(i));
+        if (i == text.size()) break;
         const std::size_t next = next_code_point(text, i);
         const std::string_view letter = text.substr(i, next - i);
         if (!is_utf8(letter))

@@ -2,11 +2,30 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <string>
+#include <string_view>
 #include <vector>
 
 using namespace carom;
+
+namespace {
+
+// By its definition: the least of all ways from one end on.
+std::size_t slow_edit_distance(std::string_view a, std::string_view b) {
+    if (a.empty() || b.empty()) return a.size() + b.size();
+    std::size_t least =
+        std::min({1 + slow_edit_distance(a.substr(1), b), 1 + slow_edit_distance(a, b.substr(1)),
+                  (a[0] == b[0] ? 0U : 1U) + slow_edit_distance(a.substr(1), b.substr(1))});
+    if (a.size() > 1 && b.size() > 1 && a[0] == b[1] && a[1] == b[0])
+        least = std::min(least, 1 + slow_edit_distance(a.substr(2), b.substr(2)));
+    return least;
+}
+
+}  // namespace
 
 TEST_CASE("three significant digits read as on an axis") {
     CHECK(three_digits(0.0) == "0");
@@ -60,6 +79,32 @@ TEST_CASE("what is counted is one, or several") {
     CHECK(counted(0, "frame") == "0 frames");
     CHECK(counted(1, "frame") == "1 frame");
     CHECK(counted(30, "frame") == "30 frames");
+}
+
+TEST_CASE("the nearest spelling is that of a slow search") {
+    std::mt19937 random(1);
+    const auto word = [&](std::size_t longest) {
+        std::string text;
+        for (std::size_t left = random() % (longest + 1); left > 0; --left)
+            text += "abc"[random() % 3];
+        return text;
+    };
+    for (int trial = 0; trial < 300; ++trial) {
+        const std::string given = word(7);
+        std::vector<std::string> candidates;
+        for (int k = 0; k < 5; ++k) candidates.push_back(word(7));
+        const std::string* best = nullptr;
+        std::size_t least = std::max<std::size_t>(1, given.size() / 3) + 1;
+        for (const std::string& one : candidates)
+            if (const std::size_t its = slow_edit_distance(given, one); its < least) {
+                least = its;
+                best = &one;
+            }
+        const auto nearest = nearest_spelling(given, candidates);
+        CAPTURE(given);
+        REQUIRE(nearest.has_value() == (best != nullptr));
+        if (best != nullptr) CHECK(*nearest == *best);
+    }
 }
 
 TEST_CASE("the nearest spelling is offered only when it is near") {

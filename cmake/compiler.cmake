@@ -15,15 +15,16 @@ else()
     target_compile_options(carom_rules INTERFACE -w)  # the compiler needs a tenth less time
 endif()
 if(CAROM_FUZZ)
-    # UBSan knows conversions of numbers that are too large in Clang only. Of coverage there are the counters alone: calls at
-    # every comparison take most of the time, and the dictionary has the words that they would find.
-    set(carom_sanitizers address,undefined,float-cast-overflow)
+    # Of coverage there are the counters alone: calls at every comparison take most of the time, and the dictionary has the
+    # words that they would find.
+    set(carom_sanitizers ${CAROM_FUZZ})
     target_compile_options(carom_rules INTERFACE -fsanitize-coverage=inline-8bit-counters,pc-table)
 elseif(CAROM_SANITIZE)
     set(carom_sanitizers ${CAROM_SANITIZE})
 endif()
 if(carom_sanitizers)
-    target_compile_definitions(carom_rules INTERFACE CAROM_SANITIZERS)
+    # Indices of containers, and what algorithms ask of their arguments.
+    target_compile_definitions(carom_rules INTERFACE CAROM_SANITIZERS _GLIBCXX_ASSERTIONS)
     target_compile_options(carom_rules INTERFACE
         -fsanitize=${carom_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer
         # False alarms of GCC 12 on variants; and its warning that the thread sanitizer does not know fences.

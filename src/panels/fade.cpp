@@ -6,7 +6,9 @@
 namespace carom {
 namespace {
 
-int within(double at, int most) { return std::clamp(static_cast<int>(std::floor(at)), 0, most); }
+int within(double at, int most) {
+    return static_cast<int>(std::clamp(std::floor(at), 0.0, double(most)));
+}
 
 }  // namespace
 

@@ -329,7 +329,8 @@ void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double
     const bool centered = box.x > place.x;
     const TextExtent extent = measure_words(words, style);
     const double half = 0.5 * std::min(line.width, extent.width);
-    const double middle = std::clamp(box.x + 0.5 * box.width, line.x + half, line.right() - half);
+    const double middle =
+        std::max(line.x + half, std::min(box.x + 0.5 * box.width, line.right() - half));
     const double below_middle =
         has_formula ? 0.5 * (extent.ascent - extent.descent) : 0.36 * style.size;
     draw_words(canvas,

@@ -130,17 +130,16 @@ void draw_row(const Shape& shape, std::uint32_t* row, int first, int end, float 
 
 void draw_one(const PixelView& pixels, const PixelBounds& bounds, const Shape& shape,
               const Rect& box) {
-    const auto from = [](double place, int least) {
-        return std::max(least, static_cast<int>(std::floor(std::max<double>(place, least))));
+    const auto within = [](double place, int least, int most) {
+        return static_cast<int>(std::max<double>(least, std::min<double>(place, most)));
     };
-    const auto to = [](double place, int most) {
-        return std::min(most, static_cast<int>(std::ceil(std::min<double>(place, most))));
-    };
-    for (int y = from(box.y, bounds.top); y < to(box.bottom(), bounds.bottom); ++y) {
+    const int top = within(std::floor(box.y), bounds.top, bounds.bottom);
+    const int bottom = within(std::ceil(box.bottom()), bounds.top, bounds.bottom);
+    for (int y = top; y < bottom; ++y) {
         const double middle = y + 0.5;
         const Span span = span_at(shape, box, middle);
-        const int first = from(span.first - 0.5, bounds.left);
-        const int end = to(span.last + 0.5, bounds.right);
+        const int first = within(std::floor(span.first - 0.5), bounds.left, bounds.right);
+        const int end = within(std::ceil(span.last + 0.5), bounds.left, bounds.right);
         if (first < end)
             draw_row(shape, pixels.data + static_cast<std::ptrdiff_t>(y) * pixels.stride, first,
                      end, static_cast<float>(middle - shape.y));

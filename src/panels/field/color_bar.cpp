@@ -56,7 +56,7 @@ void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
     for (const TickMark& mark : marks_with_room(scale, bar.height, line))
         draw_text(canvas,
                   {bar.right() + 0.4 * u,
-                   std::clamp(up(mark.value) + 0.36 * u, bar.y + 0.72 * u, bar.bottom())},
+                   std::min(std::max(up(mark.value) + 0.36 * u, bar.y + 0.72 * u), bar.bottom())},
                   localised(scale.language, mark.label), label_style(dc));
 }
 

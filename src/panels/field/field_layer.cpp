@@ -191,10 +191,10 @@ void FieldLayer::draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, 
     const double length = scale_.top * reach, speed = std::hypot(velocity.x, velocity.y);
     const double most = 1.5 * scale_.top;  // longer arrows would lie over others
     const double half = 0.5 * reach * (speed > most ? most / speed : 1.0);
-    const double head = std::clamp(0.4 * length, 4.0, 0.85 * dc.unit);
+    const double head = std::min(std::max(0.4 * length, 4.0), 0.85 * dc.unit);
     draw_arrow(canvas, {middle.x - half * velocity.x, middle.y + half * velocity.y},
                {middle.x + half * velocity.x, middle.y - half * velocity.y},
-               {.shaft = std::clamp(0.22 * head, 1.2, 0.2 * dc.unit),
+               {.shaft = std::min(std::max(0.22 * head, 1.2), 0.2 * dc.unit),
                 .head_length = head,
                 .head_width = 0.9 * head,
                 .edge = std::max(0.8, 0.1 * head),

@@ -14,7 +14,8 @@ Point usual_foot(const Rect& box, const Rect& disk, double half, double u) {
     Point foot{std::max(box.x + half, std::min(center, box.right() - half)), disk.y - 0.7 * u};
     if (foot.y - 1.2 * u < box.y) foot.y = disk.bottom() + 1.7 * u;
     if (foot.y + 0.4 * u > box.bottom())
-        foot.y = std::clamp(disk.y + disk.height / 2, box.y + 1.2 * u, box.bottom() - 0.4 * u);
+        foot.y =
+            std::max(box.y + 1.2 * u, std::min(disk.y + disk.height / 2, box.bottom() - 0.4 * u));
     return foot;
 }
 

@@ -352,7 +352,7 @@ void LinePanel::Drawing::draw_name(Eigen::Index particle, double place) const {
     style.color = with_alpha(dc.theme.ink, now.label_alpha);
     style.max_width = v.plot.width - 0.8 * u;
     const double half = measure_text(name, style).width / 2.0 + 0.4 * u;
-    const double x = std::clamp(v.x(place), v.plot.x + half, v.plot.right() - half);
+    const double x = std::max(v.plot.x + half, std::min(v.x(place), v.plot.right() - half));
     const double top = v.line_y - half_height(particle);
     draw_text(canvas, {x, top - 0.7 * u}, name, style);
 }

@@ -60,6 +60,27 @@ std::vector<Taper> random_tapers(int count, double least_width, PixelSize size) 
 
 }  // namespace
 
+TEST_CASE("a line may end, or lie, far outside of the picture") {
+    Canvas canvas({20, 20});
+    const auto drawn = [&](Point from, Point to) {
+        canvas.fill({0, 0, 20, 20}, rgb(0));
+        const Taper taper{from, to, 4.0, 4.0, white, white};
+        draw_tapers(canvas, {&taper, 1}, everywhere);
+        return pixels_of(canvas);
+    };
+    const std::vector<std::uint32_t> empty = [&] {
+        canvas.fill({0, 0, 20, 20}, rgb(0));
+        return pixels_of(canvas);
+    }();
+    for (const double far : {1e12, -1e12}) {
+        CHECK(drawn({far, 0.0}, {2.0 * far, 20.0}) == empty);
+        CHECK(drawn({0.0, far}, {20.0, 2.0 * far}) == empty);
+        CHECK(drawn({10.0, 10.0}, {10.0, far}) != empty);
+        CHECK(level(canvas, 10, far > 0.0 ? 15 : 5) == 255);
+        CHECK(level(canvas, 10, far > 0.0 ? 5 : 15) == 0);
+    }
+}
+
 TEST_CASE("coverages of a line are those of samples") {
     const PixelSize size{60, 50};
     for (Taper taper : random_tapers(60, 2.0, size)) {

@@ -199,6 +199,21 @@ TEST_CASE("how far nudges move a gas: of one particle they add up") {
     CHECK(moved_by({}, 4).log10_largest == -std::numeric_limits<double>::infinity());
 }
 
+TEST_CASE("a wall is where it has moved to when a nudge is checked") {
+    for (const int bits : {53, 128}) {
+        Box box{2, {20.0, 10.0}, {Wall::solid, Wall::solid}};
+        box.surfaces.sides[3] = Driven{.velocity = 1.0, .until = 100.0};
+        Run run{.until = 40.0, .events = {{20.0, Perturbation{0, {"0.001", "0"}}}}};
+        run.bits = bits;
+        Simulation nudged = test::simulation_of(box, {{10.0, 5.0, 0.1, 0.9}}, run);
+        nudged.advance_to(21.0);  // at 23.9, the wall at 31
+        CHECK(nudged.sample().position(0, 0) == doctest::Approx(12.101).epsilon(1e-12));
+        run.events = {{20.0, Perturbation{0, {"0", "7"}}}};
+        Simulation pushed = test::simulation_of(box, {{10.0, 5.0, 0.1, 0.9}}, run);
+        CHECK_THROWS_AS(pushed.advance_to(21.0), RunEventError);
+    }
+}
+
 TEST_CASE("a nudge into another particle or a wall is refused") {
     for (const int dimension : {1, 2}) {
         for (const int bits : {53, 128}) {

@@ -237,15 +237,17 @@ std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::overlapped(
     std::size_t moved) const {
     const double slack = of_doubles ? 1e-12 : 0.0;
     const Body& b = bodies_[moved];
-    if constexpr (has_surfaces)
+    if constexpr (has_surfaces) {  // where they are now: the sides of the box may have moved
         if (const auto surface = geometry_.surfaces().overlapped(b, now_))
             return Partner::of_surface(*surface);
-    const double radius = geometry_.properties(bodies_, moved).radius;
-    for (std::size_t a = 0; a < Dimension; ++a) {
-        if (box_.is_periodic(a)) continue;
-        const double size = box_.length(a);
-        if (b.x[a] < radius - slack * size) return static_cast<Side>(2 * a);
-        if (b.x[a] > size - radius + slack * size) return static_cast<Side>(2 * a + 1);
+    } else {
+        const double radius = geometry_.properties(bodies_, moved).radius;
+        for (std::size_t a = 0; a < Dimension; ++a) {
+            if (box_.is_periodic(a)) continue;
+            const double size = box_.length(a);
+            if (b.x[a] < radius - slack * size) return static_cast<Side>(2 * a);
+            if (b.x[a] > size - radius + slack * size) return static_cast<Side>(2 * a + 1);
+        }
     }
     if constexpr (Dimension == 1) {
         const auto k = geometry_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);

@@ -1,5 +1,7 @@
 #include "stats/cell_averages.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,10 +9,22 @@
 #include <tuple>
 #include <utility>
 
+#include "physics/collision_error.h"
+
 namespace carom {
 namespace {
 
 constexpr double slices_of_window = 32.0;
+constexpr double most_cells_crossed = 1e6;  // by a particle on its way to a collision or a sample
+
+CollisionError too_fast(Eigen::Index particle, double time) {
+    return CollisionError(
+        fmt::format("from t = {:g} on particle {} goes through more than {:g} cells of a field or "
+                    "profile before it collides, or the next picture shows it",
+                    time, particle, most_cells_crossed),
+        static_cast<std::int32_t>(particle),
+        "give it less speed, or show fewer cells or more pictures in the same time");
+}
 
 }  // namespace
 
@@ -132,7 +146,7 @@ void CellAverages::fly(const PathPiece& piece) {
     const double from = std::max(piece.from, start_), to = piece.to;
     if (!(to > from)) return;
     crossed_.clear();
-    add_crossings(origin, from, to);
+    add_crossings(piece.particle, origin, from, to);
     std::ranges::sort(crossed_);
     double time = from;
     for (const double next : crossed_) {
@@ -144,7 +158,8 @@ void CellAverages::fly(const PathPiece& piece) {
 }
 
 // The times at which it goes from cell to cell, and from slice to slice.
-void CellAverages::add_crossings(const Point& origin, double from, double to) {
+void CellAverages::add_crossings(Eigen::Index particle, const Point& origin, double from,
+                                 double to) {
     const auto add = [&](double after) {
         const double time = origin.time + after;
         if (time > from && time < to) crossed_.push_back(time);
@@ -163,6 +178,7 @@ void CellAverages::add_crossings(const Point& origin, double from, double to) {
             low = std::min(low, at(turn));
             high = std::max(high, at(turn));
         }
+        if (!((high - low) / size < most_cells_crossed)) throw too_fast(particle, origin.time);
         for (double k = std::ceil(low / size); k * size <= high; k += 1.0) {
             const double way = k * size - place;
             if (gravity == 0.0) {

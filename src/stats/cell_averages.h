@@ -70,7 +70,9 @@ class CellAverages {
     CellAverages(const Box& box, const Particles& particles, const Cells& cells, Wanted wanted,
                  std::vector<double> velocity_changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before.
+    /// Samples in order of time, with all collisions on the way from the one before. Throws
+    /// CollisionError for a particle that goes through a million cells between two of them, as it
+    /// can in a periodic box.
     void see(const Sample& sample, std::span<const Collision> collisions);
 
     /// Over the window, to a thirty-second of it; over what has passed where that is less. Of the
@@ -106,7 +108,7 @@ class CellAverages {
     std::int64_t slice_number(double time) const;
     Eigen::Index cell_at(const Eigen::Array2d& place) const;
     void fly(const PathPiece& piece);
-    void add_crossings(const Point& origin, double from, double to);
+    void add_crossings(Eigen::Index particle, const Point& origin, double from, double to);
     void stay(Eigen::Index particle, const Point& origin, double from, double to);
     void add_temperatures();
     void add_moment(const Sample& sample);

@@ -31,13 +31,21 @@ std::vector<PanelSpec> panels_of_collisions(const Scene& scene) {
     return specs;
 }
 
+// Particles that meet nothing fly on from cell to cell: the end of a trial without collisions.
+struct TooManyFlights {};
+
 // In steps, so that the collisions of a long run do not add up in memory.
 double survey(PanelSet& panels, Simulation& simulation, double until) {
     constexpr int steps = 64;
+    constexpr int most_looks = 10'000;  // one in some thousand events: seconds in all
+    int looks = 0;
+    const auto look = [&](double) {
+        if (++looks > most_looks) throw TooManyFlights{};
+    };
     CollisionCounts counts;
     for (int k = 0; k <= steps; ++k) {
         const Tick tick{.frame = k, .time = until * k / steps};
-        const AdvanceResult advanced = simulation.advance_to(tick.time);
+        const AdvanceResult advanced = simulation.advance_to(tick.time, look);
         panels.survey(tick, simulation.sample(), advanced);
         counts = advanced.counts;
     }
@@ -74,7 +82,7 @@ std::optional<double> try_run(const Scene& scene, bool has_film) {
     const std::int64_t ceiling = collision_ceiling(scene.run, particles);
     tried.run.most_collisions = std::min(ceiling, collisions_tried(scene.run));
     const bool is_cut = tried.run.most_collisions < ceiling;
-    double collisions = 0.0;
+    std::optional<double> collisions;
     with_places_of_errors(scene, [&] {
         try {
             collisions = try_whole_run(
@@ -82,10 +90,12 @@ std::optional<double> try_run(const Scene& scene, bool has_film) {
         } catch (const TooManyCollisions& error) {
             if (!is_cut) throw;
             collisions = extrapolated(error.seen(), tried.run, ceiling);
+        } catch (const TooManyFlights&) {
+            collisions.reset();
         }
     });
-    if (has_film && scene.film.beside && scene.film.beside->scene)
-        collisions += try_run(*scene.film.beside->scene, false).value_or(collisions);
+    if (collisions && has_film && scene.film.beside && scene.film.beside->scene)
+        *collisions += try_run(*scene.film.beside->scene, false).value_or(*collisions);
     return collisions;
 }
 

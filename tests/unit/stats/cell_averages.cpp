@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "physics/collision_error.h"
+
 using namespace carom;
 
 namespace {
@@ -97,6 +99,15 @@ TEST_CASE("a collision on the way, a reversal and a periodic side are on the pat
         for (Eigen::Index cell = 0; cell < 4; ++cell)
             CHECK(averages.sums().particles[cell] == doctest::Approx(expected[cell]));
     }
+}
+
+TEST_CASE("a particle that goes round a periodic box a million times is refused") {
+    Box box = box_of(4.0, 2.0);
+    box.walls[0] = Wall::periodic;
+    CellAverages averages(box, particles_of({1.0}), square_cells(box, 4), {}, {});
+    averages.see(sample_of(0.0, {{0.5, 0.5, 0.0, 0.0}}), {});
+    averages.see(sample_of(1.0, {{0.5, 0.5, 1.1e6, 0.0}}), {});
+    CHECK_THROWS_AS(averages.see(sample_of(2.0, {{0.5, 0.5, 1.1e6, 0.0}}), {}), CollisionError);
 }
 
 TEST_CASE("in gravity a flight that turns is in a cell going up and coming down") {

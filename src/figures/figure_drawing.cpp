@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "panels/words/text_panel.h"
 #include "util/text.h"
 
 namespace carom {
@@ -15,6 +16,7 @@ constexpr double print_type = 6.9, slide_type = 24.0;  // points; a title of 7.9
 constexpr double vector_dots = 96.0, print_dots = 300.0, slide_dots = 144.0;  // to the inch
 constexpr double tallest = 17.0;  // centimetres: what a page of a text has room for
 constexpr double key_width = 6.4, key_gap = 0.8, margin = 0.8;  // units
+constexpr double key_height = 8.6;                              // units, of a bar of colours
 constexpr double strip_gap = 1.2, row_of_times = 2.2;           // units
 constexpr double shape_of_plots = 0.68;                         // height over width
 constexpr double shape_of_wires = 0.6;
@@ -42,8 +44,11 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     double shape = shape_of_plots;
     if (is_gas(spec)) shape = box.dimension == 2 ? box.size[1] / box.size[0] : shape_of_wires;
     const double times = pictures > 1.0 ? row_of_times : 0.0;
+    const double least = is_gas(spec) ? key_height : 0.0;
     sheet.height =
-        spec.height ? most : std::min(most, 2.0 * margin + times + shape * sheet.box_width);
+        spec.height
+            ? most
+            : std::min(most, 2.0 * margin + std::max(least, times + shape * sheet.box_width));
     return sheet;
 }
 
@@ -72,14 +77,21 @@ void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, cons
     }
     const Rect box = figure.panel->frame_in(first.area, u);
     const double right = first.area.x + (sheet.width - 2.0 * margin - key_width) * u;
+    // Beside a low box it begins higher.
+    const double top =
+        std::max(first.area.y, std::min(box.y, (sheet.height - margin - key_height) * u));
     figure.panel->draw_key(
-        canvas, {{right, box.y, key_width * u, box.height}, u, dc.theme, dc.disks}, first);
+        canvas, {{right, top, key_width * u, box.bottom() - top}, u, dc.theme, dc.disks}, first);
+}
+
+Rect plot_in(const Sheet& sheet, double unit) {
+    return {margin * unit, margin * unit, (sheet.width - 2.0 * margin) * unit,
+            (sheet.height - 2.0 * margin) * unit};
 }
 
 void draw_plot(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, const Figure& figure) {
     DrawContext dc = whole;
-    dc.area = {margin * dc.unit, margin * dc.unit, (sheet.width - 2.0 * margin) * dc.unit,
-               (sheet.height - 2.0 * margin) * dc.unit};
+    dc.area = plot_in(sheet, dc.unit);
     figure.panel->draw_ground(canvas, dc);
     figure.panel->draw(canvas, dc, *figure.moments.front().state);
 }
@@ -93,6 +105,15 @@ std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
     const Sheet sheet = sheet_of(scene, spec);
     const auto rounded = [&](double length) { return std::round(100.0 * length * unit) / 100.0; };
     return {rounded(sheet.width), rounded(sheet.height)};
+}
+
+void refuse_long_words(const Scene& scene, const FigureSpec& spec) {
+    if (spec.panel.kind != "text") return;
+    const double unit = smallest_type(spec) / 72.0 * print_dots;
+    auto problem = problem_of_words(spec.panel, plot_in(sheet_of(scene, spec), unit), unit);
+    if (!problem) return;
+    problem->hint = "write fewer or shorter words, or make the figure larger";
+    throw SceneError({*problem});
 }
 
 Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,

@@ -16,6 +16,9 @@ double smallest_type(const FigureSpec& spec);
 /// Width and height in centimetres, to a tenth of a millimetre.
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 
+/// Throws SceneError where the figure is one of words, and has no room for them.
+void refuse_long_words(const Scene& scene, const FigureSpec& spec);
+
 /// The picture of a figure, in vectors or in pixels; `words` go with it. Of pixels there are 300 to
 /// the inch (a slide 144), vector pictures the same lengths in centimetres to a quarter of a
 /// millimetre. Throws SystemError.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "figures/figure_drawing.h"
 #include "figures/sweep_figure.h"
 #include "panels/frame.h"
 #include "panels/shared_panel.h"
@@ -150,6 +151,7 @@ void FigureRun::OneRun::look(const RunsCallbacks& on_progress) {
 
 FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_progress)
     : scene_(alone(scene, 0)) {
+    for (const FigureSpec& spec : scene_.figures) refuse_long_words(scene_, spec);
     int seeds = 1;
     for (const FigureSpec& spec : scene_.figures) seeds = std::max(seeds, spec.panel.seeds);
     for (int k = 0; k < seeds; ++k) runs_.push_back(std::make_unique<OneRun>(scene_, k));

@@ -39,8 +39,9 @@ CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, doub
     for (const std::string& line : plate.lines)
         plate.width = std::max(plate.width, measure_words(line, style).width);
     plate.width += 2.0 * across * dc.unit;
-    plate.height =
-        2.0 * above * dc.unit + line_height * style.size * static_cast<double>(plate.lines.size());
+    plate.height = 2.0 * above * dc.unit;
+    for (const std::string& line : plate.lines)
+        plate.height += line_height_of(line, style, line_height).all;
     return plate;
 }
 
@@ -98,10 +99,11 @@ void draw_callout(Canvas& canvas, const DrawContext& dc, const Rect& place,
     TextStyle style = words_style(dc);
     style.color = with_alpha(dc.theme.ink, alpha);
     style.max_width = place.width - 2.0 * across * u + 1.0;
-    Point at{place.x + across * u, place.y + above * u + style.size};
+    double top = place.y + above * u;
     for (const std::string& words : plate.lines) {
-        draw_words(canvas, at, words, style);
-        at.y += line_height * style.size;
+        const LineHeight height = line_height_of(words, style, line_height);
+        draw_words(canvas, {place.x + across * u, top + height.above}, words, style);
+        top += height.all;
     }
 }
 

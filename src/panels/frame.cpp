@@ -266,17 +266,22 @@ void FramePainter::draw_card(Canvas& canvas, const Tick& tick) const {
     const auto heading = is_end ? wrapped_words(scene_.film.end_card, large, most_lines)
                                 : wrapped(scene_.title, large, most_lines);
     const auto rest = wrapped(is_end ? scene_.title : scene_.subtitle, small, most_lines);
-    const double height = 1.3 * large.size * static_cast<double>(heading.size()) +
-                          1.4 * small.size * static_cast<double>(rest.size());
-    Point at{0.5 * all.width, 0.5 * (all.height - height) + large.size};
+    const auto line = [&](const std::string& words) {
+        return is_end ? line_height_of(words, large, 1.3)
+                      : LineHeight{large.size, 1.3 * large.size};
+    };
+    double height = 1.4 * small.size * static_cast<double>(rest.size());
+    for (const std::string& words : heading) height += line(words).all;
+    Point at{0.5 * all.width, 0.5 * (all.height - height)};
     for (const std::string& words : heading) {
+        const auto [above, whole] = line(words);
         if (is_end)
-            draw_words(canvas, at, words, large);
+            draw_words(canvas, {at.x, at.y + above}, words, large);
         else
-            draw_text(canvas, at, escape_markup(words), large);
-        at.y += 1.3 * large.size;
+            draw_text(canvas, {at.x, at.y + above}, escape_markup(words), large);
+        at.y += whole;
     }
-    at.y += 0.9 * small.size - 0.4 * large.size;
+    at.y += 0.9 * small.size + 0.6 * large.size;
     for (const std::string& words : rest) {
         draw_text(canvas, at, escape_markup(words), small);
         at.y += 1.4 * small.size;

@@ -16,6 +16,7 @@
 #include "app/report/check_facts.h"
 #include "app/report/trial_run.h"
 #include "app/resources.h"
+#include "figures/figure_drawing.h"
 #include "figures/sweep_figure.h"
 #include "panels/words/text_panel.h"
 #include "scene/reading/set_reading.h"
@@ -58,6 +59,7 @@ void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedF
 
 // A joined sweep need not be there yet.
 void check_figure(const Scene& scene, const FigureSpec& figure) {
+    refuse_long_words(scene, figure);
     if (figure.panel.kind == "sweep" && !figure.panel.sweep.from) check_swept_figure(scene, figure);
 }
 

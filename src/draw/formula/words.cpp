@@ -152,6 +152,17 @@ TextExtent measure_words(const std::string& words, const TextStyle& style) {
     return walk(words, without_place(style), {}, {});
 }
 
+LineHeight line_height_of(const std::string& words, const TextStyle& style, double usual) {
+    constexpr double gap_alone = 0.3, gap_in_line = 0.1;  // above and below formulae, sizes
+    LineHeight height{style.size, usual * style.size};
+    if (words.find('$') == std::string::npos) return height;
+    const TextExtent extent = measure_words(words, style);
+    const double gap = (is_formula_alone(words) ? gap_alone : gap_in_line) * style.size;
+    const double below = std::max(height.all - height.above, extent.descent + gap);
+    height.above = std::max(height.above, extent.ascent + gap);
+    return {height.above, height.above + below};
+}
+
 bool is_formula_alone(const std::string& words) {
     if (words.find('$') == std::string::npos) return false;
     const std::vector<Span> spans = formula::spans_of(words);
@@ -174,11 +185,12 @@ std::vector<std::string> wrapped_words(const std::string& words, const TextStyle
         chunks.back() += words[i];
         if (is_escaped) chunks.back() += words[++i];
     }
+    const TextStyle uncut = without_place(style);
     std::vector<std::string> lines;
     for (const std::string& chunk : chunks) {
         if (chunk.empty()) continue;
         const bool fits = !lines.empty() &&
-                          measure_words(lines.back() + " " + chunk, style).width <= style.max_width;
+                          measure_words(lines.back() + " " + chunk, uncut).width <= style.max_width;
         if (!lines.empty() && (fits || lines.size() == most))
             lines.back() += " " + chunk;
         else

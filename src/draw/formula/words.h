@@ -20,6 +20,15 @@ TextExtent measure_words(const std::string& words, const TextStyle& style);
 std::vector<std::string> wrapped_words(const std::string& words, const TextStyle& style,
                                        std::size_t most);
 
+/// Of a line of words in a paragraph: how far it reaches above its baseline, and its whole height.
+struct LineHeight {
+    double above, all;
+};
+
+/// The height of a line is `usual` sizes of its letters, of which one is above the baseline; with
+/// formulae that are higher or deeper than that, as much as they take, with gaps.
+LineHeight line_height_of(const std::string& words, const TextStyle& style, double usual);
+
 /// Whether words are a formula alone: its fractions and sums are large.
 bool is_formula_alone(const std::string& words);
 

@@ -12,9 +12,8 @@ namespace carom {
 namespace {
 
 constexpr std::array steps{2.0, 1.7, 1.45, 1.2, 1.0};  // units
-constexpr double line_height = 1.4, paragraph_gap = 0.5;
-constexpr double formula_gap = 0.3, gap_in_line = 0.1;  // above and below formulae
-constexpr double title_height = 2.4;                    // units
+constexpr double line_height_in_sizes = 1.4, paragraph_gap = 0.5;
+constexpr double title_height = 2.4;  // units
 constexpr std::size_t most_lines = 1000;
 
 TextStyle style_of(double size) {
@@ -59,21 +58,9 @@ bool fits(const SetWords& set, double width, double height) {
            });
 }
 
-// Of a line of set words, or the gap between paragraphs: how much of it lies above the baseline,
-// and all of it.
-struct LineHeight {
-    double above, all;
-};
-
-LineHeight line_height_of(const std::string& line, double size) {
+LineHeight line_height(const std::string& line, double size) {
     if (line.empty()) return {0.0, paragraph_gap * size};
-    LineHeight height{size, line_height * size};
-    if (line.find('$') == std::string::npos) return height;
-    const TextExtent extent = measure_words(line, style_of(size));
-    const double gap = (is_formula_alone(line) ? formula_gap : gap_in_line) * size;
-    const double below = std::max(height.all - height.above, extent.descent + gap);
-    height.above = std::max(height.above, extent.ascent + gap);
-    return {height.above, height.above + below};
+    return line_height_of(line, style_of(size), line_height_in_sizes);
 }
 
 // Whether a line ends where the words have no space.
@@ -105,12 +92,12 @@ class TextPanel : public Panel {
         if (spec_.title) draw_panel_title(canvas, dc, escape_markup(*spec_.title));
         const Rect area = below_title(dc.area, dc.unit, spec_.title.has_value());
         const auto set = set_words(spec_.words, area.width, area.height, dc.unit);
-        if (!set) return;  // refuse_long_words() has seen to it
+        if (!set) return;  // problem_of_words() has seen to it
         TextStyle style = style_of(set->size);
         style.color = dc.theme.ink;
         double top = area.y;
         for (const std::string& line : set->lines) {
-            const LineHeight height = line_height_of(line, set->size);
+            const LineHeight height = line_height(line, set->size);
             style.align = is_formula_alone(line) ? Align::center : Align::left;
             const double x = is_formula_alone(line) ? area.x + 0.5 * area.width : area.x;
             if (!line.empty()) draw_words(canvas, {x, top + height.above}, line, style);
@@ -131,7 +118,7 @@ class TextPanel : public Panel {
 
 double height_of(const SetWords& set) {
     double height = 0.0;
-    for (const std::string& line : set.lines) height += line_height_of(line, set.size).all;
+    for (const std::string& line : set.lines) height += line_height(line, set.size).all;
     return height;
 }
 
@@ -148,6 +135,14 @@ std::optional<SetWords> set_words(const std::string& text, double width, double 
     return std::nullopt;
 }
 
+std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit) {
+    const Rect area = below_title(place, unit, spec.title.has_value());
+    if (set_words(spec.words, area.width, area.height, unit)) return std::nullopt;
+    Diagnostic problem = spec.place;
+    problem.message = "these `words` do not fit into the panel's place at any size";
+    return problem;
+}
+
 void refuse_long_words(const Scene& scene) {
     const Grid grid(scene.film.layout, scene.film.size);
     const std::vector<Slot> slots =
@@ -156,13 +151,12 @@ void refuse_long_words(const Scene& scene) {
     for (std::size_t i = 0; i < std::min(slots.size(), scene.film.panels.size()); ++i) {
         const PanelSpec& spec = scene.film.panels[i];
         if (spec.kind != "text") continue;
-        const Rect area = below_title(grid.place(slots[i]), grid.unit(), spec.title.has_value());
-        if (set_words(spec.words, area.width, area.height, grid.unit())) continue;
-        errors.push_back(spec.place);
-        errors.back().message = "these `words` do not fit into the panel's place at any size";
-        errors.back().hint =
+        auto problem = problem_of_words(spec, grid.place(slots[i]), grid.unit());
+        if (!problem) continue;
+        problem->hint =
             "write fewer or shorter words, show fewer panels, or take a template with larger "
             "places";
+        errors.push_back(std::move(*problem));
     }
     if (!errors.empty()) throw SceneError(std::move(errors));
 }

@@ -24,6 +24,10 @@ std::optional<SetWords> set_words(const std::string& words, double width, double
 /// The height of set words, pixels.
 double height_of(const SetWords& set);
 
+/// What is wrong, with its place, where the words of a panel fit into its own place (pixels) in no
+/// step of size.
+std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit);
+
 /// Throws SceneError where a panel of the film has words that its place has no room for.
 void refuse_long_words(const Scene& scene);
 

@@ -109,6 +109,17 @@ TEST_CASE("words with formulae are measured, broken and drawn as wholes") {
     style.max_width = measure_words("one $a + b$,", style).width + 1.0;
     CHECK(wrapped_words("one $a + b$, two $c + d + e$", style, 10) ==
           std::vector<std::string>{"one $a + b$,", "two", "$c + d + e$"});
+    // Words before a formula are wrapped as others: none is measured as if it were cut.
+    TextStyle uncut = style;
+    uncut.max_width = 0.0;
+    TextStyle narrow = style;
+    narrow.max_width = measure_words("the mean energy of", uncut).width + 1.0;
+    const std::vector<std::string> lines =
+        wrapped_words("the mean energy of the disks in a box, which we call $T$", narrow, 20);
+    CHECK(lines.front() == "the mean energy of");
+    CHECK(lines.size() == 3);
+    for (const std::string& line : lines)
+        CHECK(measure_words(line, uncut).width <= narrow.max_width);
     CHECK(wrapped_words("one $a + b$, two $c + d + e$", style, 2) ==
           std::vector<std::string>{"one $a + b$,", "two $c + d + e$"});
 

@@ -283,3 +283,12 @@ TEST_CASE("captions may have formulae, alternative texts have them in words") {
     CHECK(words.caption == "At $kT$, for \\$2");
     CHECK(words.alt == "The mean is 1 over 2, times k times T");
 }
+
+TEST_CASE("a figure of words that has no room for them is refused") {
+    const std::string words(500, 'w');
+    CHECK_THROWS_WITH_AS(
+        run_of(scene_of("  - {name: a, kind: text, size: [2, 2], words: " + words + "}\n")),
+        doctest::Contains("do not fit into the panel's place"), SceneError);
+    CHECK_NOTHROW(
+        run_of(scene_of("  - {name: a, kind: text, words: some words with $x^2$ in them}\n")));
+}

@@ -63,6 +63,7 @@ std::optional<double> value_of(const std::string& number, const DrawnGas& gas) {
         return std::nullopt;
     }
     if (number == "mean free path") {
+        if ((gas.particles.inverse_mass == 0.0).any()) return std::nullopt;
         const auto all = equilibrium(gas.box(), gas.particles, gas.sample);
         const auto rate = collision_rate(gas);
         if (!all || !rate || !(*rate > 0.0)) return std::nullopt;

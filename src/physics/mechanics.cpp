@@ -83,6 +83,11 @@ double mean_over_finite_masses(const Particles& particles, const Eigen::ArrayXd&
     return finite.select(energies, 0.0).sum() / static_cast<double>(finite.count());
 }
 
+double mean_of_speeds(const Particles& particles, const Eigen::ArrayXd& speeds) {
+    return (particles.inverse_mass > 0.0).any() ? mean_over_finite_masses(particles, speeds)
+                                                : speeds.mean();
+}
+
 Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision) {
     const double inverse = particles.inverse_mass[collision.first];
     if (inverse > 0.0) return (collision.first_before - collision.first_after) / inverse;

@@ -27,6 +27,10 @@ bool infinite_mass_moves(const Particles& particles, const Sample& sample);
 /// take part in an exchange of energy does not count. NaN if there are none.
 double mean_over_finite_masses(const Particles& particles, const Eigen::ArrayXd& energies);
 
+/// The mean of the speeds, one for each particle, over the particles of finite mass, or over all
+/// where there are none: those that collisions do not change do not count.
+double mean_of_speeds(const Particles& particles, const Eigen::ArrayXd& speeds);
+
 /// The momentum that the partner of a collision received from its first particle, as much as that
 /// lost; not a number where neither of both masses is finite.
 Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision);

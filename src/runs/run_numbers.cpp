@@ -37,16 +37,20 @@ struct Source {
     }
 };
 
-// The mean over all particles of what is a mean of each species.
-std::optional<double> over_species(const RunSummary& summary,
+bool is_infinite(const Species& species) { return std::holds_alternative<Infinite>(species.mass); }
+
+// The mean over all particles of finite mass of what is a mean of each species.
+std::optional<double> over_species(const Scene& scene, const RunSummary& summary,
                                    std::optional<double> SpeciesMeans::*mean) {
     double sum = 0.0, count = 0.0;
-    for (const SpeciesMeans& its : summary.species) {
-        if (its.count == 0) continue;
+    for (std::size_t k = 0; k < summary.species.size(); ++k) {
+        const SpeciesMeans& its = summary.species[k];
+        if (its.count == 0 || is_infinite(scene.gas.species.at(k))) continue;
         if (!(its.*mean)) return std::nullopt;
         sum += static_cast<double>(its.count) * *(its.*mean);
         count += static_cast<double>(its.count);
     }
+    if (count == 0.0) return std::nullopt;
     return sum / count;
 }
 
@@ -56,9 +60,11 @@ double collision_rate(const Scene& scene, const RunReport& report) {
            (static_cast<double>(report.particles) * scene.run.until);
 }
 
-// All paths together, over the collisions that they are parted by.
+// All paths together, over the collisions that they are parted by. How many of these are with
+// infinite masses is not counted.
 std::optional<double> mean_free_path(const Scene& scene, const RunReport& report) {
-    const std::optional<double> speed = over_species(report.summary, &SpeciesMeans::speed);
+    if (std::ranges::any_of(scene.gas.species, is_infinite)) return std::nullopt;
+    const std::optional<double> speed = over_species(scene, report.summary, &SpeciesMeans::speed);
     if (!speed || report.collisions.particle == 0) return std::nullopt;
     return *speed / collision_rate(scene, report);
 }
@@ -67,11 +73,11 @@ void add_thermal(Rows& rows, const Source& from) {
     const std::string pressure = from.is_plane() ? "energy/area" : "force";
     rows.push_back({{"temperature", "energy"},
                     from.of_summary([](const RunSummary& its) { return its.temperature; })});
-    rows.push_back({{"mean energy", "energy"}, from.of_summary([](const RunSummary& its) {
-                        return over_species(its, &SpeciesMeans::energy);
+    rows.push_back({{"mean energy", "energy"}, from.of_summary([&](const RunSummary& its) {
+                        return over_species(from.scene, its, &SpeciesMeans::energy);
                     })});
-    rows.push_back({{"mean speed", "length/time"}, from.of_summary([](const RunSummary& its) {
-                        return over_species(its, &SpeciesMeans::speed);
+    rows.push_back({{"mean speed", "length/time"}, from.of_summary([&](const RunSummary& its) {
+                        return over_species(from.scene, its, &SpeciesMeans::speed);
                     })});
     rows.push_back({{"wall pressure", pressure},
                     from.of_summary([](const RunSummary& its) { return its.wall_pressure; })});

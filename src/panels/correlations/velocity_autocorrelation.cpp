@@ -32,9 +32,10 @@ class AutocorrelationMeter : public LagMeter {
           sizes_(members.size()),
           loss_(members.size()) {
         for (std::size_t k = 0; k < members.size(); ++k) {
-            sizes_[k] = static_cast<double>(members[k].size());
-            for (const Eigen::Index i : members[k])
+            for (const Eigen::Index i : members[k]) {
                 lists_of_[static_cast<std::size_t>(i)].push_back(k);
+                if (context.particles.inverse_mass[i] > 0.0) sizes_[k] += 1.0;
+            }
         }
     }
 

@@ -5,6 +5,7 @@
 
 #include "panels/archived.h"
 #include "panels/chosen.h"
+#include "physics/mechanics.h"
 #include "util/text.h"
 
 namespace carom {
@@ -36,7 +37,7 @@ void ParticlePanel::share_scales(ParticlePanel& other) {
 
 void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
                         ParticleState& state) {
-    const double mean_speed = input.speed.mean();
+    const double mean_speed = mean_of_speeds(context_.particles, input.speed);
     state.place = places.cast<float>();
     if (arrows_.shown()) state.velocity = input.sample.velocity.cast<float>();
     const Eigen::ArrayXXd& velocity = input.sample.velocity;

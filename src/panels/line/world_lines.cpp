@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "panels/chosen.h"
+#include "physics/mechanics.h"
 
 namespace carom {
 namespace {
@@ -52,7 +53,7 @@ void WorldLines::bend(std::size_t line, double time, double place, double mean_s
 void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
                      const Eigen::ArrayXd& last) {
     const double now = input.tick.time;
-    const double mean_speed = input.speed.mean();
+    const double mean_speed = mean_of_speeds(context_.particles, input.speed);
     const auto bend_at = [&](std::int32_t particle, double time, double x) {
         const std::ptrdiff_t line = line_of_[static_cast<std::size_t>(particle)];
         if (line < 0) return;

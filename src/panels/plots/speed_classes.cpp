@@ -6,6 +6,7 @@
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "physics/mechanics.h"
 #include "util/text.h"
 
 namespace carom {
@@ -51,9 +52,9 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
             plot::own_role([&](const Theme& theme) { return speed_class_color(k, theme); });
     subject.titles = titles(language, subject.lines);
     // Called for every frame in order: the first gives the mean at the start.
-    subject.measure = [first = std::optional<double>{},
+    subject.measure = [first = std::optional<double>{}, &particles = context.particles,
                        spec](const FrameInput& o) mutable -> std::vector<double> {
-        const double now = o.speed.mean();
+        const double now = mean_of_speeds(particles, o.speed);
         if (!first) first = now;
         std::vector<double> percent;
         for (const double share : class_shares(o.speed, spec.reference_initial ? *first : now))

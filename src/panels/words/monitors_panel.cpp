@@ -278,7 +278,7 @@ MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
 void MonitorsPanel::survey(const FrameInput& input) {
     if (echo_) echo_->survey(input);
     for (const auto& [number, value] :
-         {std::pair{Monitor::mean_speed, input.speed.mean()},
+         {std::pair{Monitor::mean_speed, mean_of_speeds(context_.particles, input.speed)},
           std::pair{Monitor::mean_energy,
                     mean_over_finite_masses(context_.particles, input.energy)}}) {
         double &largest = largest_.at(index_of(number)), &smallest = smallest_.at(index_of(number));
@@ -295,7 +295,7 @@ void MonitorsPanel::archive(Archive& archive) {
 std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) {
     auto state = std::make_shared<MonitorsState>();
     const CollisionCounts& counts = input.advanced.counts;
-    const double mean_speed = input.speed.mean();
+    const double mean_speed = mean_of_speeds(context_.particles, input.speed);
     const auto shares = class_shares(input.speed, mean_speed);
     state->numbers = {folded_time(context_.scene.run, input.tick.time),
                       static_cast<double>(counts.particle),

@@ -148,6 +148,8 @@ std::optional<double> expected_collision_rate(const Box& box, const Particles& p
                                               const Sample& sample) {
     if (infinite_mass_moves(particles, sample) || !box.surfaces.are_plain()) return std::nullopt;
     if (particles.count() < 2 || !(particles.inverse_mass > 0.0).any()) return 0.0;
+    const bool has_fixed_beads = box.dimension == 1 && (particles.inverse_mass == 0.0).any();
+    if (has_fixed_beads) return std::nullopt;  // they divide the others, which need not be alike
     constexpr double rounding = 1e-12;
     if (packing_fraction(box, particles) >= 1.0 - rounding) return std::nullopt;
     return box.dimension == 1 ? rate_on_line(box, particles, sample)

@@ -11,7 +11,7 @@ namespace carom {
 
 /// Collisions between particles in a unit of time, of all particles together, 1/time; velocities
 /// are used, positions are not. Nothing where an infinite mass moves (energy is not conserved) or
-/// the beads of a line leave no room.
+/// the beads of a line leave no room, or some of them are fixed.
 ///
 /// In a plane Enskog's rate, a sum over all pairs: 2 s chi g / A for disks with the contact
 /// distance s, mean relative speed g = sqrt(pi T / (2 mu)) at the temperature T that their energy

@@ -8,6 +8,7 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "figures/sweep_figure.h"
+#include "figures/sweep_theory.h"
 #include "panels/plot/plot_panel.h"
 #include "runs/sweep_summary.h"
 #include "support/figure_run.h"
@@ -216,6 +217,25 @@ TEST_CASE("of one point no theory is seen, and none is named") {
         dynamic_cast<const PlotPanel&>(*run.figures().front().panel).plot(nullptr);
     CHECK(plot.notes.empty());
     CHECK(plot.account.find("Dashed") == std::string::npos);
+}
+
+TEST_CASE("fixed disks have no part in means") {
+    const std::string with_fixed =
+        "box: {size: [30, 20], walls: periodic}\n"
+        "gas: [{name: a, count: 40, radius: 0.3, temperature: {exact: 1}}, "
+        "{name: fixed, count: 20, radius: 0.3, mass: infinite}]\nrun: {until: 20}\n";
+    const auto swept = [&](const std::string& number) {
+        const Scene scene =
+            scene_of("number: " + number + ", vary: \"gas.0.count=30,40\", seeds: 2", with_fixed);
+        return std::pair{numbers_of(scene).lines.front().mean,
+                         theory_of_number(number, scene, {1, 2})};
+    };
+    // As long as momentum is not conserved, a disk has the energy of two degrees of freedom.
+    const auto [energy, exact] = swept("mean energy");
+    CHECK(energy[1] == doctest::Approx(1.0).epsilon(1e-9));
+    CHECK(*exact == doctest::Approx(1.0).epsilon(1e-9));
+    const auto [speed, of_maxwell] = swept("mean speed");
+    CHECK(speed[1] == doctest::Approx(*of_maxwell).epsilon(0.05));  // of some 10^3 velocities
 }
 
 TEST_CASE("a number that runs do not have is refused with the nearest one") {

@@ -343,7 +343,7 @@ void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceRes
     constexpr bool only_changes = true;
     moment.surfaces =
         words_at_present(scene_.film.language, scene_.gas, advanced.surfaces, only_changes);
-    moment.mean_speed = speed.mean();
+    moment.mean_speed = mean_of_speeds(particles_, speed);
     moment.mean_energy = mean_over_finite_masses(particles_, energy);
     moment.shares = class_shares(speed, moment.mean_speed);
     for (std::size_t k = 0; k < scene_.gas.species.size(); ++k) {

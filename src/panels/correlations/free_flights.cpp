@@ -157,12 +157,15 @@ plot::Line law_of(const plot::Plot& plot, double mean) {
     return line;
 }
 
-// Of a single particle that moves among fixed disks.
+// Of a single particle that moves among fixed disks: between walls alone it keeps its speed along
+// each axis, and has a mean of its own.
 std::optional<double> exact_mean(const PanelContext& context, const PanelSpec& spec, Flown flown,
                                  double speed) {
-    if (context.particles.count() != 1 || !velocity_changes(context.scene.run).empty()) return {};
-    const auto path = mean_path_of_billiard(context.scene.gas.box, context.particles.radius[0],
-                                            spec.ends_at_walls);
+    const Box& box = context.scene.gas.box;
+    if (context.particles.count() != 1 || !velocity_changes(context.scene.run).empty() ||
+        box.surfaces.obstacles.empty())
+        return {};
+    const auto path = mean_path_of_billiard(box, context.particles.radius[0], spec.ends_at_walls);
     return path && flown == Flown::time ? std::optional(*path / speed) : path;
 }
 

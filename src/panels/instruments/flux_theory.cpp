@@ -39,6 +39,7 @@ std::unique_ptr<FluxTheory> even_flux(const PanelContext& context, const Crossed
                                       const std::vector<Eigen::Index>& members) {
     const Box& box = context.scene.gas.box;
     if (!context.equilibrium || line.between || members.empty()) return nullptr;
+    if ((context.particles.inverse_mass == 0.0).any()) return nullptr;  // in the way
     const bool is_line = box.dimension == 1, is_periodic = box.is_periodic(line.axis);
     const Eigen::ArrayXd& radius = context.particles.radius;
     const double r = radius[members.front()];

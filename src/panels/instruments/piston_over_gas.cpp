@@ -28,6 +28,12 @@ bool is_over_gas_alone(const PanelContext& context, std::int32_t surface) {
         !surfaces.obstacles.empty() || (surfaces.gravity != 0.0).any() ||
         (context.particles.inverse_mass == 0.0).any())
         return false;
+    // All share the energy: one disk keeps that of its motion along the piston, and a gas that
+    // periodic sides let through along it keeps its momentum.
+    const Box& box = context.scene.gas.box;
+    if (box.dimension == 2 &&
+        (context.particles.count() < 2 || box.is_periodic(1 - surfaces.axis_of(surface))))
+        return false;
     for (std::size_t k = 0; k < surfaces.sides.size(); ++k)
         if (k != side && !std::holds_alternative<Reflecting>(surfaces.sides[k])) return false;
     return true;

@@ -19,6 +19,13 @@ namespace {
 
 constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
+// Whether the gas is all there is in the area, and of one density: what the curves hold for.
+bool fills_area(const PanelContext& context) {
+    const Surfaces& surfaces = context.scene.gas.box.surfaces;
+    return surfaces.partitions.empty() && surfaces.obstacles.empty() &&
+           (surfaces.gravity == 0.0).all() && (context.particles.inverse_mass > 0.0).all();
+}
+
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
 const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::highlight}, .dashes = {0.5, 0.3}};
 
@@ -161,7 +168,7 @@ void PressureVolumePanel::make_axes() {
     const bool begin_alike = std::ranges::all_of(record_.runs, [&](const PressureVolumeRun& run) {
         return run.begins_as(record_.runs.front());
     });
-    if (spec_.theory && begin_alike) add_curves();
+    if (spec_.theory && begin_alike && fills_area(context_)) add_curves();
 }
 
 void PressureVolumePanel::add_curves() {

@@ -73,15 +73,20 @@ class Parts {
     }
 
     // Whether the two sides are alike in equilibrium: of a partition in the middle that lets all
-    // through, by symmetry.
-    bool are_alike(const Scene& scene) const {
+    // through and does nothing else, by symmetry.
+    bool are_alike(const Scene& scene, const Particles& particles) const {
         const Surfaces& surfaces = box_.surfaces;
-        const auto never_reflects = [](const Partition& one) {
-            return !one.gaps.empty() || one.is_open;
+        const double diameter = 2.0 * particles.radius.maxCoeff();
+        const auto lets_all_through = [&](const Partition& one) {
+            return one.is_open || (std::holds_alternative<Reflecting>(one.behaviour) &&
+                                   std::ranges::any_of(one.gaps, [&](const auto& gap) {
+                                       return gap.second - gap.first > diameter;
+                                   }));
         };
         const bool is_alike = (surfaces.gravity == 0.0).all() && surfaces.obstacles.empty() &&
-                              std::ranges::all_of(surfaces.partitions, never_reflects) &&
-                              surfaces.sides_reflect() && !acts_on_box(scene.run.events);
+                              std::ranges::all_of(surfaces.partitions, lets_all_through) &&
+                              (particles.inverse_mass > 0.0).all() && surfaces.sides_reflect() &&
+                              !acts_on_box(scene.run.events);
         if (!is_alike || !regions_.empty()) return false;
         const double place = box_.place_of(static_cast<std::size_t>(surfaces_.front()));
         return place == 0.5 * box_.size[axis()];
@@ -163,7 +168,7 @@ std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& 
             now.push_back(measured(context, o, measure, axis, list));
         return now;
     };
-    if (parts.are_alike(context.scene) && spec.measure != PartMeasure::center)
+    if (parts.are_alike(context.scene, context.particles) && spec.measure != PartMeasure::center)
         subject.references = [context, start, measure = spec.measure] {
             return measure == PartMeasure::count ? levels_of_count(context)
                                                  : levels_of_energy(context, **start, measure);

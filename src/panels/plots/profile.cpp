@@ -89,11 +89,15 @@ Over over_of(const PanelContext& context, const PanelSpec& spec) {
     return spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
 }
 
-// Energy is kept, and nothing but gravity and walls acts.
-bool has_law(const Scene& scene, FieldOf quantity, int axis) {
+// Energy is kept and shared by all, and nothing but gravity and walls acts. One particle keeps the
+// energy along each axis, and equal beads on a line only exchange their velocities.
+bool has_law(const Scene& scene, const Particles& particles, FieldOf quantity, int axis) {
     const Surfaces& surfaces = scene.gas.box.surfaces;
-    return quantity == FieldOf::density && !acts_on_box(scene.run.events) &&
-           surfaces.gravity[axis] != 0.0 &&
+    const Eigen::ArrayXd& mass = particles.inverse_mass;
+    const bool shares_energy =
+        scene.gas.box.dimension == 1 ? (mass != mass[0]).any() : particles.count() > 1;
+    return shares_energy && (mass > 0.0).all() && quantity == FieldOf::density &&
+           !acts_on_box(scene.run.events) && surfaces.gravity[axis] != 0.0 &&
            (scene.gas.box.dimension == 1 || surfaces.gravity[1 - axis] == 0.0) &&
            !scene.gas.box.is_periodic(axis) && surfaces.partitions.empty() &&
            surfaces.obstacles.empty() && surfaces.sides_reflect();
@@ -167,7 +171,8 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
 }
 
 void ProfilePanel::survey(const FrameInput& input) {
-    if (frames_seen_ == 0 && spec_.theory && has_law(context_.scene, spec_.quantity, axis_))
+    if (frames_seen_ == 0 && spec_.theory &&
+        has_law(context_.scene, context_.particles, spec_.quantity, axis_))
         record_.runs.front().laws =
             barometric_densities(context_.scene.gas.box, context_.particles, input.sample, axis_,
                                  cells_, carom::members(context_, choices_));

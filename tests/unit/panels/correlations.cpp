@@ -191,6 +191,17 @@ TEST_CASE("of mixtures between walls the slope has every mass and every wall in 
     }
 }
 
+TEST_CASE("fixed disks have no part in the slope of all") {
+    const auto slope_of = [](const std::vector<Chosen>& of) {
+        Run2 run(gas_of(", {name: b, count: 20, radius: 0.3, mass: infinite}", "[20, 20]"),
+                 {.kind = "velocity-autocorrelation", .of = of, .lags = 2.0});
+        const plot::Line slope = layers_of<plot::Line>(run.finished(), "slope at 0").at(0);
+        return (slope.y[1] - slope.y[0]) / (slope.x[1] - slope.x[0]);
+    };
+    CHECK(slope_of({}) < -0.01);
+    CHECK(slope_of({}) == doctest::Approx(slope_of({Chosen{.species = 0}})).epsilon(1e-12));
+}
+
 TEST_CASE("where walls act no slope is drawn") {
     Run2 run(gas_of("", "[20, 20], walls: {left: {temperature: 4}}"),
              {.kind = "velocity-autocorrelation", .lags = 2.0});
@@ -239,6 +250,30 @@ TEST_CASE("free times are free paths over the speed, on a logarithmic axis too")
     CHECK(words_in(path).find("exactly 2.39") != std::string::npos);
     CHECK(words_in(time).find("exactly 1.2") != std::string::npos);
     CHECK(time.y.kind == plot::Axis::Kind::logarithmic);
+}
+
+TEST_CASE("between walls alone a disk has no exact mean free path") {
+    Run2 run(
+        "title: T\nbox: {size: [20, 15]}\n"
+        "gas: [{count: 1, radius: 0.5, position: [5, 5], velocity: [1, 0.3]}]\n"
+        "run: {until: 400}\nfilm: {seconds: 2, fps: 10}\n",
+        {.kind = "free-path", .ends_at_walls = true});
+    CHECK(words_in(run.finished()).find("exactly") == std::string::npos);
+}
+
+TEST_CASE("equal beads that fall have no profile by theory, unequal ones have") {
+    const auto laws = [](const std::string& mass) {
+        Run2 run(
+            "title: T\nbox: {length: 20}\ngravity: -0.5\n"
+            "gas: [{count: 6, radius: 0, mass: " +
+                mass +
+                ", temperature: 1}]\n"
+                "run: {until: 10}\nfilm: {seconds: 2, fps: 10}\n",
+            {.kind = "profile"});
+        return layers_of<plot::Line>(run.finished(), "law").size();
+    };
+    CHECK(laws("1") == 0);
+    CHECK(laws("[1, 2, 1, 2, 1, 2]") == 1);
 }
 
 TEST_CASE("walls end free paths where the scene says so") {

@@ -131,6 +131,18 @@ TEST_CASE("half of the particles is marked where a window in the middle lets all
     CHECK(levels("x: 10").empty());
     CHECK(levels("x: 9, gaps: [[4, 6]]").empty());
     CHECK(levels("x: 10, passes: {to_right: {faster_than: 1}}").empty());
+    // Narrower than a disk; itself a source of heat; in motion.
+    CHECK(levels("x: 10, gaps: [[4.85, 5.15]]").empty());
+    CHECK(levels("x: 10, gaps: [[4, 6]], temperature: 4").empty());
+    CHECK(levels("x: 10, gaps: [[4, 6]], velocity: 0.1, until: 1").empty());
+    // Fixed disks are where they are, and take room on one side only.
+    CHECK(Seen("box: {size: [20, 10]}\npartitions: [{name: window, x: 10, gaps: [[4, 6]]}]\n"
+               "gas: [{name: a, count: 4, radius: 0.2, speed: 1}, "
+               "{name: b, position: [3, 3], radius: 1, mass: infinite}]\n"
+               "run: {until: 1}\nfilm: {seconds: 8, panels: [sides]}\n",
+               2)
+              .run()
+              .levels.empty());
 }
 
 TEST_CASE("numbers and temperatures beside a window scatter as theory says") {
@@ -260,6 +272,19 @@ TEST_CASE("the mean place of a piston over an ideal gas is that of its exact dis
                    14.0 - mean_height(20, 20 * 2.0 + 3.0 * 14.0, 3.0, 19.5)) < 1e-6);
     for (const double place : plane.run().lines[0]) CHECK(place < 14.0);
 
+    // One disk keeps the energy of its motion along the piston, a gas that may go round its
+    // momentum.
+    for (const std::string box : {"[10, 14], walls: {top: {mass: 20, force: -3}}",
+                                  "[10, 14], walls: {left: periodic, right: periodic, "
+                                  "top: {mass: 20, force: -3}}"}) {
+        const bool is_round = box.find("periodic") != std::string::npos;
+        const Seen unshared("box: {size: " + box +
+                            "}\ngas: [{name: a, count: " + (is_round ? "20" : "1") +
+                            ", radius: 0.1, velocity: [4, 1]}]\n"
+                            "run: {until: 8}\nfilm: {seconds: 8, panels: [piston]}\n");
+        CHECK(unshared.run().levels.empty());
+    }
+
     const Seen driven(
         "box: {size: [10, 14], walls: {top: {velocity: -0.5}}}\n"
         "gas: [{name: a, count: 20, radius: 0.01, temperature: 2}]\n"
@@ -367,6 +392,20 @@ TEST_CASE("pressure against area begins at the box, with the ideal gas from ther
     CHECK(plot.y.low == 0.0);
     CHECK(plot.x.low < 100.0);
     CHECK(plot.x.high > 140.0);
+
+    // The gas does not fill the area that the walls enclose.
+    for (const std::string more :
+         {"partitions: [{name: d, x: 5}]\n", "obstacles: [{disk: [5, 4], radius: 3}]\n",
+          "gravity: [0, -1]\n"}) {
+        CAPTURE(more);
+        const plot::Plot without =
+            Seen("box: {size: [10, 14], walls: {top: {velocity: -0.5}}}\n" + more +
+                 "gas: [{name: a, count: 20, radius: 0.01, temperature: 2}]\n"
+                 "run: {until: 8}\nfilm: {seconds: 8, panels: [pressure-volume]}\n")
+                .plot();
+        for (const auto& layer : without.layers)
+            if (const auto* line = std::get_if<plot::Line>(&layer)) CHECK(line->part != "theory");
+    }
 }
 
 TEST_CASE("the path of pressure and area begins when its window is full") {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
+#include <vector>
 
 #include "panels/chosen.h"
 #include "panels/plot/layers.h"
@@ -14,6 +16,17 @@ double dot(const Eigen::Array2d& a, const Eigen::Array2d& b) { return (a * b).su
 
 double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, double time) {
     return (apart + time * moving).square().sum();
+}
+
+// When an event of the run changes velocities or a place.
+std::vector<double> interruptions(const Run& run) {
+    std::vector<double> times;
+    for (const RunEvent& event : run.events)
+        if (std::holds_alternative<ReverseVelocities>(event.action) ||
+            std::holds_alternative<Heat>(event.action) ||
+            std::holds_alternative<Perturbation>(event.action))
+            times.push_back(event.at);
+    return times;
 }
 
 }  // namespace
@@ -45,16 +58,16 @@ bool PairCollisionWatch::is_wanted(const Collision& collision) const {
            (collision.first == b && collision.second == a);
 }
 
-// Reversals part two flights as collisions do.
+// Reversals, heat and nudges part two flights as collisions do.
 double PairCollisionWatch::flying_since(Eigen::Index particle, double now) const {
     double since = last_[static_cast<std::size_t>(particle)];
-    for (const double at : reversal_times(context_.scene.run))
+    for (const double at : interruptions(context_.scene.run))
         if (at < now) since = std::max(since, at);
     return since;
 }
 
 double PairCollisionWatch::flying_until(double now, double next) const {
-    for (const double at : reversal_times(context_.scene.run))
+    for (const double at : interruptions(context_.scene.run))
         if (at >= now) next = std::min(next, at);
     return next;
 }

@@ -5,8 +5,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 namespace carom {
+namespace {
+
+constexpr const char* hint_for_walks =
+    "`walk` is for two beads that collide only with each other and with walls at rest; without it "
+    "the panel shows their first collision";
+
+// Whether collisions with walls at rest, and reversals, are all that happens to the particles.
+bool keeps_energy(const Scene& scene) {
+    const Surfaces& surfaces = scene.gas.box.surfaces;
+    const auto reflects = [](const Partition& one) {
+        return std::holds_alternative<Reflecting>(one.behaviour);
+    };
+    return surfaces.sides_reflect() && std::ranges::all_of(surfaces.partitions, reflects) &&
+           (surfaces.gravity == 0.0).all() && !acts_on_box(scene.run.events);
+}
+
+}  // namespace
 
 double PairMotion::mass_center_velocity() const {
     return (inverse_mass[1] * before[0] + inverse_mass[0] * before[1]) / inverse_mass.sum();
@@ -69,18 +87,22 @@ std::vector<WalkStep> WalkWatch::steps() const {
     std::vector<WalkStep> steps;
     if (!pair_) return steps;
     const auto& pair = *pair_;
-    if (foreign_) {
-        const bool first_is_own = std::ranges::find(pair, foreign_->first) != pair.end();
+    if (!keeps_energy(context_.scene))
         refuse(
             spec_.place,
-            fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
-                        "walk on one ellipse",
-                        first_is_own ? foreign_->second.particle() : foreign_->first,
-                        first_is_own ? foreign_->first : foreign_->second.particle(),
-                        foreign_->time, pair[0], pair[1]),
-            "`walk` is for two beads that collide only with each other and with walls; without it "
-            "the panel "
-            "shows their first collision");
+            fmt::format("walls, gravity or events change the energy of particles {} and {}: they "
+                        "do not walk on one ellipse",
+                        pair[0], pair[1]),
+            hint_for_walks);
+    if (foreign_) {
+        const bool first_is_own = std::ranges::find(pair, foreign_->first) != pair.end();
+        refuse(spec_.place,
+               fmt::format("particle {} strikes particle {} at {:.6g}: particles {} and {} do not "
+                           "walk on one ellipse",
+                           first_is_own ? foreign_->second.particle() : foreign_->first,
+                           first_is_own ? foreign_->first : foreign_->second.particle(),
+                           foreign_->time, pair[0], pair[1]),
+               hint_for_walks);
     }
     if (count_ > most_steps)
         refuse(

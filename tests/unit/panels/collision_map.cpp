@@ -298,6 +298,19 @@ TEST_CASE("a walk needs one ellipse and not too many steps, and says so at its p
                                              26.0),
                                         spec);
     CHECK(many.find("collide with each other and with walls 31415 times") != std::string::npos);
+    // The energy does not stay that of the ellipse.
+    for (const std::string more : {"walls: {left: {temperature: 2}}", "walls: {left: {mass: 5}}"})
+        CHECK(message_of(test::scene_from("title: T\nbox: {length: 26, " + more + "}\n" +
+                                          "gas: [{position: [4, 14], velocity: [0, -1]}]\n"
+                                          "run: {until: 20}\n"),
+                         spec)
+                  .find("walls, gravity or events change the energy of particles 0 and 1") !=
+              std::string::npos);
+    CHECK(message_of(test::scene_from("title: T\nbox: {length: 26}\n"
+                                      "gas: [{position: [4, 14], velocity: [0, -1]}]\n"
+                                      "run: {until: 20, events: [{at: 12, heat: {by: 2}}]}\n"),
+                     spec)
+              .find("walls, gravity or events change the energy") != std::string::npos);
     CHECK(message_of(wire("{name: a, position: [2, 6], velocity: [-1, 1]}", 3.0), spec)
               .find("particles 0 and 1 do not collide") != std::string::npos);
 }

@@ -192,6 +192,20 @@ TEST_CASE("the pair is the first that collides, or the one asked for, in its ord
     CHECK(met.place[1][0] == relative(11.0, 1e-14));
 }
 
+TEST_CASE("events that change velocities or places part flights as collisions do") {
+    const std::string text =
+        "title: T\nbox: {length: 20}\ngas: [{position: [2, 12], velocity: [1, 0], radius: 0.5}]\n"
+        "run: {until: 15, events: [";
+    const auto flight = [&](const std::string& events) {
+        return pair_collision_in(
+            test::scene_from(text + events + "]}\nfilm: {seconds: 2, panels: []}\n"));
+    };
+    CHECK(flight("").since == 0.0);
+    CHECK(flight("{at: 1, heat: {by: 0.5}}").since == 1.0);
+    CHECK(flight("{at: 2, nudge: {particle: 0, by: 1e-9}}").since == 2.0);
+    CHECK(flight("{at: 11, heat: {by: 0.5}}").until == 11.0);
+}
+
 TEST_CASE("a pair that never collides is an error at the panel's place") {
     const std::string panels = "panels: [{kind: contact-time, of: [0, 2]}]";
     const Scene scene = scene_of(

@@ -219,7 +219,12 @@ void SeriesPanel::make_plot() {
     const bool compares = record_.compares();
     const std::string column = column_name(std::string(subject_.quantity.english), subject_.unit);
     whole_.titles = subject_.titles;
-    if (compares && subject_.compared_title) whole_.titles = {*subject_.compared_title};
+    if (compares && subject_.compared_title)
+        whole_.titles = {*subject_.compared_title};
+    else if (compares && subject_.names.size() > 1 && !is_titled_by_scene_)
+        whole_.titles = {plot::text_of(context_.language(), Phrase{"{}: {}"},
+                                       {capitalised(say(context_.language(), subject_.quantity)),
+                                        subject_.names.at(subject_.compared)})};
     whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);

@@ -181,6 +181,17 @@ void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) 
         reading.errors.add(
             *of, "a comparison shows one line for each run: `of` takes one species or particle",
             "make a figure for each");
+    if (const Node* at = given(node, "surfaces"); at != nullptr && panel.surfaces.size() > 1)
+        reading.errors.add(*at, "a comparison shows one line for each run: `surfaces` takes one",
+                           "make a figure for each");
+    if (const Node* at = given(node, "regions"); at != nullptr && panel.regions.size() > 1)
+        reading.errors.add(*at, "a comparison shows one line for each run: `regions` takes one",
+                           "make a figure for each");
+    if (const Node* space = given(node, "space");
+        space != nullptr && panel.kind == "entropy" && panel.entropy_of == EntropyOf::both)
+        reading.errors.add(*space,
+                           "a comparison shows one line for each run: `space` takes one of both",
+                           "make a figure for `velocities`, and one for `positions`");
 }
 
 // Only the command line may give another path.

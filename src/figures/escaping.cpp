@@ -193,6 +193,17 @@ string with_blanks(const string& text, const string& line) {
     return (is_blank(text.front()) ? " " : "") + line + (is_blank(text.back()) ? " " : "");
 }
 
+// On one line, without what begins a comment, an argument or a column.
+string escaped_tex(string_view tex) {
+    string escaped;
+    for (const char c : tex) {
+        const bool is_sign = c == '%' || c == '#' || c == '&';
+        if (is_sign && !escaped.ends_with('\\')) escaped += '\\';
+        escaped += c == '\n' ? ' ' : c;
+    }
+    return escaped;
+}
+
 // With commands instead of letters of Unicode, and without packages.
 string plain_tex(string_view tex) {
     string plain;
@@ -207,7 +218,7 @@ string plain_tex(string_view tex) {
                    letter.size() > 1 && symbol != nullptr) {
             plain += symbol->tex.size() == 1 ? symbol->tex : "\\" + symbol->tex + " ";
         } else {
-            plain += letter == "\n" ? " " : letter;
+            plain += letter;
         }
     }
     return plain;
@@ -217,7 +228,7 @@ string plain_tex(string_view tex) {
 string with_braces_apart(string_view tex) {
     string apart;
     for (const char c : tex) {
-        if ((c == '{' || c == '%' || c == '#') && apart.ends_with('{')) apart += ' ';
+        if (c == '{' && apart.ends_with('{')) apart += ' ';
         apart += c;
     }
     return apart;
@@ -253,8 +264,8 @@ string escaped_with_formulas(string_view text, PageKind kind) {
         if (span.is_formula && kind == PageKind::html)
             line += formula::mathml(formula::parsed(span.text));
         else if (span.is_formula)
-            line += kind == PageKind::latex ? "\\(" + plain_tex(span.text) + "\\)"
-                                            : "$" + with_braces_apart(span.text) + "$";
+            line += kind == PageKind::latex ? "\\(" + plain_tex(escaped_tex(span.text)) + "\\)"
+                                            : "$" + with_braces_apart(escaped_tex(span.text)) + "$";
         else
             line += with_blanks(span.text, escaped(span.text, kind));
     }

@@ -36,6 +36,11 @@ TEST_CASE("letters that pdfLaTeX cannot set are named, each once") {
 TEST_CASE("captions have formulae in the way of each page") {
     CHECK(escaped_with_formulas("a_b $x_1$ c", PageKind::markdown) == "a\\_b $x_1$ c");
     CHECK(escaped_with_formulas("$x^{{{2}}}$", PageKind::markdown) == "$x^{ { {2}}}$");
+    // What begins a comment, an argument or a column in TeX, and an empty line, which ends a
+    // formula.
+    for (const PageKind kind : {PageKind::latex, PageKind::markdown})
+        CHECK(escaped_with_formulas("$1\\,\\mathrm{%&#}\n\n+ x$", kind)
+                  .find("\\mathrm{\\%\\&\\#}  + x") != std::string::npos);
     CHECK(escaped_with_formulas("$\\frac{a}{b}\\text{ of }π$, & 5", PageKind::latex) ==
           "\\(\\frac{a}{b}\\mbox{ of }\\pi \\), \\& 5");
     CHECK(escaped_with_formulas("$x$ < \\$2", PageKind::html) ==

@@ -248,7 +248,7 @@ DialPanel::Layout DialPanel::layout_in_grid(const DrawContext& dc, const Rect& a
         if (height <= largest && largest > 0.0) continue;
         largest = height;
         best = Layout();
-        const double face_height = std::max(height, u);
+        const double face_height = height < least_face() * u ? 0.0 : std::max(height, u);
         const double face_width =
             std::min(cell_width, width().units * u + width().heights * face_height);
         for (std::size_t k = 0; k < count; ++k) {
@@ -344,7 +344,8 @@ void DialPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     draw_panel_title(canvas, dc, escape_markup(subject_.title));
     const Layout layout = this->layout(dc);
     const std::vector<DialSubject::Line> all = lines();
-    for (std::size_t k = 0; k < all.size(); ++k) draw_face(canvas, dc, layout.faces[k], all[k]);
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (has_room_for(layout.faces[k], dc)) draw_face(canvas, dc, layout.faces[k], all[k]);
     draw_words(canvas, dc, layout);
 }
 
@@ -352,7 +353,7 @@ void DialPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& st
     const Layout layout = this->layout(dc);
     const std::vector<Reading> now = readings(state);
     for (std::size_t k = 0; k < now.size(); ++k) {
-        draw_value(canvas, dc, layout.faces[k], now[k]);
+        if (has_room_for(layout.faces[k], dc)) draw_value(canvas, dc, layout.faces[k], now[k]);
         if (k < layout.places.size())
             draw_text(canvas, layout.places[k].at, number(now[k].said), layout.places[k].number);
     }

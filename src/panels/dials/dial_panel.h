@@ -88,6 +88,9 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     };
     virtual Width width() const = 0;
 
+    /// The least height of a face, units: where many share little room, the words stand alone.
+    virtual double least_face() const { return 0.0; }
+
     /// Whether the number and the name stand beside or under the face; else the look draws them.
     virtual bool has_words() const { return true; }
 
@@ -108,6 +111,9 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     Layout layout(const DrawContext& dc) const;
     Layout layout_in_grid(const DrawContext& dc, const Rect& area) const;
     void draw_words(Canvas& canvas, const DrawContext& dc, const Layout& layout) const;
+    bool has_room_for(const Rect& face, const DrawContext& dc) const {
+        return face.height >= least_face() * dc.unit;
+    }
     std::vector<DialSubject::Line> lines() const;
     std::string note() const;
     std::string account_of(const std::vector<Reading>& readings) const;

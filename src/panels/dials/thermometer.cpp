@@ -22,6 +22,7 @@ namespace {
 struct ThermometerSize {
     static constexpr double tube = 0.5, bulb = 0.85, tick_gap = 0.3, tick = 0.45, line_width = 0.09;
     static constexpr double width = 5.8, numbers = 4.1;  // of all, and left of the glass
+    static constexpr double least_height = 5.5;          // with two ticks
 };
 
 class ThermometerPanel : public DialPanel {
@@ -30,6 +31,7 @@ class ThermometerPanel : public DialPanel {
 
   protected:
     Width width() const override { return {ThermometerSize::width, 0.0}; }
+    double least_face() const override { return ThermometerSize::least_height; }
     void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
                    const DialSubject::Line& line) const override;
     void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
@@ -86,7 +88,7 @@ void ThermometerPanel::draw_face(Canvas& canvas, const DrawContext& dc, const Re
     TextStyle style = label_style(dc);
     style.align = Align::right;
     const double height = std::abs(glass.scale.to - glass.scale.from);
-    const int most = std::clamp(static_cast<int>(height / (1.3 * u)) + 1, 3, 7);
+    const int most = std::clamp(static_cast<int>(height / (1.3 * u)) + 1, 2, 7);
     const double right = glass.x - glass.tube - ThermometerSize::tick_gap * u;
     for (const TickMark& mark : ticks(scale().low, scale().high, most)) {
         const double y = glass.scale(mark.value);

@@ -2,22 +2,29 @@
 
 namespace carom::plot {
 
-std::vector<double> dashes_in_print(std::size_t line, std::size_t lines) {
-    static const std::array<std::vector<double>, 4> patterns{
-        {{}, {0.8, 0.4}, {0.2, 0.25}, {0.9, 0.3, 0.2, 0.3}}};
-    return lines < 2 ? std::vector<double>{} : patterns[line % patterns.size()];
-}
+namespace {
 
-Stroke stroke_of_run(std::size_t run, double width) {
-    static const std::array<std::vector<double>, 6> patterns{{{},
+// As many as a panel has choices, and more than there are runs side by side.
+const std::vector<double>& dashes_of(std::size_t line) {
+    static const std::array<std::vector<double>, 8> patterns{{{},
                                                               {0.8, 0.4},
                                                               {0.2, 0.25},
                                                               {0.9, 0.3, 0.2, 0.3},
                                                               {1.6, 0.4},
-                                                              {0.9, 0.25, 0.2, 0.25, 0.2, 0.25}}};
-    return {.role = {.of = Role::Of::run, .index = run},
-            .width = width,
-            .dashes = patterns[run % patterns.size()]};
+                                                              {0.9, 0.25, 0.2, 0.25, 0.2, 0.25},
+                                                              {0.4, 0.4},
+                                                              {1.6, 0.3, 0.4, 0.3}}};
+    return patterns[line % patterns.size()];
+}
+
+}  // namespace
+
+std::vector<double> dashes_in_print(std::size_t line, std::size_t lines) {
+    return lines < 2 ? std::vector<double>{} : dashes_of(line);
+}
+
+Stroke stroke_of_run(std::size_t run, double width) {
+    return {.role = {.of = Role::Of::run, .index = run}, .width = width, .dashes = dashes_of(run)};
 }
 
 Text& Text::operator+=(const Text& more) {

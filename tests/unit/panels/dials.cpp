@@ -230,6 +230,49 @@ TEST_CASE("theory of a flux is that of the mean speed in a periodic gas") {
     CHECK(is_near(seen.run().lines.at(1).back(), exact, 4.0 / std::sqrt(399.0)));
 }
 
+TEST_CASE("thermometers without room show their numbers inside their place") {
+    const test::SeenPanel seen(
+        test::scene_from("title: T\nbox: {size: [40, 40]}\n"
+                         "gas: [{name: a, count: 30, radius: 0.3, temperature: 1}]\n"
+                         "run: {until: 4}\nfilm: {seconds: 4, panels: [{kind: thermometer, of: "
+                         "[0, 1, 2, 3, 4]}]}\n"),
+        4);
+    const auto state = seen.last_state();
+    Canvas canvas({400, 300});
+    canvas.fill_all(rgb(0x000000));
+    const PixelView view = canvas.pixels();
+    const std::uint32_t ground = view.data[0];
+    DiskPainter disks;
+    // 30 by 8 units: rows of words, without glasses.
+    const DrawContext dc{{50.0, 100.0, 300.0, 80.0}, 10.0, theme(ThemeKind::dark), disks};
+    seen.panel->draw_ground(canvas, dc);
+    seen.panel->draw(canvas, dc, *state);
+    int inside = 0, outside = 0;
+    for (int y = 0; y < 300; ++y)
+        for (int x = 0; x < 400; ++x) {
+            const bool is_in = x >= 50 && x < 350 && y >= 100 && y < 180;
+            const bool is_drawn = canvas.pixels().data[y * view.stride + x] != ground;
+            (is_in ? inside : outside) += is_drawn ? 1 : 0;
+        }
+    CHECK(inside > 500);
+    CHECK(outside == 0);
+}
+
+TEST_CASE("a flux past fixed disks has no theory") {
+    const auto lines = [](const std::string& mass) {
+        return DialSeen(
+                   "box: {size: [40, 40], walls: periodic}\n"
+                   "gas: [{name: a, count: 30, radius: 0.3, temperature: 1}, "
+                   "{name: b, position: [20, 20], radius: 5, mass: " +
+                       mass + "}]\nrun: {until: 4}\n" + film("{kind: flux, line: {x: 20}}"),
+                   4)
+            .run()
+            .lines.size();
+    };
+    CHECK(lines("infinite") == 2);
+    CHECK(lines("9") == 4);
+}
+
 TEST_CASE("theory of a flux through a gap is that of each side, and elsewhere there is none") {
     const std::string gas =
         "gas: [{name: a, count: 200, radius: 0.1, temperature: {exact: 2}, mass: 3, position: "

@@ -1,6 +1,7 @@
 #include "panels/plot/bar_notes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "draw/style.h"
 #include "panels/plot/draw_bars.h"
@@ -77,8 +78,7 @@ bool are_short(const Frame& frame, const Plot& plot) {
     const BarNotes& notes = *plot.bar_notes;
     if (frame.notes.side != Side::above) return frame.notes.is_short;
     if (plot.bar_notes->are_in_a_row) {
-        const double share =
-            frame.area.width / std::max<double>(2.0, static_cast<double>(notes.names.size()));
+        const double share = frame.area.width / static_cast<double>(frame.notes.in_row);
         return std::ranges::any_of(notes.names, [&](const BarNotes::Name& name) {
             return width_of(frame.dc, notes, name.name) + 0.6 * frame.dc.unit > share;
         });
@@ -95,8 +95,10 @@ Point place_of_name(const Frame& frame, const Plot& plot, std::size_t index, boo
         return {left_end(frame), frame.area.y + (first_row + 1.4 * static_cast<double>(index)) * u};
     const Point& row = frame.row;
     if (plot.bar_notes->are_in_a_row) {
-        const auto count = std::max<double>(2.0, static_cast<double>(notes.names.size()));
-        return {row.x + 0.2 * u + static_cast<double>(index) * frame.area.width / count, row.y};
+        const std::size_t in_row = frame.notes.in_row;
+        const double share = frame.area.width / static_cast<double>(in_row);
+        return {row.x + 0.2 * u + static_cast<double>(index % in_row) * share,
+                row.y + static_cast<double>(index / in_row) * note_height * u};
     }
     if (notes.names.size() == 1) return {row.x + 0.2 * u, row.y};
     // The first at the left, the other at the right.
@@ -107,6 +109,18 @@ Point place_of_name(const Frame& frame, const Plot& plot, std::size_t index, boo
     const double second = frame.area.right() - (is_short ? width(1) : frame.notes.width);
     if (index == 1) return {second, row.y};
     return {std::max(frame.dc.area.x, std::min(row.x, second - width(0) - u)) + 0.2 * u, row.y};
+}
+
+// How many names find room side by side, with short names if need be; at least as many as two.
+std::size_t in_a_row(const Plot& plot, const DrawContext& dc) {
+    constexpr double labels = 4.0;  // units, left of the area
+    const std::size_t count = std::max<std::size_t>(2, plot.bar_notes->names.size());
+    const double width = dc.area.width - labels * dc.unit;
+    const double most = width / std::max(dc.unit, width_of_names(dc, plot, true));
+    const auto found =
+        static_cast<std::size_t>(std::clamp(std::floor(most), 1.0, static_cast<double>(count)));
+    const std::size_t rows = (count + found - 1) / found;
+    return (count + rows - 1) / rows;
 }
 
 // On a plate of the page's colour, so that bars behind it do not cut it up.
@@ -144,11 +158,15 @@ PlaceOfNotes place_of_notes(const Plot& plot, const DrawContext& dc) {
     }
     const bool has_row = side == Side::above && !plot.bar_notes->names.empty();
     const double left_over = plot_area(dc).height / dc.unit - height_of_rows(plot, dc, false);
-    if (has_row && left_over < least_height + note_height) return {Side::none, 0.0};
+    const std::size_t in_row = plot.bar_notes->are_in_a_row ? in_a_row(plot, dc) : 2;
+    const double height =
+        note_height *
+        std::ceil(static_cast<double>(plot.bar_notes->names.size()) / static_cast<double>(in_row));
+    if (has_row && left_over < least_height + height) return {Side::none, 0.0};
     const double rows = first_row + 1.4 * static_cast<double>(plot.bar_notes->names.size());
     if (side != Side::above && !plot.bar_notes->names.empty() && left_over < rows)
         return {Side::none, 0.0};
-    return {side, width, is_short, has_row ? note_height : 0.0};
+    return {side, width, is_short, has_row ? height : 0.0, in_row};
 }
 
 // On the line of the axis's name, each toward its own end.

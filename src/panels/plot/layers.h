@@ -13,12 +13,13 @@
 
 namespace carom::plot {
 
-/// Where the words over bars stand: at the top right or left of the plot, or in a row above it.
+/// Where the words over bars stand: at the top right or left of the plot, or in rows above it.
 struct PlaceOfNotes {
     enum class Side { right, left, above, none } side = Side::right;
-    double width = 0.0;     ///< of a name and its number, pixels
-    bool is_short = false;  ///< short names
-    double row = 0.0;       ///< its height, units; 0: none
+    double width = 0.0;      ///< of a name and its number, pixels
+    bool is_short = false;   ///< short names
+    double row = 0.0;        ///< the height of all rows, units; 0: none
+    std::size_t in_row = 2;  ///< how many share the width of a row
 };
 
 /// Where a plot's data lie on a canvas.

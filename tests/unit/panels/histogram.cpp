@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/plot/bar_notes.h"
 #include "panels/plots/histogram_panel.h"
 #include "support/pixels.h"
 #include "support/relative.h"
 #include "support/scene_text.h"
+#include "support/seen_panel.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -264,4 +266,31 @@ TEST_CASE("the names of means over the bars are whole") {
         CHECK(names == 1);
         for (const DrawnLine& line : log.lines) CHECK_FALSE_MESSAGE(line.is_cut, line.markup);
     }
+}
+
+TEST_CASE("names of means over bars stand in as many rows as they need") {
+    const test::SeenPanel seen(
+        test::scene_from("title: T\nbox: {size: [40, 40]}\ngas:\n"
+                         "  - {name: neon, count: 9, radius: 0.3, mass: 2, temperature: 1}\n"
+                         "  - {name: argon, count: 9, radius: 0.3, mass: 3, temperature: 1}\n"
+                         "  - {name: krypton, count: 9, radius: 0.3, mass: 4, temperature: 1}\n"
+                         "  - {name: xenon, count: 9, radius: 0.3, mass: 5, temperature: 1}\n"
+                         "run: {until: 4}\nfilm: {seconds: 4, panels: [{kind: speed-histogram, of: "
+                         "[neon, argon, krypton, xenon]}]}\n"),
+        8);
+    const auto state = seen.last_state();
+    const plot::Plot plot = seen.plot(state.get());
+    REQUIRE(plot.bar_notes);
+    REQUIRE(plot.bar_notes->names.size() == 4);
+    DiskPainter disks;
+    const auto place = [&](double width, double height) {
+        const DrawContext dc{
+            {0.0, 0.0, 10.0 * width, 10.0 * height}, 10.0, theme(ThemeKind::dark), disks};
+        return plot::place_of_notes(plot, dc);
+    };
+    CHECK(place(60.0, 20.0).in_row == 4);
+    CHECK(place(28.0, 20.0).in_row == 2);
+    CHECK(place(28.0, 20.0).row == 2.0 * place(60.0, 20.0).row);
+    CHECK(place(14.0, 24.0).in_row == 1);
+    CHECK(place(28.0, 8.0).row == 0.0);  // they would leave too little
 }

@@ -16,7 +16,7 @@ constexpr double print_type = 6.9, slide_type = 24.0;  // points; a title of 7.9
 constexpr double vector_dots = 96.0, print_dots = 300.0, slide_dots = 144.0;  // to the inch
 constexpr double tallest = 17.0;  // centimetres: what a page of a text has room for
 constexpr double key_width = 6.4, key_gap = 0.8, margin = 0.8;  // units
-constexpr double key_height = 8.6;                              // units, of a bar of colours
+constexpr double bar_of_colors = 8.6, key_of_arrows = 3.6;      // units, their heights in a key
 constexpr double strip_gap = 1.2, row_of_times = 2.2;           // units
 constexpr double shape_of_plots = 0.68;                         // height over width
 constexpr double shape_of_wires = 0.6;
@@ -31,6 +31,11 @@ struct Sheet {
     double box_width = 0.0;  ///< of one box of a strip
 };
 
+// What a key beside a low box needs.
+double least_key(const Scene& scene) {
+    return bar_of_colors + (scene.film.velocities ? key_of_arrows : 0.0);
+}
+
 Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     const double unit = centimetres(smallest_type(spec));
     Sheet sheet{spec.width / unit, 0.0};
@@ -44,7 +49,7 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     double shape = shape_of_plots;
     if (is_gas(spec)) shape = box.dimension == 2 ? box.size[1] / box.size[0] : shape_of_wires;
     const double times = pictures > 1.0 ? row_of_times : 0.0;
-    const double least = is_gas(spec) ? key_height : 0.0;
+    const double least = is_gas(spec) ? least_key(scene) : 0.0;
     sheet.height =
         spec.height
             ? most
@@ -60,7 +65,9 @@ void draw_times(Canvas& canvas, const DrawContext& dc, Language language, double
 }
 
 void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, const Figure& figure,
-              Language language) {
+              const Scene& scene) {
+    const Language language = scene.film.language;
+    const double least = least_key(scene);
     const double u = whole.unit;
     const bool several = figure.moments.size() > 1;
     DrawContext dc = whole;
@@ -77,11 +84,12 @@ void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, cons
     }
     const Rect box = figure.panel->frame_in(first.area, u);
     const double right = first.area.x + (sheet.width - 2.0 * margin - key_width) * u;
-    // Beside a low box it begins higher.
-    const double top =
-        std::max(first.area.y, std::min(box.y, (sheet.height - margin - key_height) * u));
+    // Beside a low box it begins higher, and ends lower.
+    const double end = (sheet.height - margin) * u;
+    const double top = std::max(first.area.y, std::min(box.y, end - least * u));
+    const double bottom = std::max(box.bottom(), std::min(end, top + least * u));
     figure.panel->draw_key(
-        canvas, {{right, top, key_width * u, box.bottom() - top}, u, dc.theme, dc.disks}, first);
+        canvas, {{right, top, key_width * u, bottom - top}, u, dc.theme, dc.disks}, first);
 }
 
 Rect plot_in(const Sheet& sheet, double unit) {
@@ -132,7 +140,7 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
         {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};
     canvas.fill_all(dc.theme.page);
     if (is_gas(spec))
-        draw_gas(canvas, dc, sheet, figure, run.scene().film.language);
+        draw_gas(canvas, dc, sheet, figure, run.scene());
     else
         draw_plot(canvas, dc, sheet, figure);
     return canvas;

@@ -292,3 +292,17 @@ TEST_CASE("a figure of words that has no room for them is refused") {
     CHECK_NOTHROW(
         run_of(scene_of("  - {name: a, kind: text, words: some words with $x^2$ in them}\n")));
 }
+
+TEST_CASE("a strip of low boxes is as high as its key") {
+    const auto height = [](const std::string& more) {
+        const Scene scene = test::scene_from(
+            "title: T\nbox: {size: [60, 20]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
+            "run: {until: 10}\nfilm: {seconds: 2" +
+            more + "}\nfigures:\n  - {name: a, kind: gas, strip: [0, 5, 10]}\n");
+        // Units of 6.9 points; between two margins.
+        return figure_size(scene, scene.figures[0])[1] / (6.9 / 72.0 * 2.54) - 1.6;
+    };
+    constexpr double rounding = 0.05;                       // to a tenth of a millimetre
+    CHECK(height("") > 8.6 - rounding);                     // the bar of colours
+    CHECK(height(", velocities: true") > 12.2 - rounding);  // and an arrow
+}

@@ -235,7 +235,8 @@ std::vector<PanelKind> all_kinds() {
         {.name = "pressure-volume",
          .words = Phrase{"pressure and volume"},
          .shows = "The path of the pressure on a wall that moves against the area, with the "
-                  "isotherm and the adiabat of an ideal gas from the start.",
+                  "isotherm and the adiabat of an ideal gas from the start, where the gas "
+                  "fills the area and does not fall.",
          .make = make_pressure_volume,
          .abilities = {over, theory, comparison},
          .keys = surfaces_key(),
@@ -341,7 +342,7 @@ std::vector<PanelKind> all_kinds() {
          .words = Phrase{"profile"},
          .shows = "Density, temperature, mean speed or flow (`quantity`) in slabs along an axis, "
                   "with height up along y; "
-                  "in gravity the density with that of an ideal gas of as many particles, which "
+                  "in gravity the density with that of an ideal gas of as many disks, which "
                   "share a fixed energy.",
          .make = make_profile,
          .abilities = {of, over, component, theory, means, comparison},

@@ -208,9 +208,11 @@ TEST_CASE("a wall is where it has moved to when a nudge is checked") {
         Simulation nudged = test::simulation_of(box, {{10.0, 5.0, 0.1, 0.9}}, run);
         nudged.advance_to(21.0);  // at 23.9, the wall at 31
         CHECK(nudged.sample().position(0, 0) == doctest::Approx(12.101).epsilon(1e-12));
-        run.events = {{20.0, Perturbation{0, {"0", "7"}}}};
-        Simulation pushed = test::simulation_of(box, {{10.0, 5.0, 0.1, 0.9}}, run);
-        CHECK_THROWS_AS(pushed.advance_to(21.0), RunEventError);
+        for (const char* up : {"6.6", "9"}) {  // into the wall, and beyond it
+            run.events = {{20.0, Perturbation{0, {"0", up}}}};
+            Simulation pushed = test::simulation_of(box, {{10.0, 5.0, 0.1, 0.9}}, run);
+            CHECK_THROWS_AS(pushed.advance_to(21.0), RunEventError);
+        }
     }
 }
 

@@ -18,14 +18,16 @@ double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, d
     return (apart + time * moving).square().sum();
 }
 
-// When an event of the run changes velocities or a place.
-std::vector<double> interruptions(const Run& run) {
+// When an event of the run changes the velocity or the place of a particle.
+std::vector<double> interruptions(const Run& run, Eigen::Index particle) {
     std::vector<double> times;
-    for (const RunEvent& event : run.events)
+    for (const RunEvent& event : run.events) {
+        const auto* nudge = std::get_if<Perturbation>(&event.action);
         if (std::holds_alternative<ReverseVelocities>(event.action) ||
             std::holds_alternative<Heat>(event.action) ||
-            std::holds_alternative<Perturbation>(event.action))
+            (nudge != nullptr && nudge->particle == particle))
             times.push_back(event.at);
+    }
     return times;
 }
 
@@ -61,13 +63,14 @@ bool PairCollisionWatch::is_wanted(const Collision& collision) const {
 // Reversals, heat and nudges part two flights as collisions do.
 double PairCollisionWatch::flying_since(Eigen::Index particle, double now) const {
     double since = last_[static_cast<std::size_t>(particle)];
-    for (const double at : interruptions(context_.scene.run))
+    for (const double at : interruptions(context_.scene.run, particle))
         if (at < now) since = std::max(since, at);
     return since;
 }
 
-double PairCollisionWatch::flying_until(double now, double next) const {
-    for (const double at : interruptions(context_.scene.run))
+double PairCollisionWatch::flying_until(Eigen::Index particle, double now) const {
+    double next = context_.scene.run.until;
+    for (const double at : interruptions(context_.scene.run, particle))
         if (at >= now) next = std::min(next, at);
     return next;
 }
@@ -82,7 +85,8 @@ void PairCollisionWatch::meet(const Collision& collision) {
     met.after = {collision.first_after, collision.second_after};
     met.since = std::max(flying_since(collision.first, met.time),
                          flying_since(collision.second.particle(), met.time));
-    met.until = flying_until(met.time, context_.scene.run.until);
+    met.until = std::min(flying_until(collision.first, met.time),
+                         flying_until(collision.second.particle(), met.time));
     if (swapped || (spec_.of.empty() && collision.second.particle() < collision.first)) {
         std::swap(met.particle[0], met.particle[1]);
         std::swap(met.place[0], met.place[1]);

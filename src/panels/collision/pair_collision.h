@@ -53,7 +53,7 @@ class PairCollisionWatch {
     bool is_wanted(const Collision& collision) const;
     void meet(const Collision& collision);
     double flying_since(Eigen::Index particle, double now) const;
-    double flying_until(double now, double next) const;
+    double flying_until(Eigen::Index particle, double now) const;
 
     PanelContext context_;
     PanelSpec spec_;

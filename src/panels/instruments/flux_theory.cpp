@@ -39,7 +39,6 @@ std::unique_ptr<FluxTheory> even_flux(const PanelContext& context, const Crossed
                                       const std::vector<Eigen::Index>& members) {
     const Box& box = context.scene.gas.box;
     if (!context.equilibrium || line.between || members.empty()) return nullptr;
-    if ((context.particles.inverse_mass == 0.0).any()) return nullptr;  // in the way
     const bool is_line = box.dimension == 1, is_periodic = box.is_periodic(line.axis);
     const Eigen::ArrayXd& radius = context.particles.radius;
     const double r = radius[members.front()];
@@ -167,6 +166,7 @@ std::unique_ptr<FluxTheory> gap_flux(const PanelContext& context, const CrossedL
 std::unique_ptr<FluxTheory> flux_theory(const PanelContext& context, const CrossedLine& line,
                                         std::optional<std::int32_t> partition,
                                         const std::vector<Eigen::Index>& members) {
+    if ((context.particles.inverse_mass == 0.0).any()) return nullptr;  // they are in the way
     return partition ? gap_flux(context, line, *partition, members)
                      : even_flux(context, line, members);
 }

@@ -25,8 +25,8 @@ class FluxTheory {
     virtual std::array<FluxRates, 2> at(const FrameInput& input) = 0;
 };
 
-/// Of some particles at a line, where a partition may stand; none where theory knows no such thing.
-/// It does
+/// Of some particles at a line, where a partition may stand; none where theory knows no such thing,
+/// and beside particles of infinite mass. It does
 /// - in a gas in equilibrium, at a line right across a periodic axis, exactly, or between solid
 ///   walls for points on a line and dilute disks: with the mean of |v| that so many particles have;
 /// - at a partition with gaps that are small beside it, from a dilute gas whose mean free path is

@@ -33,7 +33,8 @@ struct PistonOverGas {
 };
 
 /// Whether nothing but the gas and a constant force acts on this surface, a free side, and nothing
-/// but it and walls at rest on the gas.
+/// but it and walls at rest on the gas, which shares its energy: not one disk alone, and not a gas
+/// that keeps its momentum between periodic sides.
 bool is_over_gas_alone(const PanelContext& context, std::int32_t surface);
 
 /// From the state at the start; none unless is_over_gas_alone().

@@ -89,18 +89,15 @@ Over over_of(const PanelContext& context, const PanelSpec& spec) {
     return spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
 }
 
-// Energy is kept and shared by all, and nothing but gravity and walls acts. One particle keeps the
-// energy along each axis, and equal beads on a line only exchange their velocities.
+// Energy is kept and shared by all, and nothing but gravity and walls acts. One disk keeps the
+// energy along each axis, and beads on a line the order of their masses.
 bool has_law(const Scene& scene, const Particles& particles, FieldOf quantity, int axis) {
     const Surfaces& surfaces = scene.gas.box.surfaces;
-    const Eigen::ArrayXd& mass = particles.inverse_mass;
-    const bool shares_energy =
-        scene.gas.box.dimension == 1 ? (mass != mass[0]).any() : particles.count() > 1;
-    return shares_energy && (mass > 0.0).all() && quantity == FieldOf::density &&
+    return scene.gas.box.dimension == 2 && particles.count() > 1 &&
+           (particles.inverse_mass > 0.0).all() && quantity == FieldOf::density &&
            !acts_on_box(scene.run.events) && surfaces.gravity[axis] != 0.0 &&
-           (scene.gas.box.dimension == 1 || surfaces.gravity[1 - axis] == 0.0) &&
-           !scene.gas.box.is_periodic(axis) && surfaces.partitions.empty() &&
-           surfaces.obstacles.empty() && surfaces.sides_reflect();
+           surfaces.gravity[1 - axis] == 0.0 && !scene.gas.box.is_periodic(axis) &&
+           surfaces.partitions.empty() && surfaces.obstacles.empty() && surfaces.sides_reflect();
 }
 
 class ProfilePanel : public RecordPanel<ProfileRecord> {

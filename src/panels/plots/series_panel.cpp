@@ -224,7 +224,7 @@ void SeriesPanel::make_plot() {
     else if (compares && subject_.names.size() > 1 && !is_titled_by_scene_)
         whole_.titles = {plot::text_of(context_.language(), Phrase{"{}: {}"},
                                        {capitalised(say(context_.language(), subject_.quantity)),
-                                        subject_.names.at(subject_.compared)})};
+                                        escape_markup(subject_.names.at(subject_.compared))})};
     whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);

@@ -261,19 +261,20 @@ TEST_CASE("between walls alone a disk has no exact mean free path") {
     CHECK(words_in(run.finished()).find("exactly") == std::string::npos);
 }
 
-TEST_CASE("equal beads that fall have no profile by theory, unequal ones have") {
-    const auto laws = [](const std::string& mass) {
-        Run2 run(
-            "title: T\nbox: {length: 20}\ngravity: -0.5\n"
-            "gas: [{count: 6, radius: 0, mass: " +
-                mass +
-                ", temperature: 1}]\n"
-                "run: {until: 10}\nfilm: {seconds: 2, fps: 10}\n",
-            {.kind = "profile"});
+TEST_CASE("a profile in gravity has a law where disks share their energy and pass one another") {
+    const auto laws = [](const std::string& box, const std::string& gas) {
+        Run2 run("title: T\nbox: " + box + "\ngas: [{radius: 0.1, " + gas +
+                     "}]\nrun: {until: 10}\nfilm: {seconds: 2, fps: 10}\n",
+                 {.kind = "profile",
+                  .component = box.starts_with("{size") ? Component::y : Component::x});
         return layers_of<plot::Line>(run.finished(), "law").size();
     };
-    CHECK(laws("1") == 0);
-    CHECK(laws("[1, 2, 1, 2, 1, 2]") == 1);
+    const std::string line = "{length: 20}\ngravity: -0.5",
+                      plane = "{size: [10, 20]}\ngravity: [0, -0.5]";
+    CHECK(laws(line, "count: 6, temperature: 1") == 0);
+    CHECK(laws(line, "mass: [1, 2, 1, 2], position: [2, 4, 6, 8], velocity: [1, 0, 1, 0]") == 0);
+    CHECK(laws(plane, "count: 1, velocity: [1, 2]") == 0);
+    CHECK(laws(plane, "count: 6, temperature: 1") == 1);
 }
 
 TEST_CASE("walls end free paths where the scene says so") {

@@ -194,7 +194,8 @@ TEST_CASE("the pair is the first that collides, or the one asked for, in its ord
 
 TEST_CASE("events that change velocities or places part flights as collisions do") {
     const std::string text =
-        "title: T\nbox: {length: 20}\ngas: [{position: [2, 12], velocity: [1, 0], radius: 0.5}]\n"
+        "title: T\nbox: {length: 20}\ngas: [{position: [2, 12, 18], velocity: [1, 0, 0], radius: "
+        "0.5}]\n"
         "run: {until: 15, events: [";
     const auto flight = [&](const std::string& events) {
         return pair_collision_in(
@@ -203,6 +204,8 @@ TEST_CASE("events that change velocities or places part flights as collisions do
     CHECK(flight("").since == 0.0);
     CHECK(flight("{at: 1, heat: {by: 0.5}}").since == 1.0);
     CHECK(flight("{at: 2, nudge: {particle: 0, by: 1e-9}}").since == 2.0);
+    CHECK(flight("{at: 2, nudge: {particle: 2, by: 1e-9}}").since == 0.0);
+    CHECK(flight("{at: 11, nudge: {particle: 2, by: 1e-9}}").until > 11.0);
     CHECK(flight("{at: 11, heat: {by: 0.5}}").until == 11.0);
 }
 

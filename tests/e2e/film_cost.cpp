@@ -54,6 +54,21 @@ std::vector<std::string> library() {
     return scenes;
 }
 
+// Two scenes of 2 seconds, and the set of them.
+void write_set(const TemporaryFolder& folder, const std::string& words) {
+    for (const char* name : {"one", "two"})
+        folder.write(
+            std::string(name) + ".yaml",
+            fmt::format("title: Small\nbox: {{size: [20, 10]}}\n"
+                        "gas: [{{name: a, count: 4, radius: 0.3, speed: 1}}]\n"
+                        "run: {{until: 2}}\nfilm: {{seconds: 2, fps: 10, size: [64, 64]}}\n"
+                        "figures: [{{name: of-{}, kind: gas}}]\n",
+                        name));
+    folder.write("set.yaml", fmt::format("title: {}\ndescription: {}\n"
+                                         "scenes: [one.yaml, two.yaml]\n",
+                                         words, words));
+}
+
 }  // namespace
 
 // The slow tests see every scene; the others every third, as many as color_by has values.
@@ -143,4 +158,32 @@ TEST_CASE("a film takes at most --max-size, and most of it") {
     const Outcome wrong = shell("'" + program + "' render --max-size 5cm " + scene, folder.path());
     CHECK(wrong.exit_code == 2);
     CHECK(wrong.err.find("--max-size 5cm: expected a size") != std::string::npos);
+}
+
+TEST_CASE("a film that is too large for --max-size leaves the earlier one, and its words") {
+    const TemporaryFolder folder;
+    write_set(folder, "Small gases that are shown one after the other, with words on a card");
+    const std::string join = "'" + program + "' render set.yaml --join --quiet -o f.mp4 --words";
+    REQUIRE(shell(join, folder.path()).exit_code == 0);
+    const auto bytes = fs::file_size(folder.path() / "f.mp4");
+    const std::vector<std::string> names = folder.names();
+    folder.write("f.mp4", "earlier");
+    folder.write("f.transcript.txt", "earlier");
+    // More than what was measured, as each file has a head, and less than all.
+    for (const double share : {0.5, 0.8, 0.9, 0.95, 0.98}) {
+        const Outcome outcome =
+            shell(fmt::format("{} --max-size {:.0f}", join, share * double(bytes)), folder.path());
+        CAPTURE(share);
+        CAPTURE(outcome.err);
+        CHECK(outcome.exit_code == 2);
+        CHECK(has(outcome.err, "a film of 8 seconds takes more"));
+        CHECK(contents(folder.path() / "f.mp4") == "earlier");
+        CHECK(contents(folder.path() / "f.transcript.txt") == "earlier");
+        CHECK(folder.names() == names);
+    }
+    const Outcome part =
+        shell("'" + program + "' render one.yaml --from 0.5 --to 1 -o f.mp4 --max-size 1kB",
+              folder.path());
+    CHECK(part.exit_code == 2);
+    CHECK(has(part.err, "a film of 0.4 seconds takes more"));
 }

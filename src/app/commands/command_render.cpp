@@ -9,7 +9,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 #include "app/chunks/plan_folder.h"
@@ -227,14 +226,12 @@ RenderReport render_all(const std::vector<Scene>& scenes, const JoinedTitle& tit
     return render(scenes.front(), options, progress);
 }
 
-// Writes nothing of a film of more bytes than `most`.
 RenderReport render_to_stream(Output& stream, const std::vector<Scene>& scenes,
-                              const JoinedTitle& title, FilmOptions options, double most,
-                              Progress& progress) {
+                              const JoinedTitle& title, FilmOptions options, Progress& progress) {
     const ScratchFolder folder;
     options.output = folder.path() / options.output;
     const RenderReport report = render_all(scenes, title, options, progress);
-    if (static_cast<double>(report.bytes) <= most) stream.copy(options.output);
+    if (fits(report, options)) stream.copy(options.output);
     return report;
 }
 
@@ -245,28 +242,34 @@ std::vector<Scene> in_shape(const std::vector<Scene>& scenes, const FilmShape& s
     return all_made(scenes, [&](const Scene& scene) { return scene_from(scene.source, values); });
 }
 
+double seconds_of(const std::vector<Scene>& scenes, const JoinedTitle& title,
+                  const FilmOptions& options) {
+    double seconds = seconds_of_title(title);
+    for (const Scene& scene : scenes)
+        seconds += static_cast<double>(frames_of(scene, options)) / scene.film.fps;
+    return seconds;
+}
+
 // The scenes of a film, as large as so many bytes allow.
 std::vector<Scene> fitted(const RenderArguments& arguments, const std::vector<Scene>& scenes,
-                          double most, const FilmOptions& options, Progress& progress) {
+                          const JoinedTitle& title, double most, const FilmOptions& options,
+                          Progress& progress) {
     const Film& film = scenes.front().film;
     std::map<std::pair<int, int>, std::vector<Scene>> tried;  // by width and rate
     const auto bytes_in = [&](const FilmShape& shape) {
         std::vector<Scene>& its = tried[{shape.size.width, shape.fps}];
         its = in_shape(scenes, shape);
-        double bytes = 0.0;
+        double bytes = bytes_of_title(its, title, options);
         for (const Scene& scene : its) bytes += measured_cost(scene, options, progress).bytes;
         return bytes;
     };
     const auto shape =
         fitting_shape({film.size, film.fps}, *format_of_film(options.output).film, most, bytes_in);
-    if (!shape) {
-        double seconds = 0.0;
-        for (const Scene& scene : scenes) seconds += scene.film.seconds;
-        throw UsageError(fmt::format(
-            "--max-size {}: a film of {} seconds takes more, even of small frames and few of them; "
-            "make it shorter (--seconds), or allow more",
-            arguments.max_size, seconds));
-    }
+    if (!shape)
+        throw UsageError(
+            fmt::format("--max-size {}: a film of {:.6g} seconds takes more, even of small frames "
+                        "and few of them; make it shorter (--seconds), or allow more",
+                        arguments.max_size, seconds_of(scenes, title, options)));
     return tried.at({shape->size.width, shape->fps});
 }
 
@@ -279,7 +282,7 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     options.cache = arguments.cache;
     options.output = film_at(arguments, output);
     options.threads = threads_of(arguments);
-    const double most = most_bytes(arguments);
+    options.most_bytes = most_bytes(arguments);
     std::vector<Scene> scenes = asked;
     RenderReport report;
     // A page or a stream, opened once: the reader of a pipe leaves at its end.
@@ -287,19 +290,16 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     const bool is_page = !arguments.page.empty();
     const std::string target = is_page ? output.string() : arguments.destination.output;
     // What was measured on a few frames may be a little less than the whole film.
-    for (double aim = most;; aim *= 0.9) {
-        if (std::isfinite(most)) scenes = fitted(arguments, asked, aim, options, progress);
+    for (double aim = options.most_bytes;; aim *= 0.9) {
+        if (std::isfinite(aim)) scenes = fitted(arguments, asked, title, aim, options, progress);
         if (!whole && (is_page || Output::is_stream(target))) whole.emplace(target);
         if (is_page)
-            report = render_page(scenes.front(), options, *whole, most, progress);
+            report = render_page(scenes.front(), options, *whole, progress);
         else if (whole)
-            report = render_to_stream(*whole, scenes, title, options, most, progress);
+            report = render_to_stream(*whole, scenes, title, options, progress);
         else
             report = render_all(scenes, title, options, progress);
-        if (static_cast<double>(report.bytes) <= most) break;
-        if (is_page) continue;  // it was not written
-        std::error_code error;
-        fs::remove_all(report.path, error);  // it does not stay where none fits
+        if (fits(report, options)) break;
     }
     print_report(arguments, scenes.front(), report);
     if (!arguments.quiet) say(warnings_of(report, format_of_film(options.output), is_page));

@@ -257,6 +257,11 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     return plan;
 }
 
+int frames_of(const Scene& scene, const FilmOptions& options) {
+    if (!options.from && !options.to) return frame_count(scene.film);
+    return frames_between(timeline(scene), options.from, options.to).frames();
+}
+
 bool has_sound(const Scene& scene, const OutputFormat& format) {
     return scene.film.sound && format.sound;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,6 +33,7 @@ struct FilmOptions {
                           to = {};     ///< as frames_between() reads them; none: the whole film
     Recording::Room room = {};         ///< for the frames of the run; beyond it is simulated again
     std::filesystem::path cache = {};  ///< folder of an AxesCache; empty: none
+    double most_bytes = std::numeric_limits<double>::infinity();  ///< a larger film is not written
 };
 
 /// The run that a film shows beside its own.
@@ -76,6 +78,9 @@ FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progr
 
 /// Ends the first pass of panels, and gives what it has fixed of each.
 std::string fixed_axes(PanelSet& panels);
+
+/// Frames that are drawn of the film of a scene.
+int frames_of(const Scene& scene, const FilmOptions& options);
 
 /// Whether the film of a scene has sound in a format.
 bool has_sound(const Scene& scene, const OutputFormat& format);

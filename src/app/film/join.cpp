@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/scratch_folder.h"
 #include "draw/text.h"
 #include "panels/layout.h"
 #include "scene/time/timeline.h"
@@ -129,13 +130,23 @@ void append(FilmText& all, const FilmText& more) {
     all.transcript += (all.transcript.empty() ? "" : "\n\n") + more.transcript;
 }
 
+// What all parts have in common, of so many frames.
+FilmPlan plan_of_all(const std::vector<Scene>& scenes, int frames) {
+    FilmPlan all;
+    all.scene.film = scenes.front().film;
+    for (const Scene& scene : scenes)
+        if (scene.film.sound) all.scene.film.sound = scene.film.sound;
+    all.span = {0, frames};
+    return all;
+}
+
 // Of a film that holds the parts up to the last, with what makes it again.
 std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
                                           const JoinedTitle& title, const FilmOptions& options,
                                           const std::vector<JoinedPart>& parts) {
     std::vector<std::string> titles;
     std::vector<FilmChapter> chapters;
-    FilmPlan all;
+    FilmPlan all = plan_of_all(scenes, parts.back().first + parts.back().frames);
     for (const Scene& scene : scenes) {
         const JoinedPart& part = parts[titles.size()];
         const int first = chapters.empty() ? 0 : part.first;  // the title belongs to the first
@@ -149,10 +160,6 @@ std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
     if (!title.words.empty()) all.scene.description = title.words;
     all.scene.seed = scenes.front().seed;
     all.scene.source.overrides = scenes.front().source.overrides;
-    all.scene.film = scenes.front().film;
-    for (const Scene& scene : scenes)
-        if (scene.film.sound) all.scene.film.sound = scene.film.sound;
-    all.span = {0, parts.back().first + parts.back().frames};
     return film_writer(all, options, std::move(chapters));
 }
 
@@ -211,6 +218,24 @@ void draw_title(Canvas& canvas, const Film& film, const JoinedTitle& title) {
     write(rest, small);
 }
 
+double seconds_of_title(const JoinedTitle& title) {
+    return title.title.empty() ? 0.0 : title_seconds;
+}
+
+double bytes_of_title(const std::vector<Scene>& scenes, const JoinedTitle& title,
+                      const FilmOptions& options) {
+    if (title.title.empty()) return 0.0;
+    const ScratchFolder folder;
+    FilmOptions its = options;
+    its.output = its.output.has_filename() ? folder.path() / its.output.filename()
+                                           : folder.path() / "frames/";
+    const JoinedPart card = title_part(scenes.front().film);
+    const std::unique_ptr<FilmWriter> writer = film_writer(plan_of_all(scenes, card.frames), its);
+    write_title(*writer, card, title);
+    writer->settle();
+    return static_cast<double>(writer->bytes());
+}
+
 RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& title,
                            const FilmOptions& options, Progress& progress) {
     const Stopwatch watch;
@@ -241,8 +266,10 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& 
     throw_if_interrupted();
     report.path = options.output;
     report.simulate_seconds = watch.cpu();
-    commit_with_text(*writer, text, files_wanted(options.text, hears), options.output);
+    writer->settle();
     report.bytes = writer->bytes();
+    if (fits(report, options))
+        commit_with_text(*writer, text, files_wanted(options.text, hears), options.output);
     report.wall_seconds = watch.wall();
     return report;
 }

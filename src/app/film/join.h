@@ -32,8 +32,15 @@ struct JoinedTitle {
     std::string title, words;
 };
 
+/// Of the card that it begins with: its length, and what it takes about in the format of
+/// `options.output`. Both are 0 without a title.
+double seconds_of_title(const JoinedTitle& title);
+double bytes_of_title(const std::vector<Scene>& scenes, const JoinedTitle& title,
+                      const FilmOptions& options);
+
 /// Renders the films of several scenes, which have one size and rate, as one film, whole or not at
-/// all: its title is its own or theirs, its chapters are their titles. Throws as render() does.
+/// all: its title is its own or theirs, its chapters are their titles. One that does not fit is not
+/// written. Throws as render() does.
 RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& title,
                            const FilmOptions& options, Progress& progress);
 

@@ -64,9 +64,11 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
     draw_frames(plan, options.threads, writer, progress, report);
     throw_if_interrupted();
     report.simulate_seconds = watch.cpu();
-    commit_with_text(writer, plan.text, files_wanted(options.text, !plan.sound.empty()),
-                     options.output);
+    writer.settle();
     report.bytes = writer.bytes();
+    if (fits(report, options))
+        commit_with_text(writer, plan.text, files_wanted(options.text, !plan.sound.empty()),
+                         options.output);
     report.wall_seconds = watch.wall();
     return report;
 }
@@ -197,6 +199,10 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                         .chapters = std::move(chapters),
                         .has_sound = has_sound(scene, format_of_film(options.output))},
                        plan.frames());
+}
+
+bool fits(const RenderReport& report, const FilmOptions& options) {
+    return static_cast<double>(report.bytes) <= options.most_bytes;
 }
 
 RenderReport render(const Scene& scene, const FilmOptions& options, Progress& progress) {

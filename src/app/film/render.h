@@ -32,9 +32,12 @@ struct RenderReport {
     WorkerSeconds workers;
 };
 
+/// Whether the film has no more bytes than it may have.
+bool fits(const RenderReport& report, const FilmOptions& options);
+
 /// Renders the film of `scene`, whole or not at all: prepares it, draws its segments side by side
-/// and joins them. Throws SceneError (the gas cannot be placed, or does not return), SystemError,
-/// Interrupted.
+/// and joins them. One that does not fit is not written. Throws SceneError (the gas cannot be
+/// placed, or does not return), SystemError, Interrupted.
 RenderReport render(const Scene& scene, const FilmOptions& options, Progress& progress);
 
 /// The same of what is prepared already, with what it was prepared for.

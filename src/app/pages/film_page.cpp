@@ -95,7 +95,7 @@ std::string film_page(const Source& page, const FilmPage& its) {
     return filled_page(page, PageKind::html, fields, placeholders_of_film());
 }
 
-RenderReport render_page(const Scene& scene, FilmOptions options, Output& output, double most,
+RenderReport render_page(const Scene& scene, FilmOptions options, Output& output,
                          Progress& progress) {
     const std::string page = output.name();
     const Source document = document_template("film.html");
@@ -105,7 +105,7 @@ RenderReport render_page(const Scene& scene, FilmOptions options, Output& output
     const FilmPlan plan = prepare(scene, options, progress);
     RenderReport report = render(plan, options, progress);
     report.path = page;
-    if (static_cast<double>(report.bytes) > most) return report;
+    if (!fits(report, options)) return report;
     const std::vector<std::uint8_t> poster =
         draw_still(plan, time_of_poster(scene, options), output_format("png"), progress).file();
     const std::string stem =

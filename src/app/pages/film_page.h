@@ -39,10 +39,9 @@ std::string film_page(const Source& page, const FilmPage& its);
 inline constexpr double most_inlined_bytes = 24e6;
 
 /// Renders the film of a scene into a page of its own, whole or not at all.
-/// Of a film of more than `most` bytes it writes nothing, and may be called again. The report is
+/// Of a film that does not fit it writes nothing, and may be called again. The report is
 /// about the film, its path that of the page. The ending of `options.output` gives the format.
 /// Throws as render() does.
-RenderReport render_page(const Scene& scene, FilmOptions options, Output& page, double most,
-                         Progress& progress);
+RenderReport render_page(const Scene& scene, FilmOptions options, Output& page, Progress& progress);
 
 }  // namespace carom

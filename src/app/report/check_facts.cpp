@@ -184,11 +184,6 @@ Facts field_rows(const Scene& scene, std::int64_t particles) {
                                        mean, least_in_cell))};
 }
 
-int frames_of(const Scene& scene, const FilmOptions& options) {
-    if (!options.from && !options.to) return frame_count(scene.film);
-    return frames_between(timeline(scene), options.from, options.to).frames();
-}
-
 std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& film, int frames,
                                       std::int64_t particles, double calculated,
                                       const FilmCollisions& collisions) {

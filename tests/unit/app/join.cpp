@@ -42,6 +42,12 @@ class GreyWriter : public FilmWriter {
     std::int64_t bytes() const override { return 0; }
 };
 
+Scene small_scene(const std::string& title) {
+    return test::scene_from("title: " + title +
+                            "\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
+                            "run: {until: 2}\nfilm: {seconds: 2, fps: 5, size: [160, 96]}\n");
+}
+
 }  // namespace
 
 TEST_CASE("a film in another fades out of the one before and into its own ground") {
@@ -109,17 +115,12 @@ TEST_CASE("the title of a joined film stands in the middle of its card, whole") 
 }
 
 TEST_CASE("a joined film has a card, chapters, and a transcript with its length") {
-    const auto scene = [](const std::string& title) {
-        return test::scene_from("title: " + title +
-                                "\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\n"
-                                "run: {until: 2}\nfilm: {seconds: 2, fps: 5, size: [160, 96]}\n");
-    };
     const test::TemporaryFolder folder;
     FilmOptions options;
     options.output = folder.path() / "course.mp4";
     options.text = true;
     Progress progress(Progress::Form::silent, "");
-    const RenderReport report = render_joined({scene("One"), scene("Two")},
+    const RenderReport report = render_joined({small_scene("One"), small_scene("Two")},
                                               {"A course", "In two parts"}, options, progress);
     CHECK(report.frames == 20 + 10 + 10);
     CHECK(test::contents(folder.path() / "course.transcript.txt")
@@ -132,4 +133,42 @@ TEST_CASE("a joined film has a card, chapters, and a transcript with its length"
                                            folder.path())
                                      .out;
     CHECK(chapters == "0.000000,6.000000,One\n6.000000,8.000000,Two\n");
+}
+
+TEST_CASE("what the card of a joined film takes is known before") {
+    const test::TemporaryFolder folder;
+    const std::vector<Scene> scenes{small_scene("One"), small_scene("Two")};
+    const JoinedTitle title{"A course on gases", "From one fast disk to a curve"};
+    Progress progress(Progress::Form::silent, "");
+    for (const char* name : {"film.mp4", "film.webm", "frames/"}) {
+        CAPTURE(name);
+        FilmOptions options;
+        options.output = folder.path() / "plain" / name;
+        const auto bytes = [&](const JoinedTitle& its) {
+            return static_cast<double>(render_joined(scenes, its, options, progress).bytes);
+        };
+        const double plain = bytes({});
+        options.output = folder.path() / "titled" / name;
+        const double card = bytes_of_title(scenes, title, options);
+        CHECK(card > 0.0);
+        CHECK(std::abs(std::log(card / (bytes(title) - plain))) < std::log(1.5));
+        CHECK(bytes_of_title(scenes, {}, options) == 0.0);
+    }
+    CHECK(seconds_of_title(title) == 4.0);
+    CHECK(seconds_of_title({}) == 0.0);
+}
+
+TEST_CASE("a joined film that does not fit is not written") {
+    const test::TemporaryFolder folder;
+    FilmOptions options;
+    options.output = folder.write("course.mp4", "earlier");
+    options.text = true;
+    options.most_bytes = 100.0;
+    Progress progress(Progress::Form::silent, "");
+    const RenderReport report =
+        render_joined({small_scene("One"), small_scene("Two")}, {}, options, progress);
+    CHECK(report.bytes > 100);
+    CHECK(render(small_scene("One"), options, progress).bytes > 100);
+    CHECK(folder.names() == std::vector<std::string>{"course.mp4"});
+    CHECK(test::contents(options.output) == "earlier");
 }

@@ -73,6 +73,29 @@ TEST_CASE("films and stills with --cache are those without, from less of the run
     }
 }
 
+// The last frame sounds like the collisions before the next one, which the film does not show.
+TEST_CASE("a part of a film with --cache has the sound and the captions that it has without") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: Clicks\nbox: {size: [20, 10]}\n"
+                 "gas: [{name: a, count: 20, radius: 0.3, speed: 1}]\nrun: {until: 6}\n"
+                 "film: {seconds: 10, fps: 10, size: [64, 64], panels: [], sound: {}}\n");
+    for (const char* to : {"0.4", "0.5", "6"}) {
+        CAPTURE(to);
+        const std::string render = fmt::format("render scene.yaml --quiet --words --to {} -o ", to);
+        made(render + "plain.mp4", folder.path());
+        for (const char* name : {"first", "second"})
+            made(fmt::format("{}{}.mp4 --cache kept", render, name), folder.path());
+        for (const char* ending : {".mp4", ".captions.vtt"})
+            for (const char* name : {"first", "second"}) {
+                const std::string file = std::string(name) + ending;
+                CAPTURE(file);
+                CHECK(contents(folder.path() / file) ==
+                      contents(folder.path() / (std::string("plain") + ending)));
+            }
+    }
+}
+
 TEST_CASE("--cache keeps axes of each scene, seed and change apart, and makes damaged ones again") {
     const TemporaryFolder folder;
     const std::string scene = fmt::format("'{}'", library_scene("one-hot-particle"));

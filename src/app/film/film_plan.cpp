@@ -226,8 +226,9 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     if (options.text || sound)
         text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at,
                      sound.has_value());
-    // Of what comes after the span only the axes know.
-    if (settled) ticks.resize(static_cast<std::size_t>(plan.span.end));
+    // Of what comes after the span only the axes know, and the sound of its last frame, which is
+    // that of the collisions before the next one.
+    if (settled) ticks.resize(std::min(ticks.size(), static_cast<std::size_t>(plan.span.end) + 1));
     progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
     if (other)
         plan.beside->run = panels.record_beside(

@@ -82,6 +82,24 @@ TEST_CASE("films stand beside their figures, and are rendered once") {
     CHECK_FALSE(has(contents(out / "scene.html"), "<video"));
 }
 
+TEST_CASE("a film beside the figures is made again when the scene beside its own has changed") {
+    const TemporaryFolder folder;
+    const std::string gas = "box: {size: [20, 15]}\ngas: [{count: 9, speed: 2}]\nrun: {until: 1}\n";
+    folder.write("scene.yaml", "title: Two\n" + gas +
+                                   "film: {seconds: 0.4, fps: 5, size: [64, 64], panels: [], "
+                                   "beside: {scene: other.yaml, label: b, own_label: a}}\n"
+                                   "figures: [{name: one, kind: gas}]\n");
+    folder.write("other.yaml", "title: Other\n" + gas);
+    const std::vector<std::string> command{"scene.yaml", "--films",   "-o",
+                                           "out",        "--formats", "svg"};
+    REQUIRE(figures(folder, command).exit_code == 0);
+    const std::string film = contents(folder.path() / "out/scene.mp4");
+    CHECK(figures(folder, command).out == "out: up to date, 1 figure\n");
+    folder.write("other.yaml", "title: Other\nseed: 5\n" + gas);
+    CHECK(figures(folder, command).out == "out: 1 film rendered\nout: up to date, 1 figure\n");
+    CHECK((contents(folder.path() / "out/scene.mp4") != film));
+}
+
 TEST_CASE("a template of one's own is told its mistakes before any work") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);

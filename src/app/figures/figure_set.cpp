@@ -40,12 +40,19 @@ std::string all_of(std::initializer_list<std::string_view> texts) {
     return all;
 }
 
-// `what` is a figure, or the film.
+// `what` is made of it.
 std::string inputs_of(const Scene& scene, std::string_view what) {
     std::string overrides;
     for (const std::string& one : scene.source.overrides) overrides += all_of({one});
     return fingerprint(
         all_of({CAROM_VERSION, scene.source.text, scene.source.template_text, overrides, what}));
+}
+
+// A film is made from the scene beside it, too.
+std::string inputs_of_film(const Scene& scene) {
+    std::string all = inputs_of(scene, "the film");  // no name of a figure
+    for (const auto& [file, text] : scene.source.files) all += all_of({text});
+    return fingerprint(all);
 }
 
 // A figure that compares runs is made from all their scenes, too.
@@ -248,7 +255,7 @@ class Maker {
     }
 
     bool is_current_film(const SetPart& part) const {
-        const std::string inputs = inputs_of(part.scene, film_);
+        const std::string inputs = inputs_of_film(part.scene);
         return std::ranges::all_of(film_files(part), [&](const auto& file) {
             return folder_.is_current(file.second, inputs);
         });
@@ -267,7 +274,7 @@ class Maker {
             draw_still(plan, time_of_poster(part.scene), output_format("png"), progress);
         write_file(hidden.path() / files.at("poster"), poster.file());
         for (const auto& [what, file] : files)
-            folder_.take_in(hidden.path(), file, "", inputs_of(part.scene, film_));
+            folder_.take_in(hidden.path(), file, "", inputs_of_film(part.scene));
         ++report_.films;
     }
 
@@ -302,8 +309,6 @@ class Maker {
                 files.push_back(file);
         return files;
     }
-
-    static constexpr std::string_view film_ = "the film";  // no name of a figure
 
     const FigureSet& set_;
     const SetOptions& options_;

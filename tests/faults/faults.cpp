@@ -92,8 +92,8 @@ bool is_of_resources(const Fault& fault) {
     return fault.call == "map" || fault.call == "memory" || fault.call == "thread";
 }
 
-// GLib has no other way where it lacks a thread: then a folder of frames stays under its temporary
-// name, and a plan without plan.json, for the next run to remove.
+// GLib has no other way where it lacks a thread: then a folder of frames or a plan stays under its
+// temporary name, for the next run to remove.
 bool is_end_of_glib(const std::string& err) { return has(err, "the libraries that set text"); }
 
 // libgcrypt, which is loaded with FFmpeg's libraries, aborts where it cannot open or read one file.

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -27,6 +31,16 @@ constexpr std::int64_t most_bytes_of_file = std::int64_t{64} << 30;
 const char* name_of(PlanKind kind) { return kind == PlanKind::film ? "film" : "sweep"; }
 const char* unit_of(PlanKind kind) { return kind == PlanKind::film ? "frame" : "run"; }
 const char* ending_of(PlanKind kind) { return kind == PlanKind::film ? ".chunk" : ".runs"; }
+
+// All that a plan and its chunks are, in its folder.
+constexpr std::array<std::string_view, 6> names_in_plan{"plan.json",    "film.plan", "film.sound",
+                                                        "summary.json", "starts",    "chunks"};
+
+[[noreturn]] void fail(const char* what, const fs::path& path, int error) {
+    throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(),
+                                   std::generic_category().message(error)),
+                       error);
+}
 
 std::string stem_of(int chunk) { return fmt::format("chunks/{:04}", chunk); }
 
@@ -89,6 +103,9 @@ std::string fingerprint_of(Json contents) {
     return fingerprint(text_of(contents));
 }
 
+// What other plans in the making are, too.
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
 // What the files of a plan are called; nothing else is ever removed.
 bool is_of_plan(const fs::path& path) {
     const std::string name = path.filename().string();
@@ -96,23 +113,52 @@ bool is_of_plan(const fs::path& path) {
     const auto is_one_of = [&](const std::vector<std::string>& endings) {
         return std::ranges::find(endings, extension) != endings.end();
     };
-    return name == "plan.json" || name == "film.plan" || name == "film.sound" ||
-           name == "sweep.plan" || name == "starts" || name == "chunks" || name == "summary.json" ||
-           name.starts_with(".") ||
+    return std::ranges::find(names_in_plan, name) != names_in_plan.end() || is_hidden(path) ||
            (path.parent_path().filename() == "starts" && is_one_of({".start"})) ||
            (path.parent_path().filename() == "chunks" && is_one_of({".chunk", ".runs", ".json"}));
 }
 
 void refuse_other_files(const fs::path& folder) {
     std::error_code error;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, error))
-        if (!is_of_plan(entry.path()))
+    fs::recursive_directory_iterator entry(folder, error), end;
+    for (; !error && entry != end; entry.increment(error)) {
+        if (!is_of_plan(entry->path()))
             throw UsageError(
                 fmt::format("{} is not a file of a plan; choose another folder, or move it away",
-                            entry.path().string()));
+                            entry->path().string()));
+        if (is_hidden(entry->path())) entry.disable_recursion_pending();
+    }
     if (error && fs::exists(folder))
         throw UsageError(fmt::format("{}: {}", folder.string(), error.message()));
 }
+
+// Files and folders that get other names, all or none.
+class Moves {
+  public:
+    Moves() = default;
+    ~Moves() {
+        std::error_code error;
+        for (auto move = done_.rbegin(); move != done_.rend(); ++move)
+            fs::rename(move->second, move->first, error);
+    }
+    Moves(const Moves&) = delete;
+    Moves& operator=(const Moves&) = delete;
+
+    // Where there is nothing, nothing is done.
+    void move(const fs::path& from, const fs::path& to) {
+        std::error_code error;
+        if (!fs::exists(fs::symlink_status(from, error))) return;
+        done_.emplace_back(from, to);
+        fs::rename(from, to, error);
+        if (!error) return;
+        done_.pop_back();
+        fail("replace", to, error.value());
+    }
+    void keep() { done_.clear(); }
+
+  private:
+    std::vector<std::pair<fs::path, fs::path>> done_;
+};
 
 // The first of some numbers.
 std::string shortened(std::vector<std::string> numbers) {
@@ -129,28 +175,39 @@ PlanWriter::PlanWriter(fs::path folder) : folder_(std::move(folder)) {
     refuse_other_files(folder_);
     std::error_code error;
     is_new_ = !fs::exists(folder_, error);
-    for (const char* name :
-         {"plan.json", "film.plan", "sweep.plan", "summary.json", "starts", "chunks"}) {
-        fs::remove_all(folder_ / name, error);
-        if (error)
-            throw_system_error(
-                fmt::format("cannot remove {}: {}", (folder_ / name).string(), error.message()),
-                error.value());
-    }
+    fs::create_directories(folder_, error);
+    if (error) fail("create the folder", folder_, error.value());
+    draft_ = temporary_folder(folder_ / "plan");
+    if (draft_.descriptor >= 0) return;
+    const int cause = errno;
+    if (is_new_) fs::remove(folder_, error);
+    fail("write", folder_, cause);
 }
 
-// Folders that hold something else stay.
 PlanWriter::~PlanWriter() {
-    if (is_committed_) return;
     std::error_code error;
-    for (const auto& [name, content] : files_.items()) fs::remove(folder_ / name, error);
-    fs::remove(folder_ / "starts", error);
-    if (is_new_) fs::remove(folder_, error);
+    fs::remove_all(draft_.name, error);
+    close(draft_.descriptor);
+    if (is_new_ && !is_committed_) fs::remove(folder_, error);
 }
 
 void PlanWriter::write(const std::string& name, std::string_view bytes) {
-    write_file(folder_ / name, bytes);
+    write_file(draft_.name / name, bytes);
     files_[name] = fingerprint(bytes);
+}
+
+// plan.json goes first and comes last: what lies there in between is no plan.
+void PlanWriter::replace_earlier() {
+    const MustCleanUp together;
+    Moves moves;
+    const fs::path earlier = draft_.name / "earlier";
+    std::error_code error;
+    fs::create_directory(earlier, error);
+    if (error) fail("write", folder_, error.value());
+    for (const std::string_view name : names_in_plan) moves.move(folder_ / name, earlier / name);
+    for (auto name = names_in_plan.rbegin(); name != names_in_plan.rend(); ++name)
+        moves.move(draft_.name / *name, folder_ / *name);
+    moves.keep();
 }
 
 void PlanWriter::commit(const PlanHeader& header, const std::vector<PlannedChunk>& chunks) {
@@ -164,7 +221,8 @@ void PlanWriter::commit(const PlanHeader& header, const std::vector<PlannedChunk
     for (const PlannedChunk& chunk : chunks)
         contents["chunks"].push_back(to_json(chunk, header.kind));
     contents["fingerprint"] = fingerprint_of(contents);
-    write_file(folder_ / "plan.json", text_of(contents, 2) + "\n");
+    write_file(draft_.name / "plan.json", text_of(contents, 2) + "\n");
+    replace_earlier();
     is_committed_ = true;
 }
 

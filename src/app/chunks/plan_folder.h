@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "runs/json.h"
+#include "util/interrupt.h"
+#include "util/pending/temporary.h"
 
 namespace carom {
 
@@ -39,13 +41,14 @@ struct PlanHeader {
     Json facts = {};    ///< what else readers want to know, by kind ("film", "sweep")
 };
 
-/// Writes a plan. Until commit() the folder holds none.
+/// Writes a plan, in a hidden folder in its own. Until commit() an earlier one stays, with its
+/// chunks.
 class PlanWriter {
   public:
-    /// Creates the folder if it is missing, and removes the plan and the chunks that it holds.
-    /// Throws UsageError where it holds something else, SystemError.
+    /// Creates the folder if it is missing. Throws UsageError where it holds something else than a
+    /// plan, SystemError.
     explicit PlanWriter(std::filesystem::path folder);
-    ~PlanWriter();  ///< uncommitted: leaves no file
+    ~PlanWriter();  ///< uncommitted: leaves all as it was
     PlanWriter(const PlanWriter&) = delete;
     PlanWriter& operator=(const PlanWriter&) = delete;
 
@@ -55,7 +58,11 @@ class PlanWriter {
     void commit(const PlanHeader& header, const std::vector<PlannedChunk>& chunks);
 
   private:
+    void replace_earlier();
+
     std::filesystem::path folder_;
+    TemporaryFile draft_;
+    MustCleanUp hidden_;           ///< the draft
     Json files_ = Json::object();  ///< fingerprints by name
     bool is_new_ = false;          ///< the folder
     bool is_committed_ = false;

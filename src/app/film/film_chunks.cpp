@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/chunks/build_facts.h"
@@ -301,19 +302,21 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     FilmOptions options = asked;
     options.text = true;
     options.room.file = 0;  // a chunk of a large run begins with a state, which is smaller
-    FilmPlan plan = prepare(scene, options, progress);
+    // Before the work, as it may not be allowed to write.
+    std::optional<PlanWriter> writer;
+    FilmPlan plan =
+        prepare(scene, options, progress, [&](const FilmPlan&) { writer.emplace(folder); });
     const double simulated = watch.cpu();
     const OutputFormat& format = format_of_film(options.output);
     const double seconds = seconds_of_frame(plan, *format.film, options.quality, simulated);
     std::vector<PlannedChunk> chunks =
         chunks_of(plan, chunks_wanted(division, plan.frames(), seconds), seconds);
-    PlanWriter writer(folder);
-    StartWriter starts(plan, *format.film, options.quality, writer, progress);
+    StartWriter starts(plan, *format.film, options.quality, *writer, progress);
     starts.write(chunks);
-    writer.write(plan_file, shared_bytes(plan, options));
-    if (!plan.sound.empty()) writer.write(sound_file, sound_bytes(plan.sound));
+    writer->write(plan_file, shared_bytes(plan, options));
+    if (!plan.sound.empty()) writer->write(sound_file, sound_bytes(plan.sound));
     report.cut = starts.cut_words();  // draws, which may fail
-    writer.commit({PlanKind::film, request, facts_of(plan, format)}, chunks);
+    writer->commit({PlanKind::film, request, facts_of(plan, format)}, chunks);
     report.chunks = static_cast<int>(chunks.size());
     report.frames = plan.frames();
     report.passes = plan.passes;

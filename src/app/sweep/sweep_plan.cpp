@@ -165,10 +165,10 @@ bool plan_sweep(SweepRequest request, const fs::path& folder, bool again, Progre
     const SweptScene swept = swept_scene(its);
     const Sweep& sweep = request.sweep;
     const std::vector<RunNumber> numbers = checked_points(swept, sweep, progress);
+    PlanWriter writer(folder);  // before the work, as it may not be allowed to write
     const RunCost cost = cost_of_runs(swept, sweep, progress);
     const int count = static_cast<int>(
         std::min<std::int64_t>(request.chunks.value_or(usual_chunks(sweep, cost)), sweep.runs()));
-    PlanWriter writer(folder);
     writer.commit({PlanKind::sweep, its, facts_of(sweep, numbers)},
                   chunks_of(sweep, count, cost, numbers.size()));
     progress.finish();

@@ -12,6 +12,7 @@
 #include "app/film/film_chunks.h"
 #include "app/film/render.h"
 #include "scene/load.h"
+#include "support/file_size_limit.h"
 #include "support/process.h"
 #include "support/scene_text.h"
 #include "util/diagnostics.h"
@@ -203,6 +204,39 @@ TEST_CASE("a plan is kept, a chunk is made once, and what is asked anew is made 
     CHECK(plan_film(plane(), options, {.chunks = 1}, at, false, silent()).is_new);
     CHECK(PlanFolder(at).missing() == std::vector<int>{1});
     CHECK(plan_film(plane(), options, {.chunks = 1}, at, true, silent()).is_new);
+}
+
+TEST_CASE("a plan that fails or is interrupted leaves the earlier one, with its chunks") {
+    const TemporaryFolder folder;
+    const FilmOptions options{.output = "film.mp4", .quality = Quality::draft};
+    const fs::path at = folder.path() / "plan", other = folder.path() / "other";
+    plan_film(plane(), options, {.chunks = 2}, at, false, silent());
+    render_chunk(PlanFolder(at), PlanFolder(at).chunk(2), {}, silent());
+    const auto files = [&] {
+        std::vector<std::string> names;
+        for (const auto& file : fs::recursive_directory_iterator(at))
+            names.push_back(file.path().lexically_relative(at).string());
+        std::ranges::sort(names);
+        return names;
+    };
+    const std::vector<std::string> before = files();
+    const auto plan_anew = [&](const fs::path& to) {
+        plan_film(plane(), options, {.chunks = 1}, to, true, silent());
+    };
+    const auto check_kept = [&] {
+        CHECK(files() == before);
+        CHECK(PlanFolder(at).missing() == std::vector<int>{1});
+        CHECK_FALSE(fs::exists(other));
+    };
+    for (const rlim_t bytes : {1000, 20'000}) {
+        const test::FileSizeLimit limit(bytes);
+        for (const fs::path& to : {at, other}) CHECK_THROWS_AS(plan_anew(to), SystemError);
+        check_kept();
+    }
+    plan_anew(at);
+    CHECK(PlanFolder(at).missing() == std::vector<int>{1});
+    CHECK(files() ==
+          std::vector<std::string>{"film.plan", "plan.json", "starts", "starts/0001.start"});
 }
 
 TEST_CASE("a plan and chunks that are damaged, changed or of another plan are refused") {

@@ -331,6 +331,43 @@ TEST_CASE("a plan never replaces files that are not its own") {
     CHECK(its.text("S/thesis.tex") == "x");
 }
 
+TEST_CASE("files of others are not taken for those of a plan by their names") {
+    const SweepFolder its;
+    const std::string mine = "{\"mine\": true}";
+    fs::create_directories(its.at("S/chunks"));
+    const std::vector<std::string> names{"S/summary.json", "S/chunks/0001.json", "S/plan.json"};
+    for (const std::string& name : names) {
+        std::ofstream(its.at(name)) << mine;
+        for (const char* more : {"", " --force"}) {
+            const Outcome outcome = its.carom(std::string("plan gas.yaml --seeds 2 -o S") + more);
+            CHECK(outcome.exit_code == 2);
+            CHECK(has(outcome.err, " is not a file of a plan; choose another folder, or move it"));
+        }
+        for (const std::string& one : names)
+            CHECK((!fs::exists(its.at(one)) || its.text(one) == mine));
+    }
+    for (const char* name : {"S/chunks/mine.json", "S/starts/mine.start", "S/film.plan/mine"}) {
+        CAPTURE(std::string(name));
+        fs::remove_all(its.at("S"));
+        fs::create_directories(its.at(name).parent_path());
+        std::ofstream(its.at(name)) << mine;
+        CHECK(its.carom("plan gas.yaml --seeds 2 -o S").exit_code == 2);
+        CHECK(its.text(name) == mine);
+    }
+}
+
+// Snakemake removes it before it plans again.
+TEST_CASE("what is left of a plan without its list is carom's") {
+    const SweepFolder its;
+    its.plan("--chunks 2");
+    its.done("run S --quiet");
+    its.done("join S --quiet");
+    fs::remove(its.at("S/plan.json"));
+    its.plan("--chunks 2");
+    CHECK(its.carom("plan S --missing").out == "1\n2\n");
+    CHECK_FALSE(fs::exists(its.at("S/summary.json")));
+}
+
 TEST_CASE("a full disk is exit code 75, and the chunk is done once there is room") {
     if (geteuid() != 0) return;
     const SweepFolder its;

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* format_name = "carom-plan";
+constexpr const char *format_name = "carom-plan", *summary_format = "carom-sweep-summary";
 constexpr int format_version = 1;
 constexpr std::int64_t most_json_bytes = 64 << 20;
 constexpr std::int64_t most_bytes_of_file = std::int64_t{64} << 30;
@@ -108,28 +108,55 @@ bool is_hidden(const fs::path& path) { return path.filename().string().starts_wi
 
 // What the files of a plan are called; nothing else is ever removed.
 bool is_of_plan(const fs::path& path) {
+    std::error_code error;
     const std::string name = path.filename().string();
-    const std::string extension = path.extension().string();
-    const auto is_one_of = [&](const std::vector<std::string>& endings) {
-        return std::ranges::find(endings, extension) != endings.end();
-    };
-    return std::ranges::find(names_in_plan, name) != names_in_plan.end() || is_hidden(path) ||
-           (path.parent_path().filename() == "starts" && is_one_of({".start"})) ||
-           (path.parent_path().filename() == "chunks" && is_one_of({".chunk", ".runs", ".json"}));
+    const bool is_folder = fs::is_directory(path, error);
+    if (is_hidden(path)) return true;
+    if (is_folder || name == "starts" || name == "chunks")
+        return is_folder && (name == "starts" || name == "chunks");
+    if (std::ranges::find(names_in_plan, name) != names_in_plan.end()) return true;
+    const std::string folder = path.parent_path().filename().string();
+    const std::string ending = path.extension().string();
+    const bool is_numbered =
+        path.stem().string().find_first_not_of("0123456789") == std::string::npos;
+    return is_numbered &&
+           ((folder == "starts" && ending == ".start") ||
+            (folder == "chunks" && (ending == ".chunk" || ending == ".runs" || ending == ".json")));
 }
 
+// Of plan.json, the summary of a sweep, or the manifest of a chunk.
+bool is_from_carom(const Json& contents, const std::string& name) {
+    if (!contents.is_object()) return false;
+    const Json format = contents.value("format", Json());
+    if (name == "plan.json") return format == format_name;
+    if (name == "summary.json") return format == summary_format;
+    return contents.contains("plan") && contents.contains("chunk");
+}
+
+// Beside a plan of carom names tell what belongs to it; without one, as where a scheduler has
+// removed it, the contents do.
 void refuse_other_files(const fs::path& folder) {
+    const auto refuse = [](const fs::path& path) {
+        throw UsageError(fmt::format(
+            "{} is not a file of a plan; choose another folder, or move it away", path.string()));
+    };
     std::error_code error;
+    std::vector<fs::path> lists;
     fs::recursive_directory_iterator entry(folder, error), end;
     for (; !error && entry != end; entry.increment(error)) {
-        if (!is_of_plan(entry->path()))
-            throw UsageError(
-                fmt::format("{} is not a file of a plan; choose another folder, or move it away",
-                            entry->path().string()));
-        if (is_hidden(entry->path())) entry.disable_recursion_pending();
+        const fs::path& path = entry->path();
+        if (!is_of_plan(path)) refuse(path);
+        if (is_hidden(path))
+            entry.disable_recursion_pending();
+        else if (path.extension() == ".json")
+            lists.push_back(path);
     }
     if (error && fs::exists(folder))
         throw UsageError(fmt::format("{}: {}", folder.string(), error.message()));
+    if (is_plan(folder)) lists = {folder / "plan.json"};
+    for (const fs::path& path : lists)
+        if (!is_from_carom(json_in(read_file(path, most_json_bytes)), path.filename().string()))
+            refuse(path);
 }
 
 // Files and folders that get other names, all or none.
@@ -232,8 +259,11 @@ PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
             fmt::format("{} holds no plan (plan.json); make one with carom plan SCENE -o {}",
                         folder_.string(), folder_.string()));
     contents_ = json_in(read_file(folder_ / "plan.json", most_json_bytes));
-    if (!contents_.is_object() || contents_.value("format", Json()) != format_name)
-        refuse("this is not a plan of carom");
+    if (!is_from_carom(contents_, "plan.json"))
+        throw UsageError(
+            fmt::format("{}: this is not a plan of carom; name the folder of one, or plan into "
+                        "another",
+                        (folder_ / "plan.json").string()));
     if (const Json version = contents_.value("format_version", Json()); version != format_version)
         refuse(fmt::format("its format has version {}, and this program reads version {}",
                            text_of(version), format_version));

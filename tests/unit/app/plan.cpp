@@ -301,7 +301,7 @@ TEST_CASE("a plan and chunks that are damaged, changed or of another plan are re
     write(at / "plan.json", text);
     is_refused([&] { PlanFolder{at}; }, "it was changed after it was written; plan again");
     write(at / "plan.json", "{}");
-    is_refused([&] { PlanFolder{at}; }, "this is not a plan of carom; plan again");
+    is_refused([&] { PlanFolder{at}; }, "this is not a plan of carom; name the folder of one");
     write(at / "starts/0001.start", "");
     is_refused([&] { render_chunk(plan, plan.chunk(1), {.force = true}, silent()); },
                "starts/0001.start: it was changed after it was written");

@@ -368,6 +368,21 @@ TEST_CASE("what is left of a plan without its list is carom's") {
     CHECK_FALSE(fs::exists(its.at("S/summary.json")));
 }
 
+TEST_CASE("what is joined does not take the place of the plan or of a chunk") {
+    const SweepFolder its;
+    its.plan("--chunks 2");
+    its.done("run S --quiet");
+    for (const char* name : {"S/plan.json", "S/chunks/0001.runs", "S/chunks/0002.json"})
+        for (const char* option : {"--csv", "-o"}) {
+            const std::string before = its.text(name);
+            const Outcome outcome = its.carom(std::string("join S ") + option + " " + name);
+            CHECK(outcome.exit_code == 2);
+            CHECK(has(outcome.err, "a file that the work is read from"));
+            CHECK((its.text(name) == before));
+        }
+    its.done("join S --quiet --csv S/runs.csv");
+}
+
 TEST_CASE("a full disk is exit code 75, and the chunk is done once there is room") {
     if (geteuid() != 0) return;
     const SweepFolder its;

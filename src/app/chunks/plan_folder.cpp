@@ -15,6 +15,7 @@
 #include "app/chunks/build_facts.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/one_use_paths.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
 
@@ -281,6 +282,13 @@ void PlanFolder::refuse(const std::string& cause) const {
 PlanKind PlanFolder::kind() const {
     return contents_.value("kind", Json()) == name_of(PlanKind::film) ? PlanKind::film
                                                                       : PlanKind::sweep;
+}
+
+void PlanFolder::keep_files() const {
+    keep_source(folder_ / "plan.json");
+    for (const auto& [name, content] : files().items()) keep_source(folder_ / name);
+    for (const PlannedChunk& chunk : chunks_)
+        for (const fs::path& file : {output(chunk), manifest(chunk)}) keep_source(file);
 }
 
 std::string PlanFolder::fingerprint() const { return contents_.at("fingerprint"); }

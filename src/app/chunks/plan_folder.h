@@ -95,6 +95,9 @@ class PlanFolder {
     /// Fingerprints of the other files of the plan, by their names.
     const Json& files() const { return contents_.at("files"); }
 
+    /// No output takes the place of a file of the plan or of its chunks from now on.
+    void keep_files() const;
+
     /// Identifies the plan: a fingerprint of plan.json.
     std::string fingerprint() const;
 

@@ -91,6 +91,7 @@ void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
 
 void join(const JoinArguments& arguments) {
     const PlanFolder plan(arguments.plan);
+    plan.keep_files();
     const bool is_film = plan.kind() == PlanKind::film;
     if (is_film && !arguments.csv.empty())
         throw UsageError("--csv applies to the plan of a sweep; leave it out");

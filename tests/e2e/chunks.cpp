@@ -189,6 +189,29 @@ TEST_CASE("a plan holds the template and the scene beside that its scene names")
     CHECK(call("join sweep -o summary.json", away).exit_code == 0);
 }
 
+TEST_CASE("a plan of a scene whose name is not UTF-8 is kept, and its film has that name") {
+    const TemporaryFolder folder;
+    const std::string small_scene =
+        "title: T\nbox: {size: [20, 15]}\ngas: [{count: 4, radius: 0.4, speed: 1}]\n"
+        "run: {until: 1}\nfilm: {seconds: 0.4, fps: 5, size: [64, 64], panels: []}\n";
+    const std::string name = "caf\xE9";
+    folder.write(name + ".yaml", small_scene);
+    folder.write("caf\xE8.yaml", small_scene);
+    const std::string command = "plan " + name + ".yaml -o plan";
+    REQUIRE(call(command, folder.path()).exit_code == 0);
+    REQUIRE(call("render plan --quiet", folder.path()).exit_code == 0);
+    CHECK(has(call(command, folder.path()).out, "planned before"));
+    CHECK(call("plan plan --missing", folder.path()).out.empty());
+    CHECK(call("join plan --quiet", folder.path()).exit_code == 0);
+    CHECK(fs::exists(folder.path() / "out" / (name + ".mp4")));
+    CHECK(has(call("plan caf\xE8.yaml -o plan", folder.path()).out, "planned in"));
+    const std::string sweep = "plan " + name + ".yaml --seeds 2 -o sweep";
+    REQUIRE(call(sweep, folder.path()).exit_code == 0);
+    CHECK(call("run sweep --quiet", folder.path()).exit_code == 0);
+    CHECK(has(call(sweep, folder.path()).out, "planned before"));
+    CHECK(call("join sweep --quiet", folder.path()).exit_code == 0);
+}
+
 TEST_CASE("plan.json is as its JSON Schema says") {
     const TemporaryFolder folder;
     plan(folder.path());

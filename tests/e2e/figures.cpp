@@ -137,6 +137,14 @@ TEST_CASE("figures are made of a scene whose name is not UTF-8, and their texts 
     CHECK(has(contents(folder.path() / "out/start.svg"), "scene caf\uFFFD; seed"));
     CHECK(json::parse(contents(folder.path() / "out/captions.json"))["figures"].size() == 2);
     CHECK(run({"rsvg-convert", "-o", "a.png", "out/start.svg"}, folder.path()).exit_code == 0);
+    const std::vector<std::string> with_film{
+        "caf\xE9.yaml", "--page", "html", "-o", "out", "--films", "--set", "film.size=[64, 64]"};
+    REQUIRE(figures(folder, with_film).exit_code == 0);
+    const Outcome again = figures(folder, with_film);
+    CHECK(again.exit_code == 0);
+    CHECK(again.out == "out: up to date, 2 figures\n");
+    folder.write("caf\xE8.yaml", ten_disks);
+    CHECK(figures(folder, {"caf\xE8.yaml", "-o", "out"}).exit_code == 2);
 }
 
 TEST_CASE("figures do not go to standard output") {

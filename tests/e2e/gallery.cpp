@@ -150,6 +150,9 @@ TEST_CASE("names of scenes are addresses and words, never code") {
     folder.write("scenes/two.yaml", scene("\" autofocus onfocus=\"window.changed = 2"));
     REQUIRE(gallery(folder, {"--title", "<script>window.changed = 3</script>"}).exit_code == 0);
     CHECK(fs::exists(folder.path() / "site/films" / (name + ".html")));
+    const Outcome again = gallery(folder, {"--title", "<script>window.changed = 3</script>"});
+    CHECK(again.exit_code == 0);
+    CHECK(has(again.out, "up to date, 3 films"));
     if (!can_browse()) return;
     const json answer = browsed("gallery", folder.path() / "site/index.html");
     check_sound(answer);

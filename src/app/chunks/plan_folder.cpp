@@ -16,6 +16,7 @@
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/files/one_use_paths.h"
+#include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
 
@@ -198,6 +199,19 @@ std::string shortened(std::vector<std::string> numbers) {
 }
 
 }  // namespace
+
+Json texts_to_json(const std::map<std::string, std::string>& texts) {
+    Json json = Json::object();
+    for (const auto& [name, text] : texts) json[utf8_of_name(name)] = text;
+    return json;
+}
+
+std::map<std::string, std::string> texts_from(const Json& json) {
+    std::map<std::string, std::string> texts;
+    for (const auto& [name, text] : json.items())
+        texts[name_of_utf8(name)] = text.get<std::string>();
+    return texts;
+}
 
 PlanWriter::PlanWriter(fs::path folder) : folder_(std::move(folder)) {
     refuse_other_files(folder_);

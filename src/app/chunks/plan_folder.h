@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,10 @@ struct PlanHeader {
     Json request = {};  ///< all that the plan was made from: scene, options, build facts ("build")
     Json facts = {};    ///< what else readers want to know, by kind ("film", "sweep")
 };
+
+/// Texts by the names of files, whose bytes need not be UTF-8; and back.
+Json texts_to_json(const std::map<std::string, std::string>& texts);
+std::map<std::string, std::string> texts_from(const Json& json);
 
 /// Writes a plan, in a hidden folder in its own. Until commit() an earlier one stays, with its
 /// chunks.

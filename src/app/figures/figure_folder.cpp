@@ -9,6 +9,7 @@
 #include "runs/json.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
 
 namespace carom {
@@ -30,13 +31,14 @@ std::string_view as_text(std::span<const std::uint8_t> bytes) {
 std::string manifest_json(const Manifest& manifest) {
     Json files = Json::object(), figures = Json::object();
     for (const auto& [name, file] : manifest.files) {
-        files[name] = {{"figure", file.figure}, {"inputs", file.inputs}, {"content", file.content}};
-        if (!file.coming.empty()) files[name]["coming"] = file.coming;
+        Json& its = files[utf8_of_name(name)];
+        its = {{"figure", file.figure}, {"inputs", file.inputs}, {"content", file.content}};
+        if (!file.coming.empty()) its["coming"] = file.coming;
     }
     for (const auto& [name, words] : manifest.figures)
         figures[name] = {{"inputs", words.inputs}, {"caption", words.caption}, {"alt", words.alt}};
     return text_of({{"about", "what carom wrote into this folder, and from what; keep it here"},
-                    {"of", manifest.of},
+                    {"of", utf8_of_name(manifest.of)},
                     {"figures", std::move(figures)},
                     {"files", std::move(files)}},
                    2) +
@@ -47,9 +49,9 @@ std::string manifest_json(const Manifest& manifest) {
 std::optional<Manifest> read_manifest(std::string_view text) {
     try {
         const Json json = json_in(text);
-        Manifest manifest{json.at("of").get<std::string>(), {}, {}};
+        Manifest manifest{name_of_utf8(json.at("of").get<std::string>()), {}, {}};
         for (const auto& [name, file] : json.at("files").items())
-            manifest.files[name] = {
+            manifest.files[name_of_utf8(name)] = {
                 file.at("figure").get<std::string>(), file.at("inputs").get<std::string>(),
                 file.at("content").get<std::string>(), file.value("coming", "")};
         for (const auto& [name, words] : json.at("figures").items())

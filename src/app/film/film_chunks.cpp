@@ -18,6 +18,7 @@
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/utf8_names.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
 
@@ -40,11 +41,11 @@ const char* name_of(Quality quality) {
 Json request_of(const Scene& scene, const FilmOptions& options, const FilmDivision& division) {
     const OutputFormat& format = format_of_film(options.output);
     Json request{{"scene",
-                  {{"path", scene.source.path},
+                  {{"path", utf8_of_name(scene.source.path)},
                    {"text", scene.source.text},
                    {"overrides", scene.source.overrides},
                    {"template", scene.source.template_text},
-                   {"files", scene.source.files}}},
+                   {"files", texts_to_json(scene.source.files)}}},
                  {"format", format.name},
                  {"quality", name_of(options.quality)},
                  {"from", nullable(options.from)},
@@ -379,7 +380,7 @@ std::string format_of_plan(const PlanFolder& folder) {
 
 std::string scene_of_plan(const PlanFolder& folder) {
     return folder.read_contents([](const Json& contents) {
-        return contents.at("request").at("scene").at("path").get<std::string>();
+        return name_of_utf8(contents.at("request").at("scene").at("path").get<std::string>());
     });
 }
 

@@ -15,6 +15,7 @@
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
@@ -61,9 +62,9 @@ SweepSummary outcome_in(const Json& contents) {
 
 // With the scene as it is without the values of a point.
 Json request_to_json(const SweepRequest& request, const Scene& scene) {
-    return {{"scene", scene.source.path},
+    return {{"scene", utf8_of_name(scene.source.path)},
             {"text", scene.source.text},
-            {"files", scene.source.files},
+            {"files", texts_to_json(scene.source.files)},
             {"template", fingerprint(scene.source.template_text)},
             {"title", scene.title},
             {"physics", scene.source.physics},
@@ -75,7 +76,8 @@ Json request_to_json(const SweepRequest& request, const Scene& scene) {
 }
 
 SweptScene swept_scene(const Json& request) {
-    return {request.at("text"), request.at("scene"), request.at("files"), request.at("overrides")};
+    return {request.at("text"), name_of_utf8(request.at("scene").get<std::string>()),
+            texts_from(request.at("files")), request.at("overrides")};
 }
 
 // Two keys may name one place, and a key may have nothing to do with the run.

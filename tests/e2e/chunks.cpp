@@ -212,6 +212,17 @@ TEST_CASE("a plan of a scene whose name is not UTF-8 is kept, and its film has t
     CHECK(call("join sweep --quiet", folder.path()).exit_code == 0);
 }
 
+TEST_CASE("the film of a plan from standard input is called stdin, as that of render") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: T\nbox: {size: [20, 15]}\ngas: [{count: 4, radius: 0.4, speed: 1}]\n"
+                 "run: {until: 1}\nfilm: {seconds: 0.4, fps: 5, size: [64, 64], panels: []}\n");
+    REQUIRE(call("plan - -o plan --quiet < scene.yaml", folder.path()).exit_code == 0);
+    REQUIRE(call("render plan --quiet", folder.path()).exit_code == 0);
+    REQUIRE(call("join plan --quiet", folder.path()).exit_code == 0);
+    CHECK(fs::exists(folder.path() / "out/stdin.mp4"));
+}
+
 TEST_CASE("plan.json is as its JSON Schema says") {
     const TemporaryFolder folder;
     plan(folder.path());

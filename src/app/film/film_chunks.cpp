@@ -13,6 +13,7 @@
 #include "app/film/chunk_file.h"
 #include "app/scratch_folder.h"
 #include "media/formats.h"
+#include "scene/load.h"
 #include "scene/time/timeline.h"
 #include "sound/rate.h"
 #include "util/archive.h"
@@ -379,9 +380,10 @@ std::string format_of_plan(const PlanFolder& folder) {
 }
 
 std::string scene_of_plan(const PlanFolder& folder) {
-    return folder.read_contents([](const Json& contents) {
+    const std::string path = folder.read_contents([](const Json& contents) {
         return name_of_utf8(contents.at("request").at("scene").at("path").get<std::string>());
     });
+    return path == "<stdin>" ? std::string(standard_input) : path;  // as load_scene() calls it
 }
 
 }  // namespace carom

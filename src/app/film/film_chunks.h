@@ -68,7 +68,7 @@ struct JoinOptions {
 /// missing), SystemError (a chunk is damaged, or of another build), Interrupted.
 RenderReport join_film(const PlanFolder& folder, const JoinOptions& options, Progress& progress);
 
-/// The name of the format of a plan's film, and the scene that it is of.
+/// The name of the format of a plan's film, and the scene that it is of, as the user gave it.
 std::string format_of_plan(const PlanFolder& folder);
 std::string scene_of_plan(const PlanFolder& folder);
 

@@ -143,7 +143,10 @@ TEST_CASE("a plan is made once, of several scenes each in its folder, and tells 
     const std::string a = "plans/one-hot-particle";
     CHECK(has(refusal("render " + a + " --chunk 2"),
               "--chunk 2: the chunks of plans/one-hot-particle have the numbers 1 to 1"));
-    CHECK(has(refusal("render " + a + " -o film.mp4"), "give what changes the film to carom plan"));
+    for (const char* option :
+         {"-o film.mp4", "--quality draft", "--quality standard", "--from 1", "--no-sound"})
+        CHECK(
+            has(refusal("render " + a + " " + option), "give what changes the film to carom plan"));
     CHECK(has(refusal("render '" + scene + "' --chunk 2"), "apply to the folder of a plan"));
     CHECK(
         has(refusal("run " + a), "is the plan of a film, and carom run works on that of a sweep"));

@@ -9,6 +9,7 @@
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
 #include "app/commands/film_plans.h"
+#include "app/film/film_request.h"
 #include "app/output.h"
 #include "app/sweep/sweep_plan.h"
 #include "util/diagnostics.h"
@@ -37,8 +38,7 @@ fs::path folder_of_plan(const PlanArguments& arguments) {
 }
 
 bool has_film_options(const FilmPlanArguments& its) {
-    return its.chunk_seconds || !its.format.empty() || its.film.from || its.film.to ||
-           its.film.quality != FilmOptions{}.quality;
+    return its.chunk_seconds || !its.format.empty() || changes_film(its.film);
 }
 
 // Of a plan that is there only what it holds is asked.

@@ -309,7 +309,7 @@ void render_film(const RenderArguments& arguments, const std::string& name,
 void refuse_film_options(const RenderArguments& arguments) {
     const bool changes =
         !arguments.destination.output.empty() || !arguments.destination.format.empty() ||
-        arguments.film.from || arguments.film.to || arguments.film.text || arguments.join ||
+        changes_film(arguments.film) || arguments.film.text || arguments.join ||
         !arguments.max_size.empty() || arguments.is_classroom || !overrides_of(arguments).empty() ||
         !arguments.page.empty() || !arguments.depfile.empty() || !arguments.cache.empty();
     if (changes)

@@ -26,6 +26,7 @@ namespace carom {
 struct FilmOptions {
     std::filesystem::path output = {};  ///< as format_of_film() reads it
     Quality quality = Quality::standard;
+    bool is_quality_asked = false;  ///< by the user, if only for the usual one
     int threads = 1;
     bool text = false;                     ///< its FilmText, in files beside it
     std::optional<double> joined_at = {};  ///< seconds of the film that it is a part of

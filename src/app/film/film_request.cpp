@@ -42,9 +42,14 @@ std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film)
              "film.sound"},
             {"--quality",
              "draft, standard or final",
-             [&film](const std::string& name) { film.quality = quality_of(name); },
+             [&film](const std::string& name) {
+                 film.quality = quality_of(name);
+                 film.is_quality_asked = true;
+             },
              {"draft", "standard", "final"}}};
 }
+
+bool changes_film(const FilmOptions& film) { return film.from || film.to || film.is_quality_asked; }
 
 void refuse_span(const FilmOptions& film, const Scene& scene) {
     for (const auto& [flag, time] : {std::pair{"--from", film.from}, {"--to", film.to}})

@@ -20,6 +20,9 @@ Option cache_option(std::string& folder);
 /// The last four of these.
 std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film);
 
+/// Whether --from, --to or --quality are given.
+bool changes_film(const FilmOptions& film);
+
 /// Throws UsageError where --from and --to are not times of a scene, in order.
 void refuse_span(const FilmOptions& film, const Scene& scene);
 

@@ -110,9 +110,13 @@ std::vector<Option> work_options(SceneOptions& options) {
             {"--timings", "print the time of each stage", &options.timings}};
 }
 
+int most_chunks() { return static_cast<int>(std::max(most_frames.value, most_runs.value)); }
+
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
-    return {{"--chunk K",
-             "of a plan: the number of the chunk to make; default: all that are missing", &chunk},
+    return {{.name = "--chunk K",
+             .meaning = "of a plan: the number of the chunk to make; default: all that are missing",
+             .value = &chunk,
+             .most = most_chunks()},
             {"--force", "of a plan: make chunks again that are there already", &force},
             {"--allow-mixed",
              "of a plan: also with another build of carom or other libraries than the plan was "

@@ -39,6 +39,7 @@ struct Option {
     OptionValue value;
     std::vector<std::string> choices = {};  ///< the only values; none: any
     std::string key = {};                   ///< of the scene, which it sets; empty: none
+    int most = 1024;                        ///< of a number from 1 on
 };
 
 /// What --set takes for an option that sets `key`, KEY.PATH=VALUE, where it is given this value.
@@ -99,6 +100,9 @@ Option threads_option(SceneOptions& options);
 
 /// --threads and --timings.
 std::vector<Option> work_options(SceneOptions& options);
+
+/// The chunks of a plan: as many as the frames of a film, or the runs of a sweep.
+int most_chunks();
 
 /// --chunk, --force and --allow-mixed: what is done of a plan.
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed);

@@ -85,6 +85,17 @@ TEST_CASE("a sweep has at most as many chunks as runs") {
     CHECK(its.carom("plan S --list").out == "1\n2\n3\n");
 }
 
+TEST_CASE("each of more than a thousand chunks can be run") {
+    const SweepFolder its;
+    its.done("plan gas.yaml --quiet --seeds 1:1100 --chunks 1100 --set run.until=0.1 -o S");
+    its.done("run S --chunk 1100 --quiet");
+    CHECK(fs::exists(its.at("S/chunks/1100.runs")));
+    const Outcome beyond = its.carom("run S --chunk 1101");
+    CHECK(beyond.exit_code == 2);
+    CHECK(has(beyond.err, "have the numbers 1 to 1100"));
+    CHECK(has(its.carom("run S --chunk 0").err, "expected a whole number from 1 to 1000000"));
+}
+
 TEST_CASE("a sweep has one summary and one table for 1, 3 and 7 chunks in any order") {
     const Joined one = joined_of(1);
     CHECK(joined_of(4) == one);

@@ -40,8 +40,7 @@ CLI::Option& declare(CLI::App& app, const Option& option, bool* value) {
 }
 
 CLI::Option& declare(CLI::App& app, const Option& option, int* value) {
-    constexpr int most = 1024;
-    const auto complaint = [=](const std::string& word) {
+    const auto complaint = [most = option.most](const std::string& word) {
         int number = 0;
         const char* const end = word.data() + word.size();
         const auto [rest, error] = std::from_chars(word.data(), end, number);

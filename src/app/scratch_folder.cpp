@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "util/diagnostics.h"
+#include "util/pending/temporary.h"
 
 namespace carom {
 
@@ -34,13 +35,28 @@ ScratchFolder::ScratchFolder() {
     path_ = name;
 }
 
-ScratchFolder::ScratchFolder(fs::path path) : path_(std::move(path)) { clear(); }
+ScratchFolder::ScratchFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw_system_error(
+            fmt::format("cannot create the folder {}: {}", folder.string(), error.message()),
+            error.value());
+    TemporaryFile made = temporary_folder(folder / "scratch");
+    if (made.descriptor < 0) {
+        const int cause = errno;
+        throw_system_error(fmt::format("cannot write {}: {}", folder.string(),
+                                       std::generic_category().message(cause)),
+                           cause);
+    }
+    path_ = std::move(made.name);
+    lock_ = made.descriptor;
+}
 
-ScratchFolder::~ScratchFolder() { clear(); }
-
-void ScratchFolder::clear() const {
+ScratchFolder::~ScratchFolder() {
     std::error_code error;
     fs::remove_all(path_, error);
+    if (lock_ >= 0) close(lock_);
 }
 
 }  // namespace carom

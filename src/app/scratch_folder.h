@@ -12,8 +12,9 @@ class ScratchFolder {
   public:
     /// In $TMPDIR or /tmp. Throws SystemError.
     ScratchFolder();
-    /// At `path`, in place of what an earlier one left there; to be made by what writes into it.
-    explicit ScratchFolder(std::filesystem::path path);
+    /// Hidden in `folder`, which is made if it is missing; of one that a killed program has left
+    /// the next one there gets rid. Throws SystemError.
+    explicit ScratchFolder(const std::filesystem::path& folder);
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;
     ScratchFolder& operator=(const ScratchFolder&) = delete;
@@ -21,10 +22,9 @@ class ScratchFolder {
     const std::filesystem::path& path() const { return path_; }
 
   private:
-    void clear() const;
-
     MustCleanUp exists_;
     std::filesystem::path path_;
+    int lock_ = -1;
 };
 
 }  // namespace carom

@@ -100,6 +100,18 @@ TEST_CASE("a film beside the figures is made again when the scene beside its own
     CHECK((contents(folder.path() / "out/scene.mp4") != film));
 }
 
+TEST_CASE("a film beside figures is not rendered in a folder of the user") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: T\nbox: {size: [20, 15]}\ngas: [{count: 9, speed: 2}]\nrun: {until: 1}\n"
+                 "film: {seconds: 0.4, fps: 5, size: [64, 64], panels: []}\n"
+                 "figures: [{name: one, kind: gas}]\n");
+    folder.write("out/.film/scene.mp4", "mine");
+    CHECK(figures(folder, {"scene.yaml", "--films", "-o", "out"}).exit_code == 0);
+    CHECK(contents(folder.path() / "out/.film/scene.mp4") == "mine");
+    CHECK(contents(folder.path() / "out/scene.mp4").find("ftyp") == 4);
+}
+
 TEST_CASE("a template of one's own is told its mistakes before any work") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", ten_disks);

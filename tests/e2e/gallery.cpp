@@ -49,7 +49,8 @@ TEST_CASE("a site has a card and a page for each scene, and plays in a browser f
          {"index.html", "gallery.json", "films/one.html", "films/one.mp4", "films/one.poster.png",
           "films/one.card.png", "films/one.yaml", "films/classics/old one.html"})
         CHECK(fs::exists(site / file));
-    CHECK_FALSE(fs::exists(site / ".film"));
+    for (const auto& entry : fs::directory_iterator(site))
+        CHECK_FALSE(entry.path().filename().string().starts_with("."));
     if (!can_browse()) return;
     const json answer = browsed("gallery", site / "index.html");
     check_sound(answer);
@@ -101,7 +102,9 @@ TEST_CASE("files of others are neither replaced nor removed") {
     CHECK(has(outcome.err, "carom did not write index.html"));
     CHECK(contents(folder.path() / "site/index.html") == "mine");
     CHECK_FALSE(fs::exists(folder.path() / "site/films"));
+    folder.write("site/.film/films/one.mp4", "mine");
     REQUIRE(gallery(folder, {"--force"}).exit_code == 0);
+    CHECK(contents(folder.path() / "site/.film/films/one.mp4") == "mine");
     // A list that a stranger wrote leads to nothing outside.
     const std::string fingerprint = [&] {
         const json list = json::parse(contents(folder.path() / "site/gallery.json"));

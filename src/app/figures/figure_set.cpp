@@ -265,7 +265,7 @@ class Maker {
         if (!options_.films || part.compares || (is_current_film(part) && !options_.force)) return;
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
-        const ScratchFolder hidden(set_.folder / ".film");
+        const ScratchFolder hidden(set_.folder);
         const FilmOptions options{
             .output = hidden.path() / files.at("film"), .threads = options_.threads, .text = true};
         const FilmPlan plan = prepare(part.scene, options, progress);

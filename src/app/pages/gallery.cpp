@@ -273,7 +273,7 @@ class GalleryMaker {
         }
         throw_if_interrupted();
         Progress progress(Progress::fitting_form(options_.quiet), as_utf8(item.file.name));
-        const ScratchFolder hidden(options_.site / ".film");
+        const ScratchFolder hidden(options_.site);
         const auto files = item.files(options_.format);
         FilmOptions options = options_.film;
         options.output = hidden.path() / files.at("film");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "util/diagnostics.h"
+#include "util/files/links.h"
 #include "util/interrupt.h"
 
 namespace carom {
@@ -49,6 +50,10 @@ bool Output::is_stream(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void Output::refuse_used(const fs::path& path) {
+    if (!is_stream(path)) const OutputPath free(path, behind_links(path));
 }
 
 Output::Output(std::string path) : path_(std::move(path)) {

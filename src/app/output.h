@@ -35,6 +35,10 @@ class Output : public PendingOutput {
     /// Whether that is written as it stands: standard output too.
     static bool is_stream(const std::filesystem::path& path);
 
+    /// Throws UsageError where an output to this file would take the place of one that was read, or
+    /// of another that is being written: for those that are begun late, before the work.
+    static void refuse_used(const std::filesystem::path& path);
+
   private:
     std::string path_;
     std::optional<AtomicFile> file_;

@@ -1,5 +1,6 @@
 // --depfile: make and ninja read the rule, whatever the files are called.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <filesystem>
 #include <string>
@@ -180,4 +181,41 @@ TEST_CASE("no output takes the place of a file that the work is read from, or of
     }
     CHECK_FALSE(fs::exists(folder.path() / "a.mp4"));
     CHECK_FALSE(fs::exists(folder.path() / "new.json"));
+}
+
+TEST_CASE("a depfile in place of anything that the command makes is refused before the work") {
+    const TemporaryFolder folder;
+    const std::string scene =
+        "title: T\nbox: {size: [20, 15]}\ngas: [{count: 4, speed: 1}]\nrun: {until: 1}\n"
+        "film: {seconds: 0.4, fps: 5, size: [64, 64], panels: []}\n"
+        "figures: [{name: one, kind: gas}]\n";
+    for (const char* name : {"scenes/s.yaml", "s.yaml", "t.yaml"}) folder.write(name, scene);
+    const std::vector<std::string> before = folder.names();
+    for (const auto& [command, depfile] :
+         {std::pair{"figures s.yaml t.yaml --films -o out", "out/t/t.mp4"},
+          {"figures s.yaml --films -o out", "out/s.transcript.txt"},
+          {"figures s.yaml -o out", "out/captions.json"},
+          {"figures s.yaml -o out", "out/figures.json"},
+          {"figures s.yaml -o out --page html", "out/s.html"},
+          {"figures s.yaml -o out", "out/one.csv"},
+          {"gallery scenes -o out", "out/films/s.mp4"},
+          {"gallery scenes -o out", "out/films/s.card.png"},
+          {"gallery scenes -o out", "out/index.html"},
+          {"gallery scenes -o out", "out/gallery.json"},
+          {"render s.yaml t.yaml -o out", "out/t.mp4"},
+          {"render s.yaml t.yaml -o out/ --words", "out/t.chapters.vtt"},
+          {"render s.yaml -o out/a.html --page html", "out/a.html"},
+          {"render s.yaml t.yaml --join -o out/a.mp4", "out/a.mp4"}}) {
+        CAPTURE(std::string(command));
+        CAPTURE(std::string(depfile));
+        fs::create_directories(folder.path() / "out");
+        const Outcome outcome = shell(
+            fmt::format("'{}' {} --quiet --depfile {}", program, command, depfile), folder.path());
+        CHECK(outcome.exit_code == 2);
+        CHECK(has(outcome.err, fmt::format("{}: two outputs would be written", depfile)));
+        for (const auto& file : fs::recursive_directory_iterator(folder.path() / "out"))
+            CHECK(file.is_directory());
+        fs::remove_all(folder.path() / "out");
+        CHECK(folder.names() == before);
+    }
 }

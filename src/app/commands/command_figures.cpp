@@ -130,6 +130,8 @@ void make_all(const FiguresArguments& arguments) {
     FolderRules rules(arguments.depfile);
     for (std::size_t i = 0; i < sets.size(); ++i)
         rules.add(sets[i].folder / captions_name, files_of(sets[i], arguments.scenes[i]));
+    for (const FigureSet& set : sets)
+        std::ranges::for_each(outputs_of(set, options), Output::refuse_used);
     try {
         for (const FigureSet& set : sets) {
             const SetReport report = make_figures(set, options);

@@ -357,6 +357,24 @@ void render_loaded(const RenderArguments& arguments, const std::vector<Scene>& s
     }
 }
 
+// The films, and the files of their words.
+void refuse_used(const RenderArguments& arguments, const std::vector<Scene>& scenes,
+                 const std::vector<fs::path>& outputs) {
+    if (Output::is_stream(arguments.destination.output)) return;
+    const auto has_words = [&](const std::string& what) {
+        if (arguments.film.text) return true;
+        const OutputFormat& format = format_of_film(film_at(arguments, outputs.front()));
+        return what == "captions" && arguments.page.empty() &&
+               std::ranges::any_of(scenes,
+                                   [&](const Scene& scene) { return has_sound(scene, format); });
+    };
+    for (const fs::path& output : outputs) {
+        Output::refuse_used(output);
+        for (const auto& [what, ending] : text_endings)
+            if (has_words(what)) Output::refuse_used(text_path(output, what));
+    }
+}
+
 void render_scenes(RenderArguments& arguments) {
     if (std::ranges::any_of(arguments.scenes, is_plan)) return render_chunks(arguments);
     if (arguments.chunk > 0 || arguments.force || arguments.allow_mixed)
@@ -389,6 +407,7 @@ void render_scenes(RenderArguments& arguments) {
     const std::string made_from = depfile_of(arguments, outputs, listed_scenes, scenes);
     std::optional<Output> depfile;  // before the work
     if (!arguments.depfile.empty()) depfile.emplace(arguments.depfile);
+    refuse_used(arguments, scenes, outputs);
     render_loaded(arguments, scenes, outputs, title);
     if (!depfile) return;
     depfile->write(made_from);

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <system_error>
 #include <utility>
 
+#include "app/output.h"
 #include "runs/json.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
@@ -134,13 +134,9 @@ void FigureFolder::take_in(const fs::path& from, const std::string& file, const 
     const std::string content = fingerprint_of_file(from / file).value_or("");
     announce(file, figure, content);
     save();
-    std::error_code error;
-    fs::create_directories((path_ / file).parent_path(), error);
-    fs::rename(from / file, path_ / file, error);
-    if (error)
-        throw_system_error(
-            fmt::format("{}: cannot be written: {}", (path_ / file).string(), error.message()),
-            error.value());
+    Output output((path_ / file).string());
+    output.copy(from / file);
+    output.commit();
     manifest_.files[file] = {figure, inputs, content};
 }
 

@@ -42,12 +42,16 @@ struct Manifest {
     std::map<std::string, WrittenWords> figures;
 };
 
+/// Its usual name.
+inline constexpr const char* figures_manifest = "figures.json";
+
 class FigureFolder {
   public:
     /// Reads what is known of the folder, which need not exist, from the file `manifest` in it.
     /// Throws UsageError when it holds what was made of another scene, set or folder, or when that
     /// file is not carom's.
-    FigureFolder(std::filesystem::path path, std::string of, std::string manifest = "figures.json");
+    FigureFolder(std::filesystem::path path, std::string of,
+                 std::string manifest = figures_manifest);
 
     const Manifest& manifest() const { return manifest_; }
 
@@ -61,7 +65,7 @@ class FigureFolder {
     /// says first what they will be: wherever the work is cut off, the folder knows its files.
     void write(std::span<const NewFile> files);
 
-    /// Moves a file of `from` that others have written into the folder, in the same way.
+    /// Takes a file of `from` that others have written into the folder, in the same way.
     void take_in(const std::filesystem::path& from, const std::string& file,
                  const std::string& figure, const std::string& inputs);
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -105,6 +106,14 @@ void refuse_unknown(const FigureSet& set, const std::vector<std::string>& only) 
     }
 }
 
+// The files of a figure; words are no numbers, and have no table.
+std::vector<std::string> figure_files(const FigureSet& set, const FigureSpec& spec) {
+    std::vector<std::string> files;
+    for (const std::string& format : set.formats)
+        if (format != "csv" || spec.panel.kind != "text") files.push_back(spec.name + "." + format);
+    return files;
+}
+
 class Maker {
   public:
     Maker(const FigureSet& set, const SetOptions& options)
@@ -135,12 +144,9 @@ class Maker {
         const auto& only = options_.only;
         PlannedFigure figure{&part, &spec, inputs_of(part.scene, spec),
                              only.empty() || std::ranges::find(only, spec.name) != only.end()};
-        for (const std::string& format : set_.formats) {
-            if (format == "csv" && spec.panel.kind == "text") continue;  // words are no numbers
-            std::string file = spec.name + "." + format;
+        for (const std::string& file : figure_files(set_, spec))
             if (options_.force || !folder_.is_current(file, figure.inputs))
-                figure.due.push_back(std::move(file));
-        }
+                figure.due.push_back(file);
         figures_.push_back(std::move(figure));
     }
 
@@ -345,6 +351,21 @@ void refuse_same_names(const FigureSet& set) {
         if (!endings.insert(page.ending).second)
             throw UsageError(fmt::format("{}: two pages would be written to {}{}", set.of, set.stem,
                                          page.ending));
+}
+
+std::vector<std::filesystem::path> outputs_of(const FigureSet& set, const SetOptions& options) {
+    std::vector<std::string> files{figures_manifest, captions_name};
+    for (const PageTemplate& page : set.pages) files.push_back(set.stem + page.ending);
+    for (const SetPart& part : set.parts) {
+        for (const std::string& name : part.figures)
+            std::ranges::copy(figure_files(set, *figure_spec(part.scene, name)),
+                              std::back_inserter(files));
+        if (options.films && !part.compares)
+            for (const auto& [what, file] : film_files(part)) files.push_back(file);
+    }
+    std::vector<std::filesystem::path> outputs;
+    for (const std::string& file : files) outputs.push_back(set.folder / file);
+    return outputs;
 }
 
 SetReport make_figures(const FigureSet& set, const SetOptions& options) {

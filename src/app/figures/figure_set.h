@@ -81,6 +81,9 @@ const FigureSpec* figure_spec(const Scene& scene, const std::string& name);
 /// Throws UsageError where two figures, films or pages of a set would have one name.
 void refuse_same_names(const FigureSet& set);
 
+/// All files that make_figures() may write.
+std::vector<std::filesystem::path> outputs_of(const FigureSet& set, const SetOptions& options);
+
 /// Makes what is not there yet or not from the present scenes. Throws UsageError before anything
 /// is written when a file of others would be replaced, or figures share a name; SceneError,
 /// SystemError, Interrupted.

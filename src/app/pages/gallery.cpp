@@ -30,6 +30,7 @@ namespace fs = std::filesystem;
 
 constexpr int width_of_card = 640;  // pixels
 const std::string index_name = "index.html";
+const std::string manifest_name = "gallery.json";
 
 // A scene of the folder.
 struct GalleryFile {
@@ -211,13 +212,14 @@ class GalleryMaker {
           index_template_(document_template("gallery.html")),
           items_(items_of(options, film_template_)),
           folder_(options.site, "the folder " + as_utf8(name_of_folder(options.folder)),
-                  "gallery.json") {}
+                  manifest_name) {}
 
     GalleryReport make() {
         const std::string index = index_page(options_, items_, index_template_);
         refuse_foreign();
         FolderRules rules(options_.depfile);
         rules.add(options_.site / index_name, files_read());
+        refuse_used();
         try {
             for (const GalleryItem& item : items_) make_film(item);
             folder_.write(std::vector<NewFile>{
@@ -264,6 +266,14 @@ class GalleryMaker {
             options_.site.string(), listed(report_.replaced),
             report_.replaced.size() == 1 ? "it is" : "they are",
             report_.replaced.size() == 1 ? "it" : "them"));
+    }
+
+    void refuse_used() const {
+        for (const std::string& name : {index_name, manifest_name})
+            Output::refuse_used(options_.site / name);
+        for (const GalleryItem& item : items_)
+            for (const auto& [what, file] : item.files(options_.format))
+                Output::refuse_used(options_.site / file);
     }
 
     void make_film(const GalleryItem& item) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "util/diagnostics.h"
+#include "util/files/links.h"
 #include "util/memory/memory_reserve.h"
 
 namespace carom {
@@ -23,19 +24,6 @@ namespace fs = std::filesystem;
 [[noreturn]] void fail(std::string_view what, const fs::path& path, int error = errno) {
     throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)),
                        error);
-}
-
-// A link stays one: what it leads to is written, which need not be there yet.
-fs::path behind_links(const fs::path& path) {
-    constexpr int most = 40;  // as the system follows
-    fs::path target = path;
-    std::error_code error;
-    for (int i = 0; fs::is_symlink(fs::symlink_status(target, error)); ++i) {
-        if (i == most) fail("write", path, ELOOP);
-        target = folder_of(target) / fs::read_symlink(target, error);
-        if (error) fail("write", path, error.value());
-    }
-    return target;
 }
 
 void create_folder_of(const fs::path& path) {
@@ -98,6 +86,7 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
     }
 }
 
+// A link stays one: what it leads to is written.
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
     only_.emplace(path_, target_);
     std::error_code error;

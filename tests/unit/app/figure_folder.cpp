@@ -23,6 +23,19 @@ const std::vector<std::string> both{"a.svg", "b.svg"};
 
 }  // namespace
 
+TEST_CASE("a file that is taken in follows the link in its place") {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "figures";
+    folder.write("from/films/a.mp4", "film");
+    fs::create_directories(path / "films");
+    fs::create_symlink("../../elsewhere.mp4", path / "films/a.mp4");
+    FigureFolder figures(path, "scene.yaml");
+    figures.take_in(folder.path() / "from", "films/a.mp4", "", "inputs");
+    CHECK(fs::is_symlink(path / "films/a.mp4"));
+    CHECK(test::contents(folder.path() / "elsewhere.mp4") == "film");
+    CHECK(figures.is_current("films/a.mp4", "inputs"));
+}
+
 TEST_CASE("a folder that was cut off while it was written knows what is in it") {
     const test::TemporaryFolder folder;
     const fs::path path = folder.path() / "figures";

@@ -403,22 +403,26 @@ bool has_captions(const Scene& scene) {
     return !caption_schedule(scene).empty() || !scene.film.end_card.empty() || scene.film.sound;
 }
 
-void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wanted,
-                      const std::filesystem::path& path) {
-    std::vector<PendingOutput*> outputs{&film};
-    if (wanted == TextFiles::none) return commit_together(outputs);
+std::filesystem::path text_path(const std::filesystem::path& path, const std::string& what) {
     std::filesystem::path stem = path;
     if (!stem.has_filename())
         stem = stem.parent_path();  // frames/
     else
         stem.replace_extension();
+    return stem.string() + text_endings.at(what);
+}
+
+void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wanted,
+                      const std::filesystem::path& path) {
+    std::vector<PendingOutput*> outputs{&film};
+    if (wanted == TextFiles::none) return commit_together(outputs);
     std::vector<std::unique_ptr<AtomicFile>> files;
     for (const auto& [what, words] : {std::pair{"captions", &text.captions},
                                       {"chapters", &text.chapters},
                                       {"descriptions", &text.descriptions},
                                       {"transcript", &text.transcript}}) {
         if (wanted == TextFiles::captions && words != &text.captions) continue;
-        const std::string file = stem.string() + text_endings.at(what);
+        const std::filesystem::path file = text_path(path, what);
         if (words->empty() && !std::filesystem::exists(file)) continue;  // none of an earlier film
         outputs.push_back(files.emplace_back(std::make_unique<AtomicFile>(file)).get());
         files.back()->write(words->empty() ? webvtt({}) : *words);

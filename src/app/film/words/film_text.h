@@ -118,10 +118,13 @@ inline TextFiles files_wanted(bool text, bool has_sound) {
     return has_sound ? TextFiles::captions : TextFiles::none;
 }
 
+/// The file of its text beside the film at `path`; `what` is one of text_endings. Beside a folder
+/// of frames it has the name of that.
+std::filesystem::path text_path(const std::filesystem::path& path, const std::string& what);
+
 /// Gives the film at `path` its name, together with the files of its text that are wanted, beside
-/// it: film.captions.vtt, film.chapters.vtt, film.descriptions.vtt and film.transcript.txt (beside
-/// a folder of frames, with its name). All or none appear. A film without captions has no file of
-/// them, but an earlier one is emptied. Throws SystemError.
+/// it (text_path). All or none appear. A film without captions has no file of them, but an earlier
+/// one is emptied. Throws SystemError.
 void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wanted,
                       const std::filesystem::path& path);
 

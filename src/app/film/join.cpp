@@ -125,9 +125,25 @@ std::string transcript_head(const std::vector<Scene>& scenes, const JoinedTitle&
 
 void append(FilmText& all, const FilmText& more) {
     append(all.captions, more.captions);
-    append(all.chapters, more.chapters);
     append(all.descriptions, more.descriptions);
     all.transcript += (all.transcript.empty() ? "" : "\n\n") + more.transcript;
+}
+
+// The title card belongs to the first.
+std::vector<FilmChapter> chapters_of(const std::vector<Scene>& scenes,
+                                     const std::vector<JoinedPart>& parts) {
+    std::vector<FilmChapter> chapters;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        chapters.push_back(
+            {i == 0 ? 0 : parts[i].first, parts[i].first + parts[i].frames, scenes[i].title});
+    return chapters;
+}
+
+std::string webvtt_of(const std::vector<FilmChapter>& chapters, double fps) {
+    std::vector<Cue> cues;
+    for (const FilmChapter& chapter : chapters)
+        cues.push_back({chapter.first / fps, chapter.end / fps, chapter.title});
+    return webvtt(cues);
 }
 
 // What all parts have in common, of so many frames.
@@ -145,12 +161,8 @@ std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
                                           const JoinedTitle& title, const FilmOptions& options,
                                           const std::vector<JoinedPart>& parts) {
     std::vector<std::string> titles;
-    std::vector<FilmChapter> chapters;
     FilmPlan all = plan_of_all(scenes, parts.back().first + parts.back().frames);
     for (const Scene& scene : scenes) {
-        const JoinedPart& part = parts[titles.size()];
-        const int first = chapters.empty() ? 0 : part.first;  // the title belongs to the first
-        chapters.push_back({first, part.first + part.frames, scene.title});
         titles.push_back(scene.title);
         all.scene.source.text += (titles.size() > 1 ? "---\n" : "") + scene.source.text;
         all.scene.description += (titles.size() > 1 ? "\n" : "") + scene.description;
@@ -160,7 +172,7 @@ std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
     if (!title.words.empty()) all.scene.description = title.words;
     all.scene.seed = scenes.front().seed;
     all.scene.source.overrides = scenes.front().source.overrides;
-    return film_writer(all, options, std::move(chapters));
+    return film_writer(all, options, chapters_of(scenes, parts));
 }
 
 void write_title(FilmWriter& whole, const JoinedPart& part, const JoinedTitle& title) {
@@ -245,6 +257,7 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& 
     std::unique_ptr<FilmWriter> writer;
     RenderReport report;
     FilmText text;
+    text.chapters = webvtt_of(chapters_of(scenes, parts), scenes.front().film.fps);
     text.transcript = transcript_head(scenes, title, parts, format_of_film(options.output));
     bool hears = false;
     for (std::size_t i = 0; i < scenes.size(); ++i) {

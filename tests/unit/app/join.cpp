@@ -126,6 +126,8 @@ TEST_CASE("a joined film has a card, chapters, and a transcript with its length"
     CHECK(test::contents(folder.path() / "course.transcript.txt")
               .starts_with("A course\n\nIn two parts\n\nA silent film of 0:08, in 2 parts:\n\n"
                            "0:04  One\n0:06  Two\n"));
+    CHECK(test::contents(folder.path() / "course.chapters.vtt") ==
+          "WEBVTT\n\n00:00:00.000 --> 00:00:06.000\nOne\n\n00:00:06.000 --> 00:00:08.000\nTwo\n");
     if (!test::is_installed("ffprobe")) return;
     const std::string chapters = test::run({"ffprobe", "-v", "error", "-show_entries",
                                             "chapter=start_time,end_time:chapter_tags=title", "-of",

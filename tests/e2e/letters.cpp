@@ -66,3 +66,20 @@ TEST_CASE("letters that no font has are refused in all words, by check as by sti
         CHECK(has(still.err, "no font on this machine has \u2fe0: install one"));
     }
 }
+
+TEST_CASE("so are letters in the words of a set, which stand on the cards of its film") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: T\nbox: {size: [20, 15]}\ngas: [{count: 4, speed: 1}]\nrun: {until: 1}\n"
+                 "figures: [{name: one, kind: gas}]\n");
+    for (int place = 0; place <= 3; ++place) {
+        CAPTURE(place);
+        const auto word = [&](int its) { return std::string(its == place ? "\u2fe0" : "a"); };
+        folder.write("set.yaml", "title: " + word(1) + "\ndescription: " + word(2) +
+                                     "\nscenes: [{scene: scene.yaml, title: " + word(3) + "}]\n");
+        const Outcome check = run({program, "check", "set.yaml"}, folder.path());
+        CHECK(check.exit_code == (place == 0 ? 0 : 2));
+        if (place > 0)
+            CHECK(has(check.err, "set.yaml: error: no font on this machine has \u2fe0\n"));
+    }
+}

@@ -63,10 +63,18 @@ void check_figure(const Scene& scene, const FigureSpec& figure) {
     if (figure.panel.kind == "sweep" && !figure.panel.sweep.from) check_swept_figure(scene, figure);
 }
 
+// What the cards of the set's joined film say.
+std::string words_on_cards(const FigureSet& set) {
+    std::string words = set.title + set.description;
+    for (const SetPart& part : set.parts) words += part.title;
+    return words;
+}
+
 // With all its scenes, figures and pages.
 Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
                    const Overrides& overrides, CheckedFile& found) {
     const FigureSet set = load_set(path, resources_of(arguments), overrides);
+    require_letters(words_on_cards(set), path);
     for (const SetPart& part : set.parts) {
         if (!part.compares) find_barriers(arguments, part.scene, found);
         refuse_long_words(part.scene);

@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <fstream>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -32,6 +34,21 @@ bool is_open_already(const std::string& path) {
                        error);
 }
 
+// What stands at a path; nothing where there is none.
+std::optional<struct stat> status_of(const std::string& path) {
+    struct stat status = {};
+    const int failed = Output::is_standard_output(path) ? fstat(STDOUT_FILENO, &status)
+                                                        : stat(path.c_str(), &status);
+    return failed == 0 ? std::optional(status) : std::nullopt;
+}
+
+// Nothing is mixed where all is thrown away.
+bool is_null_device(const struct stat& status) {
+    struct stat null = {};
+    return S_ISCHR(status.st_mode) && stat("/dev/null", &null) == 0 &&
+           status.st_rdev == null.st_rdev;
+}
+
 // A named pipe is waited for until somebody reads it.
 int opened(const std::string& path) {
     while (true) {
@@ -50,6 +67,17 @@ bool Output::is_stream(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+bool Output::are_same(const std::string& a, const std::string& b) {
+    if (a == b || (is_standard_output(a) && is_standard_output(b))) return true;
+    const auto one = status_of(a), other = status_of(b);
+    if (one && other)
+        return one->st_dev == other->st_dev && one->st_ino == other->st_ino &&
+               !is_null_device(*one);
+    std::error_code error;
+    return !one && !other &&
+           fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
 }
 
 void Output::refuse_used(const fs::path& path) {

@@ -35,6 +35,9 @@ class Output : public PendingOutput {
     /// Whether that is written as it stands: standard output too.
     static bool is_stream(const std::filesystem::path& path);
 
+    /// Whether what is written to both would be mixed in one file, device or pipe.
+    static bool are_same(const std::string& a, const std::string& b);
+
     /// Throws UsageError where an output to this file would take the place of one that was read, or
     /// of another that is being written: for those that are begun late, before the work.
     static void refuse_used(const std::filesystem::path& path);

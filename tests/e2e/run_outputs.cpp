@@ -122,6 +122,16 @@ TEST_CASE("a file that is open already is written as it stands") {
     CHECK(third.exit_code == 0);
     CHECK(rows_of(contents(folder.path() / "a.csv")).size() == 8);
     // A name that no one may replace, whatever it leads to.
+    for (const char* same :
+         {"--csv /dev/fd/1 --json - | cat", "--csv - --json /proc/self/fd/1 | cat",
+          "--csv - --json /dev/fd/1 > both", "--csv both --json - > both",
+          "--csv /dev/fd/3 --json - 3>&1 | cat"}) {
+        CAPTURE(std::string(same));
+        const Outcome mixed = shell(command + same, folder.path());
+        CHECK(has(mixed.err, " would both be written to "));
+        CHECK(mixed.out.empty());
+    }
+    CHECK(shell(command + "--csv /dev/null --json - > /dev/null", folder.path()).exit_code == 0);
     const Outcome both = shell(command + "--csv - --json /dev/stdout", folder.path());
     CHECK(both.exit_code == 2);
     CHECK(both.err == "carom: --json and --csv would both be written to standard output\n");

@@ -56,8 +56,7 @@ class RunsCsv {
 void refuse_same_outputs(const JoinArguments& arguments) {
     const std::string &json = arguments.output, &csv = arguments.csv;
     if (json.empty() || csv.empty()) return;
-    if (json == csv || is_same_file(json, csv) ||
-        (Output::is_standard_output(json) && Output::is_standard_output(csv)))
+    if (Output::are_same(json, csv))
         throw UsageError(fmt::format("-o and --csv would both be written to {}",
                                      Output::is_standard_output(csv) ? "standard output" : csv));
 }

@@ -50,13 +50,6 @@ struct RunArguments : SceneOptions {
     }
 };
 
-bool is_same_output(const std::string& a, const std::string& b) {
-    return !a.empty() && !b.empty() &&
-           (a == b || is_same_file(a, b) ||
-            (Output::is_standard_output(a) && Output::is_standard_output(b)) ||
-            fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal());
-}
-
 void refuse_same_files(const RunArguments& arguments) {
     const auto outputs = arguments.outputs();
     for (const auto& [flag, path] : outputs)
@@ -64,7 +57,8 @@ void refuse_same_files(const RunArguments& arguments) {
             throw UsageError(fmt::format("{} {}: this would overwrite the scene", flag, path));
     for (std::size_t i = 0; i < outputs.size(); ++i)
         for (std::size_t j = i + 1; j < outputs.size(); ++j)
-            if (is_same_output(outputs[i].second, outputs[j].second))
+            if (!outputs[i].second.empty() && !outputs[j].second.empty() &&
+                Output::are_same(outputs[i].second, outputs[j].second))
                 throw UsageError(fmt::format(
                     "{} and {} would both be written to {}", outputs[i].first, outputs[j].first,
                     Output::is_standard_output(outputs[j].second) ? "standard output"

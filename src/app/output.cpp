@@ -34,6 +34,14 @@ bool is_open_already(const std::string& path) {
                        error);
 }
 
+void refuse_folder(const std::string& path) {
+    if (path.ends_with('/'))
+        throw UsageError(fmt::format(
+            "{}: one file is written there, and a name with a slash at its end is that of a "
+            "folder; name a file, {}out for instance",
+            path, path));
+}
+
 // What stands at a path; nothing where there is none.
 std::optional<struct stat> status_of(const std::string& path) {
     struct stat status = {};
@@ -95,6 +103,7 @@ Output::Output(std::string path) : path_(std::move(path)) {
         descriptor_ = opened(path_);
         owned_ = true;
     } else {
+        refuse_folder(path_);
         file_.emplace(path_);
     }
 }

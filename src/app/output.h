@@ -14,7 +14,8 @@ namespace carom {
 /// (`/dev/fd/3`) is written as it stands, any other path as an AtomicFile.
 class Output : public PendingOutput {
   public:
-    /// Throws SystemError when it cannot be written.
+    /// Throws SystemError when it cannot be written, UsageError where a slash at its end says that
+    /// it is a folder.
     explicit Output(std::string path);
     ~Output() override;
 

@@ -137,6 +137,23 @@ TEST_CASE("a file that is open already is written as it stands") {
     CHECK(both.err == "carom: --json and --csv would both be written to standard output\n");
 }
 
+TEST_CASE("a file whose name ends in a slash is refused before the work, of any option") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", "title: T\n" + one_disk);
+    fs::create_directory(folder.path() / "there");
+    const std::vector<std::string> before = folder.names();
+    for (const std::string arguments :
+         {"run scene.yaml --csv a.csv --json ", "run scene.yaml --json a.json --xyz ",
+          "still scene.yaml -o a.png --depfile ", "figure scene.yaml --kind gas --depfile "})
+        for (const std::string name : {"new/", "there/"}) {
+            CAPTURE(arguments);
+            const Outcome outcome = shell("'" + program + "' " + arguments + name, folder.path());
+            CHECK(outcome.exit_code == 2);
+            CHECK(has(outcome.err, "carom: " + name + ": one file is written there"));
+            CHECK(folder.names() == before);
+        }
+}
+
 TEST_CASE("a pipe is written as it stands") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", "title: T\n" + one_disk);

@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "app/chunks/build_facts.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/new_file.h"
 #include "util/files/one_use_paths.h"
 #include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
@@ -42,6 +44,10 @@ constexpr std::array<std::string_view, 6> names_in_plan{"plan.json",    "film.pl
     throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(),
                                    std::generic_category().message(error)),
                        error);
+}
+
+std::span<const std::uint8_t> as_bytes(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 std::string stem_of(int chunk) { return fmt::format("chunks/{:04}", chunk); }
@@ -234,7 +240,11 @@ PlanWriter::~PlanWriter() {
 }
 
 void PlanWriter::write(const std::string& name, std::string_view bytes) {
-    write_file(draft_.name / name, bytes);
+    std::error_code error;
+    const fs::path path = draft_.name / name;
+    fs::create_directories(path.parent_path(), error);
+    if (error) fail("create the folder", (folder_ / name).parent_path(), error.value());
+    write_new_file(path, as_bytes(bytes), folder_ / name);
     files_[name] = fingerprint(bytes);
 }
 
@@ -250,6 +260,7 @@ void PlanWriter::replace_earlier() {
     for (auto name = names_in_plan.rbegin(); name != names_in_plan.rend(); ++name)
         moves.move(draft_.name / *name, folder_ / *name);
     moves.keep();
+    note_output();
 }
 
 void PlanWriter::commit(const PlanHeader& header, const std::vector<PlannedChunk>& chunks) {
@@ -263,7 +274,9 @@ void PlanWriter::commit(const PlanHeader& header, const std::vector<PlannedChunk
     for (const PlannedChunk& chunk : chunks)
         contents["chunks"].push_back(to_json(chunk, header.kind));
     contents["fingerprint"] = fingerprint_of(contents);
-    write_file(draft_.name / "plan.json", text_of(contents, 2) + "\n");
+    write_new_file(draft_.name / "plan.json", as_bytes(text_of(contents, 2) + "\n"),
+                   folder_ / "plan.json");
+    throw_if_interrupted();
     replace_earlier();
     is_committed_ = true;
 }

@@ -14,6 +14,7 @@
 
 #include "util/diagnostics.h"
 #include "util/files/links.h"
+#include "util/files/new_file.h"
 #include "util/memory/memory_reserve.h"
 
 namespace carom {
@@ -37,23 +38,6 @@ mode_t usual_rights(mode_t all) {
     const mode_t mask = umask(0);
     umask(mask);
     return all & ~mask;
-}
-
-void write_all(int descriptor, std::span<const std::uint8_t> bytes, const fs::path& path) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) fail("write", path, written == 0 ? ENOSPC : errno);
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-    }
-}
-
-// Some file systems cannot sync, which loses nothing but safety; an error of writing is one.
-void sync_file(int descriptor, const fs::path& path) {
-    while (fsync(descriptor) != 0) {
-        if (errno == EINVAL || errno == EROFS) return;
-        if (errno != EINTR) fail("write", path);
-    }
 }
 
 void sync_folder(const fs::path& folder) {
@@ -187,18 +171,7 @@ AtomicFolder::~AtomicFolder() {
 }
 
 void AtomicFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
-    const fs::path shown = path_ / name;
-    const int descriptor =
-        open((folder_.name / name).c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor < 0) fail("write", shown);
-    try {
-        write_all(descriptor, bytes, shown);
-        sync_file(descriptor, shown);
-    } catch (...) {
-        close(descriptor);
-        throw;
-    }
-    if (close(descriptor) != 0) fail("write", shown);
+    write_new_file(folder_.name / name, bytes, path_ / name);
 }
 
 void AtomicFolder::settle() {

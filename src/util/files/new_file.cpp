@@ -1,0 +1,53 @@
+#include "util/files/new_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "util/diagnostics.h"
+
+namespace carom {
+
+namespace fs = std::filesystem;
+
+void throw_unwritable(const fs::path& shown, int error) {
+    throw_system_error(
+        fmt::format("cannot write {}: {}", shown.string(), std::generic_category().message(error)),
+        error);
+}
+
+void write_all(int descriptor, std::span<const std::uint8_t> bytes, const fs::path& shown) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) throw_unwritable(shown, written == 0 ? ENOSPC : errno);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+// Some file systems cannot sync, which loses nothing but safety; an error of writing is one.
+void sync_file(int descriptor, const fs::path& shown) {
+    while (fsync(descriptor) != 0) {
+        if (errno == EINVAL || errno == EROFS) return;
+        if (errno != EINTR) throw_unwritable(shown, errno);
+    }
+}
+
+void write_new_file(const fs::path& path, std::span<const std::uint8_t> bytes,
+                    const fs::path& shown) {
+    const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw_unwritable(shown, errno);
+    try {
+        write_all(descriptor, bytes, shown);
+        sync_file(descriptor, shown);
+    } catch (...) {
+        close(descriptor);
+        throw;
+    }
+    if (close(descriptor) != 0) throw_unwritable(shown, errno);
+}
+
+}  // namespace carom

@@ -106,12 +106,12 @@ TEST_CASE("no number of a gas depends on how its species are called or parted") 
         const ThermalMotion motion = thermal_motion(box, particles, sample);
         const auto gas = equilibrium(box, particles, sample);
         REQUIRE(gas);
-        return std::vector<double>{*run.temperature,
-                                   *run.energy_final,
-                                   *run.virial_pressure,
+        return std::vector<double>{run.temperature.value(),
+                                   run.energy_final.value(),
+                                   run.virial_pressure.value_or(0.0),  // of no time
                                    motion.temperature(),
                                    VelocityEntropy(particles, motion).of(velocity),
-                                   *expected_collision_rate(box, particles, sample),
+                                   expected_collision_rate(box, particles, sample).value(),
                                    mean_speed(*gas),
                                    speed_density(*gas, 0.5),
                                    velocity_deviation(*gas)};

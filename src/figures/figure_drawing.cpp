@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "panels/gas/gas_colors.h"
+#include "panels/gas/velocity_arrows.h"
 #include "panels/words/text_panel.h"
 #include "util/text.h"
 
@@ -16,7 +18,7 @@ constexpr double print_type = 6.9, slide_type = 24.0;  // points; a title of 7.9
 constexpr double vector_dots = 96.0, print_dots = 300.0, slide_dots = 144.0;  // to the inch
 constexpr double tallest = 17.0;  // centimetres: what a page of a text has room for
 constexpr double key_width = 6.4, key_gap = 0.8, margin = 0.8;  // units
-constexpr double bar_of_colors = 8.6, key_of_arrows = 3.6;      // units, their heights in a key
+constexpr double under_key = 0.8;                               // units
 constexpr double strip_gap = 1.2, row_of_times = 2.2;           // units
 constexpr double shape_of_plots = 0.68;                         // height over width
 constexpr double shape_of_wires = 0.6;
@@ -33,7 +35,8 @@ struct Sheet {
 
 // What a key beside a low box needs.
 double least_key(const Scene& scene) {
-    return bar_of_colors + (scene.film.velocities ? key_of_arrows : 0.0);
+    return GasColors::least_bar + under_key +
+           (scene.film.velocities ? VelocityArrows::key_height : 0.0);
 }
 
 Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {

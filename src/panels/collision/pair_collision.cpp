@@ -20,14 +20,11 @@ double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, d
 
 // When an event of the run changes the velocity or the place of a particle.
 std::vector<double> interruptions(const Run& run, Eigen::Index particle) {
-    std::vector<double> times;
-    for (const RunEvent& event : run.events) {
-        const auto* nudge = std::get_if<Perturbation>(&event.action);
-        if (std::holds_alternative<ReverseVelocities>(event.action) ||
-            std::holds_alternative<Heat>(event.action) ||
-            (nudge != nullptr && nudge->particle == particle))
+    std::vector<double> times = velocity_changes(run);
+    for (const RunEvent& event : run.events)
+        if (const auto* nudge = std::get_if<Perturbation>(&event.action);
+            nudge != nullptr && nudge->particle == particle)
             times.push_back(event.at);
-    }
     return times;
 }
 

@@ -8,6 +8,7 @@
 
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
+#include "stats/paths/paths.h"
 
 namespace carom {
 

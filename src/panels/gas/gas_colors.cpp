@@ -252,8 +252,8 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
         draw_wheel(canvas, dc);
         y += 8.4 * u;
     } else if (has_bar()) {
-        const double bottom =
-            std::max(dc.area.y + 7.8 * u, dc.area.bottom() - std::min(entries_height, 6.0 * u));
+        const double bottom = std::max(dc.area.y + least_bar * u,
+                                       dc.area.bottom() - std::min(entries_height, 6.0 * u));
         DrawContext bar = dc;
         bar.area.height = bottom - dc.area.y;
         draw_color_bar(canvas, bar, scale_colors(context_.scene, dc.theme), scale_);

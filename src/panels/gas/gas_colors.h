@@ -29,6 +29,8 @@ double ring_line(double radius, double unit);
 
 class GasColors {
   public:
+    static constexpr double least_bar = 7.8;  ///< units, with its title and its last number
+
     explicit GasColors(const PanelContext& context);
 
     /// First pass, every frame in order; then fix_scale() fixes the scale.

@@ -15,7 +15,6 @@ namespace {
 constexpr Eigen::Index few = 10;          // particles: none of their arrows is cut
 constexpr double fast = 0.98;             // of all speeds are slower, where there are many
 constexpr double beyond_a_wall = 0.7;     // units, that an arrow may reach
-constexpr double key_height = 3.6;        // units
 constexpr Eigen::Index most_arrows = 80;  // arrows: more are a thicket
 
 // The largest of 1, 2 and 5 times a power of ten that is not above `most`.

@@ -20,6 +20,8 @@ struct ArrowField {
 
 class VelocityArrows {
   public:
+    static constexpr double key_height = 3.6;  ///< units
+
     explicit VelocityArrows(const PanelContext& context) : context_(context) {}
 
     /// Whether the scene asks for them.

@@ -68,10 +68,9 @@ std::optional<Places> places_of_word(const Node& word, const Region& region, con
     const auto cells = static_cast<double>(shape.cells.size());
     const int most = most_across(cell, *largest);
     const int across =
-        count > 0
-            ? static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / cells)))
-            : std::clamp(most_across(cell, 1.25 * *largest), 1,
-                         std::max(1, static_cast<int>(std::sqrt(most_particles.value / cells))));
+        count > 0 ? static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count) / cells)))
+                  : std::clamp(most_across(cell, 1.25 * *largest), 1,
+                               static_cast<int>(std::sqrt(most_particles.value / cells)));
     if (across > most) {
         report_narrow(word, static_cast<double>(count), *largest, cell, cells * most * most,
                       errors);

@@ -177,21 +177,20 @@ void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
 
 // The figure's key names runs, not what is drawn of each.
 void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) {
-    if (const Node* of = given(node, "of"); of != nullptr && panel.of.size() > 1)
+    const auto refuse = [&](bool has_several, const char* key, const char* takes,
+                            const char* hint = "make a figure for each") {
+        const Node* its = given(node, key);
+        if (its == nullptr || !has_several) return;
         reading.errors.add(
-            *of, "a comparison shows one line for each run: `of` takes one species or particle",
-            "make a figure for each");
-    if (const Node* at = given(node, "surfaces"); at != nullptr && panel.surfaces.size() > 1)
-        reading.errors.add(*at, "a comparison shows one line for each run: `surfaces` takes one",
-                           "make a figure for each");
-    if (const Node* at = given(node, "regions"); at != nullptr && panel.regions.size() > 1)
-        reading.errors.add(*at, "a comparison shows one line for each run: `regions` takes one",
-                           "make a figure for each");
-    if (const Node* space = given(node, "space");
-        space != nullptr && panel.kind == "entropy" && panel.entropy_of == EntropyOf::both)
-        reading.errors.add(*space,
-                           "a comparison shows one line for each run: `space` takes one of both",
-                           "make a figure for `velocities`, and one for `positions`");
+            *its,
+            fmt::format("a comparison shows one line for each run: `{}` takes {}", key, takes),
+            hint);
+    };
+    refuse(panel.of.size() > 1, "of", "one species or particle");
+    refuse(panel.surfaces.size() > 1, "surfaces", "one");
+    refuse(panel.regions.size() > 1, "regions", "one");
+    refuse(panel.kind == "entropy" && panel.entropy_of == EntropyOf::both, "space", "one of both",
+           "make a figure for `velocities`, and one for `positions`");
 }
 
 // Only the command line may give another path.

@@ -168,7 +168,8 @@ void print_wall(double seconds, int runs) {
             for (int run = 0; run < runs; ++run) {
                 Progress silent(Progress::Form::silent, "");
                 const RenderReport report =
-                    render(scene, {folder / "film.mp4", quality, 2}, silent);
+                    render(scene, {.output = folder / "film.mp4", .quality = quality, .threads = 2},
+                           silent);
                 film.push_back(report.wall_seconds);
                 alone.push_back(x264_alone(frames, preset));
                 ratios.push_back(film.back() / alone.back());
@@ -185,7 +186,7 @@ void print_wall(double seconds, int runs) {
 void print_memory() {
     const auto folder = std::filesystem::temp_directory_path() / "carom-bench";
     Progress silent(Progress::Form::silent, "");
-    render(scene_of(1000, 20.0), {folder / "film.mp4", Quality::standard, 2}, silent);
+    render(scene_of(1000, 20.0), {.output = folder / "film.mp4", .threads = 2}, silent);
     std::filesystem::remove_all(folder);
     rusage usage = {};
     getrusage(RUSAGE_SELF, &usage);

@@ -29,7 +29,7 @@ void render_once(const std::string& precision, const std::filesystem::path& outp
     const Scene scene = load_scene(library_folder() / "time-reversal.yaml", scene_resources(),
                                    {"run.precision=" + precision});
     Progress silent(Progress::Form::silent, "");
-    const RenderReport report = render(scene, {output, Quality::standard, 2}, silent);
+    const RenderReport report = render(scene, {.output = output, .threads = 2}, silent);
     best.wall = std::min(best.wall, report.wall_seconds);
     best.simulate = std::min(best.simulate, report.simulate_seconds);
 }

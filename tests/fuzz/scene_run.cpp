@@ -157,7 +157,7 @@ bool is_small(const Scene& scene) {
 class TimeLimit {
   public:
     TimeLimit() {
-        constexpr int most_microseconds = 60'000;
+        constexpr int most_microseconds = 15'000;
         std::signal(SIGVTALRM, [](int) { set_interrupted(true); });
         start(most_microseconds);
     }

@@ -322,11 +322,13 @@ Binding<Film> beside_key() {
     const auto check = [](Written& beside, const Node& node, Reading& reading) {
         place_run(beside, node, reading);
         for (const std::string& change : beside.values)
-            if (change.starts_with("film") || change.starts_with("figures"))
-                reading.errors.add(*given(node, "set"),
-                                   fmt::format("{} would change the film, which both runs share",
-                                               in_quotes(change)),
-                                   "set it in the scene itself");
+            if (change.starts_with("film") || change.starts_with("figures") ||
+                change.starts_with("run.until="))
+                reading.errors.add(
+                    *given(node, "set"),
+                    fmt::format("{} would change the {}, which both runs share", in_quotes(change),
+                                change.starts_with("run") ? "end of the run" : "film"),
+                    "set it in the scene itself");
         if (beside.label == beside.own_label)
             reading.errors.add(node, "both runs have the same label");
     };

@@ -93,23 +93,28 @@ std::vector<Slot> with_heights(std::vector<Slot> slots,
     return slots;
 }
 
-std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape) {
-    constexpr double words = 1.9, gap = 1.6;  // grid units
-    const double across = 0.5 * (place.width - gap), up = 0.5 * (place.height - gap) - words;
+std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, const Grid& grid) {
+    constexpr double between = 1.6;
+    const double words = grid.height_of(1.9), gap = grid.height_of(between),
+                 gap_across = grid.width_of(between), shape = grid.shape_of(box_shape);
+    const double across = 0.5 * (place.width - gap_across), up = 0.5 * (place.height - gap) - words;
     const double width_beside = shape > 0.0 ? std::min(across, (place.height - words) / shape) : 0;
     const double width_above = shape > 0.0 ? std::min(place.width, up / shape) : place.width;
     const bool is_beside = width_beside >= width_above;
-    const double height = is_beside ? std::min(place.height - words, width_beside * shape) : up;
-    const double free = is_beside ? place.height - height - words : 0.0;
+    const double width = is_beside ? width_beside : width_above;
+    const double most = is_beside ? place.height - words : up;
+    const double height = shape > 0.0 ? std::min(most, width * shape) : most;
+    const double used = is_beside ? height + words : 2.0 * (height + words) + gap;
     std::array<PlaceBeside, 2> places;
     for (std::size_t i = 0; i < 2; ++i) {
         const auto k = static_cast<double>(i);
         Slot& box = places.at(i).box;
+        box = {place.x, place.y + 0.5 * (place.height - used), width, height};
         if (is_beside)
-            box = {place.x + k * (width_beside + gap), place.y + 0.5 * free, width_beside, height};
+            box.x += k * (across + gap_across);
         else
-            box = {place.x, place.y + k * (height + words + gap), place.width, height};
-        places.at(i).words = {box.x, box.y + box.height, box.width, words};
+            box.y += k * (height + words + gap);
+        places.at(i).words = {box.x, box.y + box.height, is_beside ? across : place.width, words};
     }
     return places;
 }

@@ -22,6 +22,13 @@ class Grid {
     double unit() const { return unit_; }  ///< pixels
     Rect place(const Slot& slot) const;    ///< pixels
 
+    /// So many unit() in grid units, as a width and as a height.
+    double width_of(double units) const { return units * unit_ / across_; }
+    double height_of(double units) const { return units * unit_ / up_; }
+
+    /// Height over width in grid units of what has this shape in pixels.
+    double shape_of(double shape) const { return shape * across_ / up_; }
+
   private:
     double across_, up_;  ///< pixels of a grid unit each way
     double unit_;
@@ -42,8 +49,9 @@ struct PlaceBeside {
     Slot box, words;
 };
 
-/// Places for two boxes of one shape, height over width (0 of a line), side by side or one above
-/// the other, as they are larger; side by side in the middle of its height.
-std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape);
+/// Places for two boxes of one shape, height over width in pixels (0 of a line, which takes the
+/// height that there is), side by side or one above the other, as they are larger; in the middle of
+/// the height of `place`, at the left of what they have of its width. Words have all of that.
+std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape, const Grid& grid);
 
 }  // namespace carom

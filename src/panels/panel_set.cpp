@@ -88,7 +88,8 @@ void PanelSet::add_boxes(const LayoutSpec& layout) {
     }
     const Box& box = scene().gas.box;
     const double shape = box.dimension == 1 ? 0.0 : box.size[1] / box.size[0];
-    const std::array<PlaceBeside, 2> places = places_beside(layout.gas, shape);
+    const std::array<PlaceBeside, 2> places =
+        places_beside(layout.gas, shape, Grid(layout, film.size));
     for (const std::size_t run : {own, other}) {
         const Beside& beside = *film.beside;
         const PanelContext context = context_of(run);

@@ -123,7 +123,11 @@ TEST_CASE("the gas has most of the picture") {
 
 TEST_CASE("two boxes share a place, of one size, with words below each") {
     // Side by side 24 wide, above one another 8.1 high, 16.2 wide.
-    const auto wide = places_beside({1, 2, 50, 20}, 0.5);
+    LayoutSpec layout;
+    layout.grid_width = 64;
+    layout.grid_height = 36;
+    const Grid square(layout, {640, 360});
+    const auto wide = places_beside({1, 2, 50, 20}, 0.5, square);
     for (const PlaceBeside& one : wide) {
         CHECK(one.box.width == wide[0].box.width);
         CHECK(one.box.height == doctest::Approx(0.5 * one.box.width));
@@ -131,16 +135,44 @@ TEST_CASE("two boxes share a place, of one size, with words below each") {
         CHECK(one.box.y >= 2.0);
         CHECK(one.words.y == doctest::Approx(one.box.y + one.box.height));
         CHECK(one.words.y + one.words.height <= 22.0 + 1e-9);
-        CHECK(one.words.width == one.box.width);
+        CHECK(one.words.x == one.box.x);
+        CHECK(one.words.width == doctest::Approx(24.2));  // half of what the gap leaves
     }
     CHECK(wide[0].box.x == 1.0);
     CHECK(wide[1].box.x > wide[0].box.x + wide[0].box.width);
     CHECK(wide[1].box.x + wide[1].box.width == doctest::Approx(51.0));
     // A tall place, or a line: one above the other.
-    for (const auto& tall :
-         {places_beside({0, 0, 20, 50}, 0.75), places_beside({0, 0, 60, 20}, 0.0)}) {
+    for (const auto& tall : {places_beside({0, 0, 20, 50}, 0.75, square),
+                             places_beside({0, 0, 60, 20}, 0.0, square)}) {
         CHECK(tall[0].box.x == tall[1].box.x);
         CHECK(tall[1].box.y > tall[0].words.y + tall[0].words.height);
         CHECK(tall[0].box.height == tall[1].box.height);
+    }
+    // In pictures of other shapes the boxes have theirs in pixels, and the words are next to them.
+    for (const PictureSize size : {PictureSize{960, 720}, PictureSize{360, 640}}) {
+        const Grid grid(layout, size);
+        for (const double shape : {0.3, 1.0, 2.0}) {
+            const Slot place{2, 4, 60, 24};
+            const auto both = places_beside(place, shape, grid);
+            const Rect whole = grid.place(place);
+            double area = 0.0;
+            for (const PlaceBeside& one : both) {
+                const Rect box = grid.place(one.box), words = grid.place(one.words);
+                CHECK(words.y == doctest::Approx(box.y + box.height));
+                CHECK(words.height == doctest::Approx(1.9 * grid.unit()));
+                CHECK(box.height == doctest::Approx(shape * box.width));
+                CHECK(box.y >= whole.y);
+                CHECK(words.y + words.height <= whole.y + whole.height + 1e-9);
+                area = box.height * box.height / shape;
+            }
+            // As large as in the better one of two arrangements, which leave no more than the
+            // words.
+            const double beside = 0.5 * (whole.width - 1.6 * grid.unit());
+            const double above = 0.5 * (whole.height - 1.6 * grid.unit()) - 1.9 * grid.unit();
+            const double height =
+                std::max(std::min(beside * shape, whole.height - 1.9 * grid.unit()),
+                         std::min(above, whole.width * shape));
+            CHECK(area == doctest::Approx(height * height / shape));
+        }
     }
 }

@@ -8,6 +8,7 @@
 #include "draw/formula/words.h"
 #include "panels/callout.h"
 #include "panels/fade.h"
+#include "panels/gas/marks/ghosts.h"
 #include "panels/layout.h"
 
 namespace carom {
@@ -164,6 +165,21 @@ std::vector<std::string> FramePainter::cut_words() {
         if (!caption.words.empty())
             add(fmt::format("the caption “{}”", caption.words),
                 [&] { draw_caption(scratch, caption.words, 1.0); });
+    if (scene_.film.title_card > 0.0)
+        add("the title card", [&] { draw_card(scratch, false, 1.0); });
+    if (!scene_.film.end_card.empty()) add("the end card", [&] { draw_card(scratch, true, 1.0); });
+    const std::vector<Rect> boxes = panels_.boxes(grid_);
+    for (const Mark& mark : scene_.marks)
+        add(fmt::format("the mark “{}”", mark.words), [&] {
+            draw_ghost_words(scratch, context_at(scene_.film.layout.gas), {},
+                             boxes.front().width - 0.6 * unit_, {mark.words, 0, {}}, 1.0);
+        });
+    if (const auto& beside = scene_.film.beside)
+        for (std::size_t run = 0; run < boxes.size(); ++run) {
+            const PanelSet::Placed& line = panels_.line_of_run(run);
+            add(fmt::format("the label “{}”", run == 0 ? beside->own_label : beside->label),
+                [&] { line.panel->draw_ground(scratch, context_at(line.slot)); });
+        }
     const std::vector<PanelSpec>& specs = scene_.film.panels;
     const std::size_t first = panels_.panels().size() - specs.size();
     for (std::size_t i = 0; i < specs.size(); ++i) {
@@ -211,7 +227,9 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
     if (!is_card(frame.tick.phase)) draw_captions(canvas, frame.tick, still);
-    if (card_alpha(frame.tick) > 0.0) draw_card(canvas, frame.tick);
+    const bool has_card =
+        still ? is_card(frame.tick.phase) : card_cover(scene_.film, frame.tick) > 0.0;
+    if (has_card) draw_card(canvas, is_end_card(frame.tick), card_cover(scene_.film, frame.tick));
 }
 
 // The words stand in their panel, beside the place that they are about.
@@ -232,26 +250,15 @@ void FramePainter::draw_callouts(Canvas& canvas, const FrameData& frame, bool st
     }
 }
 
-// The holds of the first and the last picture begin and end with half a second in which a card
-// gives way to the gas, or comes over it.
-double FramePainter::card_alpha(const Tick& tick) const {
-    if (is_card(tick.phase)) return 1.0;
-    constexpr double fade_seconds = 0.5;
-    const CardFrames cards = card_frames(scene_.film);
-    const int after = tick.frame - cards.title + 1;
-    const int before = frame_count(scene_.film) - cards.end - tick.frame;
-    const auto left = [&](int frames) { return 1.0 - frames / (fade_seconds * scene_.film.fps); };
-    return std::max(cards.title > 0 ? std::max(0.0, left(after)) : 0.0,
-                    cards.end > 0 ? std::max(0.0, left(before)) : 0.0);
+bool FramePainter::is_end_card(const Tick& tick) const {
+    return 2 * tick.frame > frame_count(scene_.film) || scene_.film.title_card <= 0.0;
 }
 
 // Title and subtitle, or the last words over the title.
-void FramePainter::draw_card(Canvas& canvas, const Tick& tick) const {
-    const double alpha = card_alpha(tick);
+void FramePainter::draw_card(Canvas& canvas, bool is_end, double alpha) const {
     const Rect all{0.0, 0.0, double(scene_.film.size.width), double(scene_.film.size.height)};
     canvas.fill(all, with_alpha(theme_.page, alpha));
     const double words_alpha = std::max(0.0, 2.0 * alpha - 1.0);  // not over the gas's own words
-    const bool is_end = 2 * tick.frame > frame_count(scene_.film) || scene_.film.title_card <= 0.0;
     const TextStyle large{.size = (is_end ? 2.6 : 3.4) * unit_,
                           .weight = 600,
                           .color = with_alpha(theme_.ink, words_alpha),
@@ -346,7 +353,11 @@ void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
     const double alpha = std::clamp(5.0 * std::min(tick.progress, 1.0 - tick.progress), 0.0, 1.0);
     const std::string words = say(scene_.film.language, "velocities reversed");
-    for (const Rect& box : panels_.boxes(grid_)) {
+    const std::vector<Rect> boxes = panels_.boxes(grid_);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const std::vector<double> times = reversal_times(panels_.run_in(i));
+        if (std::ranges::find(times, tick.time) == times.end()) continue;
+        const Rect& box = boxes[i];
         TextStyle style{.size = 2.2 * unit_,
                         .weight = 600,
                         .color = with_alpha(theme_.ink, alpha),

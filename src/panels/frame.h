@@ -56,8 +56,8 @@ class FramePainter {
     void draw_callouts(Canvas& canvas, const FrameData& frame, bool still);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
-    double card_alpha(const Tick& tick) const;
-    void draw_card(Canvas& canvas, const Tick& tick) const;
+    bool is_end_card(const Tick& tick) const;
+    void draw_card(Canvas& canvas, bool is_end, double alpha) const;
     void draw_captions(Canvas& canvas, const Tick& tick, bool still) const;
     void draw_caption(Canvas& canvas, const std::string& words, double alpha) const;
 

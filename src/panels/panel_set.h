@@ -121,11 +121,16 @@ class PanelSet {
     };
     /// A film's gas is the first, and its panels are the last.
     const std::vector<Placed>& panels() const { return panels_; }
+    /// With two runs, the line below the box of one of them.
+    const Placed& line_of_run(std::size_t run) const { return panels_[2 * run + 1]; }
     const Panel& gas() const { return *panels_.front().panel; }
     const Scene& scene() const { return runs_.front()->scene; }
 
     /// Where the box of each run is in a picture with this grid.
     std::vector<Rect> boxes(const Grid& grid) const;
+
+    /// What happens to the gas in the box of that place in boxes().
+    const carom::Run& run_in(std::size_t box) const { return runs_[box]->scene.run; }
 
   private:
     static constexpr std::size_t own = 0, other = 1;

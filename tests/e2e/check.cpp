@@ -136,6 +136,20 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
     CHECK(json::parse(small.out).at(0).at("cut") ==
           json{"the panel `entropy` (its place is 16 by 6.9 units, it needs 8 by 7)",
                "the panel `temperature` (its place is 7 by 9 units, it needs 8 by 7)"});
+    places.write("words.yaml",
+                 "title: T" + std::string(120, 'w') +
+                     "\nbox: {size: [10, 10]}\ngas: [{count: 9, radius: 0.3, speed: 2}]\n"
+                     "run: {until: 12, events: [{at: 1, mark: " +
+                     std::string(40, 'w') +
+                     "}]}\nfilm:\n  {seconds: 8, size: [360, 640], template: portrait, title_card: "
+                     "true, end_card: e" +
+                     std::string(150, 'w') + ", panels: [temperature],\n   beside: {own_label: " +
+                     std::string(40, 'w') + ", label: b, set: seed=4}}\n");
+    const Outcome words = run({program, "check", "--json", "words.yaml"}, places.path());
+    CHECK(json::parse(words.out).at(0).at("cut") ==
+          json{"the title or the subtitle", "the title card", "the end card",
+               "the mark “" + std::string(40, 'w') + "”",
+               "the label “" + std::string(40, 'w') + "”"});
     places.write("three.yaml",
                  "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 2}]\n"
                  "run: {until: 12}\nfilm: {seconds: 8, panels: [speed-histogram, "

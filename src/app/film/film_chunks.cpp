@@ -268,8 +268,8 @@ fs::path poster_path(const fs::path& film) {
 void write_poster(const PlanFolder& folder, const FilmPlan& whole, const fs::path& path,
                   Progress& progress) {
     const double at = time_of_poster(whole.scene);
-    const int frame = std::clamp(frame_nearest_to(timeline(whole.scene), at), whole.span.first,
-                                 whole.span.end - 1);
+    const int frame = std::clamp(frame_nearest_to(whole.scene.film, timeline(whole.scene), at),
+                                 whole.span.first, whole.span.end - 1);
     for (const PlannedChunk& chunk : folder.chunks())
         if (frame >= chunk.first && frame < chunk.end) {
             const FilmPlan plan = plan_of_chunk(folder, whole, chunk);

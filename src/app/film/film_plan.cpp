@@ -205,7 +205,7 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     plan.particles = start.particles();
     plan.start = start.sample();
     std::vector<Tick> ticks = timeline(plan.scene);
-    plan.span = frames_between(ticks, options.from, options.to);
+    plan.span = frames_between(plan.scene.film, ticks, options.from, options.to);
     plan.segments = segment_starts(plan.frames(), plan.particles.count());
     std::optional<Simulation> other;
     start_beside(plan, other, progress);
@@ -260,7 +260,7 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
 
 int frames_of(const Scene& scene, const FilmOptions& options) {
     if (!options.from && !options.to) return frame_count(scene.film);
-    return frames_between(timeline(scene), options.from, options.to).frames();
+    return frames_between(scene.film, timeline(scene), options.from, options.to).frames();
 }
 
 bool has_sound(const Scene& scene, const OutputFormat& format) {

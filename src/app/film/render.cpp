@@ -234,7 +234,8 @@ Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputF
 }
 
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
-    const auto end = static_cast<std::size_t>(frame_nearest_to(plan.run.ticks(), at)) + 1;
+    const auto end =
+        static_cast<std::size_t>(frame_nearest_to(plan.scene.film, plan.run.ticks(), at)) + 1;
     const std::unique_ptr<PanelSet> panels = plan.panels();
     progress.begin("preparing the frame", static_cast<double>(end));
     FrameData frame;
@@ -259,7 +260,8 @@ Canvas draw_still_alone(const Scene& asked, double at, bool is_quick,
     auto [scene, start] = start_scene(settled ? with_bits(asked, settled->bits) : asked, progress);
     plan.scene = std::move(scene);
     std::vector<Tick> ticks = timeline(plan.scene);
-    const int still = ticks[static_cast<std::size_t>(frame_nearest_to(ticks, at))].frame;
+    const int still =
+        ticks[static_cast<std::size_t>(frame_nearest_to(plan.scene.film, ticks, at))].frame;
     plan.particles = start.particles();
     plan.start = start.sample();
     std::optional<Simulation> again;

@@ -31,17 +31,6 @@ int frames_without_cards(const Film& film) {
     return frame_count(film) - cards.title - cards.end;
 }
 
-// Of each pause that the scene asks for.
-std::vector<int> pause_frames(const Film& film) {
-    const double wanted = pause_seconds(film), most = most_pause_seconds(film);
-    const double scale = wanted > most ? most / wanted : 1.0;
-    std::vector<int> frames;
-    for (const Pause& pause : film.pauses)
-        frames.push_back(static_cast<int>(scale < 1.0 ? pause.seconds * film.fps * scale
-                                                      : std::round(pause.seconds * film.fps)));
-    return frames;
-}
-
 // Those that show the gas in the run's own time.
 int gas_frames(const Film& film) {
     const std::vector<int> pauses = pause_frames(film);
@@ -148,6 +137,16 @@ double pause_seconds(const Film& film) {
     return seconds;
 }
 
+std::vector<int> pause_frames(const Film& film) {
+    const double wanted = pause_seconds(film), most = most_pause_seconds(film);
+    const double scale = wanted > most ? most / wanted : 1.0;
+    std::vector<int> frames;
+    for (const Pause& pause : film.pauses)
+        frames.push_back(static_cast<int>(scale < 1.0 ? pause.seconds * film.fps * scale
+                                                      : std::round(pause.seconds * film.fps)));
+    return frames;
+}
+
 double most_pause_seconds(const Film& film) { return 0.5 * frames_without_cards(film) / film.fps; }
 
 int frame_count(const Film& film) {
@@ -166,6 +165,17 @@ CardFrames card_frames(const Film& film) {
     const double scale = std::min(1.0, third / (wanted * film.fps));
     const auto count = [&](double seconds) { return static_cast<int>(seconds * film.fps * scale); };
     return {count(film.title_card), count(wanted - film.title_card)};
+}
+
+double card_cover(const Film& film, const Tick& tick) {
+    if (is_card(tick.phase)) return 1.0;
+    constexpr double fade_seconds = 0.5;
+    const CardFrames cards = card_frames(film);
+    const int after = tick.frame - cards.title + 1;
+    const int before = frame_count(film) - cards.end - tick.frame;
+    const auto left = [&](int frames) { return 1.0 - frames / (fade_seconds * film.fps); };
+    return std::max(cards.title > 0 ? std::max(0.0, left(after)) : 0.0,
+                    cards.end > 0 ? std::max(0.0, left(before)) : 0.0);
 }
 
 int branch_count(const Run& run) { return static_cast<int>(reversals_on_the_way(run).size()) + 1; }

@@ -48,6 +48,10 @@ struct CardFrames {
 };
 CardFrames card_frames(const Film& film);
 
+/// How much of the picture a card covers in a frame, from 0 to 1: all of its own frames, and less
+/// and less of the gas in half a second after a title card, more and more before an end card.
+double card_cover(const Film& film, const Tick& tick);
+
 /// Seconds of both cards that a film asks for.
 double card_seconds(const Film& film);
 
@@ -55,6 +59,9 @@ double card_seconds(const Film& film);
 /// it without its cards. Where they are more, all are shorter in the same proportion.
 double pause_seconds(const Film& film);
 double most_pause_seconds(const Film& film);
+
+/// The frames of each of its pauses.
+std::vector<int> pause_frames(const Film& film);
 
 /// The number of frames of a scene's film, cards included.
 int frame_count(const Film& film);

@@ -1,6 +1,8 @@
 // The words beside a film.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "app/film/words/film_text.h"
 #include "panels/recording.h"
 #include "scene/describe.h"
@@ -188,4 +190,52 @@ TEST_CASE("what the film points out is told") {
     CHECK(contains(words, "“temperature”: “constant”. "));
     CHECK(contains(words, "The camera shows a part of the wire, x = 1 to 4. "));
     CHECK(contains(words, "The camera shows the whole box. "));
+}
+
+TEST_CASE("spotlights that overlap are told together, whenever what they light changes") {
+    const std::string words =
+        words_of(row_of_beads("run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, spotlight: [{from: "
+                              "1, to: 5, on: fast}, {from: 3, to: 7, on: [5, 6]}]}\n"))
+            .transcript;
+    CHECK(contains(words, "All are dimmed but: fast. Time 1"));
+    CHECK(contains(words, "All are dimmed but: fast, particle 5 and particle 6. Time 3"));
+    CHECK(contains(words, "All are dimmed but: particle 5 and particle 6. Time 5"));
+    CHECK(contains(words, "All particles have their full colours again. Time 7"));
+    CHECK(!contains(words, "again. Time 5"));
+}
+
+TEST_CASE("a part of a film tells of what is seen in it") {
+    const Scene scene = row_of_beads(
+        "run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, panels: [{kind: temperature, show: "
+        "{from: 1}}], spotlight: [{from: 1, to: 2, on: fast}, {from: 3, on: still}], "
+        "callouts: [{at: 1, for: 1, on: 0, text: over}], camera: [{at: 1, view: [1, 4]}, {at: 2, "
+        "view: [2, 5]}]}\n");
+    const auto ticks = timeline(scene);
+    const std::string words =
+        words_of_span(scene, frames_between(scene.film, ticks, 5.0, {})).transcript;
+    for (const char* past : {"dimmed but: fast", "again", "over", "x = 1 to 4", "appears"}) {
+        CAPTURE(past);
+        CHECK(!contains(words, past));
+    }
+    CHECK(contains(words, "All are dimmed but: still. "));
+    CHECK(contains(words, "x = 2 to 5. "));
+}
+
+TEST_CASE("nothing is told after the end") {
+    // Half of the film stands still at its end, where quarters would be told.
+    const Scene scene = row_of_beads("run: {until: 8.5}\nfilm: {seconds: 20, fps: 10}\n");
+    const auto ticks = timeline(scene);
+    const int stop = static_cast<int>(std::ranges::find(ticks, 8.5, &Tick::time) - ticks.begin());
+    const std::string words = words_of_span(scene, {stop - 5, stop + 20}).transcript;
+    const std::size_t end = words.find("The film ends.");
+    REQUIRE(end != std::string::npos);
+    CHECK(words.find("\n0:", end) == std::string::npos);
+}
+
+TEST_CASE("a pause that is shortened is told as long as it is") {
+    Scene scene = row_of_beads(
+        "run: {until: 8.5, events: [{at: 4, pause: 5}]}\nfilm: {seconds: 12, fps: 10}\n");
+    scene.film.seconds = 6.5;  // as the command line may set it
+    REQUIRE(most_pause_seconds(scene.film) == 3.25);
+    CHECK(contains(words_of(scene).transcript, "The film pauses for 3.2 seconds. "));
 }

@@ -164,3 +164,23 @@ TEST_CASE("beads on a wire have world lines only where there is room for them") 
         CHECK(std::ranges::count(log.lines, "time before now", &DrawnLine::markup) == lines);
     }
 }
+
+TEST_CASE("a reversal is announced over the runs that are reversed") {
+    for (const auto& [set, runs] : {std::pair{"seed=7", 2}, std::pair{"\"run.events=[]\"", 1}}) {
+        CAPTURE(set);
+        const test::Shot both(test::scene_from(
+            "title: T\nbox: {size: [20, 15]}\n"
+            "gas: [{name: disks, count: 30, radius: 0.4, temperature: 1}]\n"
+            "run: {until: 6, events: [{at: 2, reverse: velocities}]}\n"
+            "film: {size: [640, 360], fps: 10, seconds: 20, panels: [], template: side-by-side, "
+            "beside: {own_label: a, label: b, set: " +
+            std::string(set) + "}}\n"));
+        const auto stopped = std::ranges::find_if(both.frames, [](const FrameData& frame) {
+            return frame.tick.phase == Phase::reversing;
+        });
+        REQUIRE(stopped != both.frames.end());
+        const TextLog log;
+        FramePainter(*both.panels).paint(*stopped);
+        CHECK(std::ranges::count(log.lines, "velocities reversed", &DrawnLine::markup) == runs);
+    }
+}

@@ -45,8 +45,17 @@ bool is_note(const Moment& moment) {
            moment.caption.empty() && moment.end_card.empty() && !moment.reversed;
 }
 
-// Where something happens, and quarters far from there. The first frame is always among them, and
-// that of the end.
+// Pauses that ask for too much of the film are shortened.
+std::string words_of_pause(const Film& film, const Pause& pause, int frames) {
+    const bool is_whole = frames == static_cast<int>(std::lround(pause.seconds * film.fps));
+    const double seconds = is_whole ? pause.seconds : std::round(100.0 * frames / film.fps) / 100.0;
+    if (seconds == 1.0) return say(film.language, "The film pauses for a second");
+    return say(film.language, "The film pauses for {} seconds",
+               plain_number(film.language, seconds));
+}
+
+// Where something happens, and quarters far from there, before its end. The first frame is always
+// among them, and that of the end.
 std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
                                const std::vector<Tick>& ticks) {
     std::vector<Moment> found;
@@ -77,9 +86,11 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     };
     for (const Mark& mark : scene.marks)
         if (const auto frame = shown_from(mark.at)) at(*frame).mark = mark.words;
-    for (const FilmNote& note : film_notes(scene))
-        if (const auto frame = shown_from(note.at)) at(*frame).notes.push_back(note.words);
     const double begins = ticks[static_cast<std::size_t>(span.first)].time;
+    for (const FilmNote& note : film_notes(scene, ticks))
+        if (const auto frame = shown_from(note.at);
+            frame && (note.at >= begins || note.until > begins))
+            at(*frame).notes.push_back(note.words);
     const auto add = [&](double time, const std::string& words) {
         if (time < begins) return;
         if (const auto frame = shown_from(time)) at(*frame).events.push_back(words);
@@ -87,11 +98,9 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     for (const RunEvent& event : scene.run.events)
         if (const auto* moved = std::get_if<Perturbation>(&event.action))
             add(event.at, words_of(scene.film.language, *moved));
-    for (const Pause& pause : scene.film.pauses)
-        add(pause.at, pause.seconds == 1.0
-                          ? say(scene.film.language, "The film pauses for a second")
-                          : say(scene.film.language, "The film pauses for {} seconds",
-                                plain_number(scene.film.language, pause.seconds)));
+    const std::vector<int> pauses = pause_frames(scene.film);
+    for (std::size_t k = 0; k < pauses.size(); ++k)
+        add(scene.film.pauses[k].at, words_of_pause(scene.film, scene.film.pauses[k], pauses[k]));
     for (const Happening& one : happenings(scene.film.language, scene.run, scene.gas))
         add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
@@ -101,13 +110,14 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     const auto gas = std::ranges::find_if(
         ticks, [&](const Tick& tick) { return tick.frame >= span.first && !is_card(tick.phase); });
     if (gas != ticks.end() && gas->frame < span.end) at(gas->frame);
-    at(when_it_stopped(ticks, span.end - 1, span.first)).ends = true;
+    const int end = when_it_stopped(ticks, span.end - 1, span.first);
+    at(end).ends = true;
     for (int quarter = 1; quarter < 4; ++quarter) {
         const int frame = span.first + quarter * span.frames() / 4;
         const auto is_near = [&](const Moment& other) {
             return std::abs(other.frame - frame) < span.frames() / 8;
         };
-        if (std::ranges::none_of(found, is_near)) at(frame);
+        if (frame < end && std::ranges::none_of(found, is_near)) at(frame);
     }
     std::ranges::sort(found, {}, &Moment::frame);
     return found;

@@ -37,7 +37,7 @@ void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point at, double wi
     const double u = dc.unit;
     TextStyle style = title_style(dc);
     style.color = with_alpha(dc.theme.ink, alpha);
-    style.max_width = width - 1.9 * u;
+    style.max_width = width - 2.3 * u;
     const std::string words = escape_markup(ghosts.words);
     canvas.fill({at.x, at.y - 1.25 * u, measure_text(words, style).width + 2.3 * u, 1.7 * u},
                 with_alpha(dc.theme.ground, plate_alpha * alpha));

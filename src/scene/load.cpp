@@ -299,7 +299,16 @@ struct Part {
     bool is_whole() const { return !figure && film == nullptr; }
 };
 
-// A film ends with its own scene's run.
+Node without(Node mapping, const std::string& key) {
+    for (std::size_t i = mapping.keys.size(); i-- > 0;)
+        if (mapping.keys[i].text == key) {
+            mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(i));
+            mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    return mapping;
+}
+
+// A film ends with its own scene's run, and its callouts are about that.
 void take_film(Node& root, const Part& part) {
     const auto put = [](Node& mapping, const char* key, const Node& value) {
         if (Node* own = find(mapping, key)) {
@@ -312,7 +321,7 @@ void take_film(Node& root, const Part& part) {
                                 .text = key});
         mapping.items.push_back(value);
     };
-    put(root, "film", *part.film);
+    put(root, "film", without(*part.film, "callouts"));
     Node* run = find(root, "run");
     if (run != nullptr && run->is_mapping() && part.until != nullptr)
         put(*run, "until", *part.until);
@@ -332,6 +341,12 @@ std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other
     if (kinds(scene.film) != kinds(other.film))
         return ProblemText{"for the gas of the other run the film would have other panels",
                            "name the film's `panels`"};
+    const std::vector<double> turns = reversal_times(scene.run);
+    for (const double time : reversal_times(other.run))
+        if (std::ranges::find(turns, time) == turns.end())
+            return ProblemText{
+                fmt::format("the other run is reversed at {}, and the scene's own is not", time),
+                "the film stops where its own run is reversed: exchange the two runs"};
     return std::nullopt;
 }
 

@@ -301,6 +301,17 @@ TEST_CASE("figures are of the scene itself, not of the run beside") {
     CHECK(scene.film.beside->scene->figures.empty());
 }
 
+TEST_CASE("callouts are about the scene's own run, not about that beside it") {
+    const Scene scene =
+        load_scene_text(scene_with("{count: 20, speed: 1}",
+                                   "run: {until: 10}\n"
+                                   "film: {seconds: 3, callouts: [{at: 2, on: 15, text: this}], "
+                                   "beside: {label: few, own_label: many, set: gas.0.count=5}}\n"),
+                        "test.yaml", test::resources());
+    CHECK(scene.film.callouts.size() == 1);
+    CHECK(scene.film.beside->scene->film.callouts.empty());
+}
+
 TEST_CASE("a template is looked for beside the scene, then in carom's own folder") {
     const TemporaryFolder folder;
     folder.write("small.yaml", "fps: 12\npace: 2\npanels: [energy-histogram]\n" + small_layout);

@@ -89,7 +89,7 @@ void LinePanel::Drawing::draw_ground() const {
     canvas.fill(v.plot, dc.theme.ground);
     if (panel.ends_.is_plain() && !panel.camera_.moves()) draw_ends();
     if (!panel.ends_.is_plain())
-        panel.ends_.draw_gravity(canvas, dc, {v.plot.x + v.plot.width / 2, dc.area.y + 0.9 * u});
+        panel.ends_.draw_gravity(canvas, dc, {v.plot.x, dc.area.y, v.plot.width, 0.9 * u});
     canvas.stroke_line({v.plot.x, v.line_y}, {v.plot.right(), v.line_y}, 0.12 * u, dc.theme.wall);
     if (!v.has_lines) return;
     AxisStyle axis = axis_style(dc);

@@ -6,6 +6,7 @@
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/surfaces/behaviours.h"
 
 namespace carom {
 namespace {
@@ -73,14 +74,25 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
               escape_markup(words), style);
 }
 
-void LineEnds::draw_gravity(Canvas& canvas, const DrawContext& dc, Point middle) const {
+bool LineEnds::has_words(std::size_t side) const {
+    const auto in_time = behaviours_in_time(scene_.gas.box.surfaces, scene_.run);
+    return std::ranges::any_of(in_time[side], [&](const Behaviour& behaviour) {
+        return !mark_of_surface(scene_.film.language, scene_.gas, behaviour, 0).empty();
+    });
+}
+
+// At an end without words, which move with the end; in the middle where both have some.
+void LineEnds::draw_gravity(Canvas& canvas, const DrawContext& dc, const Rect& line) const {
     const double g = scene_.gas.box.surfaces.gravity[0], u = dc.unit;
     if (g == 0.0) return;
+    const double middle = !has_words(1)   ? line.right() - 3.0 * u
+                          : !has_words(0) ? line.x + 1.5 * u
+                                          : line.x + 0.5 * line.width;
     const double length = g > 0.0 ? 2.0 * u : -2.0 * u;
-    draw_surface_arrow(canvas, dc, {middle.x - length / 2, middle.y - 0.36 * u}, {length, 0.0});
+    draw_surface_arrow(canvas, dc, {middle - length / 2, line.bottom() - 0.36 * u}, {length, 0.0});
     TextStyle style = label_style(dc);
     style.color = dc.theme.ink;
-    draw_text(canvas, {middle.x + 1.5 * u, middle.y}, "<i>g</i>", style);
+    draw_text(canvas, {middle + 1.5 * u, line.bottom()}, "<i>g</i>", style);
 }
 
 }  // namespace carom

@@ -43,10 +43,12 @@ class LineEnds {
     void draw(Canvas& canvas, const DrawContext& dc, const End& end, std::size_t side, double x,
               double y) const;
 
-    /// An arrow above the middle of the wire.
-    void draw_gravity(Canvas& canvas, const DrawContext& dc, Point middle) const;
+    /// An arrow in a line of words above the wire.
+    void draw_gravity(Canvas& canvas, const DrawContext& dc, const Rect& line) const;
 
   private:
+    bool has_words(std::size_t side) const;
+
     const Scene& scene_;
     SurfaceView look_;
     double length_;

@@ -6,6 +6,7 @@
 
 #include "panels/chosen.h"
 #include "physics/mechanics.h"
+#include "stats/paths/paths.h"
 
 namespace carom {
 namespace {
@@ -22,7 +23,11 @@ bool stands_out(const PanelContext& context, Eigen::Index i) {
 
 WorldLines::WorldLines(const PanelContext& context, const LineMap& map, const GasColors& colors,
                        double memory)
-    : context_(context), map_(map), colors_(colors), memory_(memory) {
+    : context_(context),
+      map_(map),
+      colors_(colors),
+      memory_(memory),
+      changes_(velocity_changes(context.scene.run)) {
     choose(map);
 }
 
@@ -70,8 +75,16 @@ void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
     const bool turned =
         input.tick.phase == Phase::reversing && (reversals_.empty() || reversals_.back() < now);
     if (turned) reversals_.push_back(now);
+    // Where heat changes velocities at once, between frames too; what falls bends all the time.
+    const auto change = std::ranges::upper_bound(changes_, now);
+    const double changed = change == changes_.begin() ? 0.0 : *std::prev(change);
+    const bool falls = context_.scene.gas.box.surfaces.gravity[0] != 0.0;
     for (std::size_t line = 0; line < count(); ++line) {
-        if (turned) bend(line, now, places[particles_[line]], mean_speed);
+        const Eigen::Index i = particles_[line];
+        if (bends_[line].back().time < changed && !falls)
+            bend(line, changed, places[i] - (now - changed) * input.sample.velocity(i, 0),
+                 mean_speed);
+        if (turned || falls) bend(line, now, places[i], mean_speed);
         while (bends_[line].size() > 1 && bends_[line][1].time < now - memory_)
             bends_[line].pop_front();
     }

@@ -1,5 +1,5 @@
 // World lines: where beads of a line were during the last while, as the places and times at which
-// their velocities changed. Knows no canvas.
+// their velocities changed, or of frames where they fall. Knows no canvas.
 #pragma once
 
 #include <deque>
@@ -13,7 +13,7 @@ namespace carom {
 
 class WorldLines {
   public:
-    /// A place and a time at which a velocity changes.
+    /// A place and a time at which a velocity changes, or of a frame while it falls.
     struct Bend {
         double time;          ///< simulated
         double place;         ///< as drawn, length
@@ -49,6 +49,7 @@ class WorldLines {
     const LineMap& map_;
     const GasColors& colors_;
     double memory_;
+    std::vector<double> changes_;          ///< simulated times at which all velocities change
     std::vector<Eigen::Index> particles_;  ///< of each line
     std::vector<std::ptrdiff_t> line_of_;  ///< of each particle, or -1
     std::vector<std::deque<Bend>> bends_;  ///< of each line

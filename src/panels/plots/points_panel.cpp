@@ -44,11 +44,11 @@ void PointsPanel::survey(const FrameInput& input) {
     paths_.resize(subject_.sets.size());
     for (std::size_t k = 0; k < paths_.size(); ++k) {
         const std::vector<Point> now = subject_.points(input, k);
+        std::vector<Point> more = now;
         if (now.size() <= 1) {
             Path& path = paths_[k];
-            std::vector<Point> more =
-                subject_.corners ? subject_.corners(input, k) : std::vector<Point>{};
-            more.insert(more.end(), now.begin(), now.end());
+            if (subject_.corners) more = subject_.corners(input, k);
+            if (subject_.corners) more.insert(more.end(), now.begin(), now.end());
             // Those before are shown by no frame: a run may have any number of collisions.
             if (more.size() > longest_path) more.erase(more.begin(), more.end() - longest_path);
             for (const Point& point : more) {
@@ -57,9 +57,9 @@ void PointsPanel::survey(const FrameInput& input) {
             }
             path.ends.push_back(path.x.size());
         }
-        const std::size_t stride = std::max<std::size_t>(1, now.size() / kept_a_frame);
-        for (std::size_t i = surveyed_ % stride; i < now.size(); i += stride)
-            pool_.push_back(std::abs(now[i].y));
+        const std::size_t stride = std::max<std::size_t>(1, more.size() / kept_a_frame);
+        for (std::size_t i = surveyed_ % stride; i < more.size(); i += stride)
+            pool_.push_back(std::abs(more[i].y));
     }
     ++surveyed_;
 }
@@ -127,7 +127,7 @@ plot::Line PointsPanel::line_of(std::size_t set) const {
     line.piece = std::make_shared<const std::vector<int>>(pieces_of(path));
     line.piece_column = whole_.columns[0];
     line.is_thinned = false;
-    line.beyond = plot::Beyond::drawn;
+    line.beyond = plot::Beyond::cut;
     line.stroke = {.role = subject_.sets[set].role, .width = 0.1, .shade = plot::Shade::legible};
     // Dashes of a path that goes to and fro add up to a thicket. Two are told apart by their greys,
     // and by the points at their ends.

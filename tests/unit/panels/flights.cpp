@@ -132,3 +132,26 @@ TEST_CASE("a path in phase space is faint, and its last 300 frames the stronger 
     }
     for (const plot::Line& line : strokes(40)) CHECK(line.shown.first == 0);
 }
+
+TEST_CASE(
+    "the axis of a velocity reaches to what it has between frames, and nothing is drawn beyond") {
+    // The middle bead moves for 2e-4 units of time alone, at 5.
+    const test::Shot film(test::scene_from(
+        "title: T\nbox: {length: 20}\n"
+        "gas: [{position: [3, 10, 11.001], radius: 0.5, velocity: [5, 0, 0]}]\nrun: {until: 30}\n"
+        "film: {seconds: 8, template: data, panels: [{kind: phase, of: [1]}]}\n"));
+    const Grid grid(film.scene.film.layout, film.scene.film.size);
+    DiskPainter disks;
+    const PanelSet::Placed& placed = film.panels->panels().back();
+    const Theme& theme = theme_of(film.scene.film.theme);
+    const DrawContext dc{grid.place(placed.slot), grid.unit(), theme, disks};
+    const auto at =
+        placed.panel->place_of(dc, *film.frames.back().states.back(), {.x = 10, .y = 5});
+    REQUIRE(at);
+    CHECK(at->y > plot_area(dc).y);
+    FramePainter painter(*film.panels);
+    const PixelView view = painter.paint(film.frames.back()).pixels();
+    for (int y = 0; y < static_cast<int>(plot_area(dc).y) - 2; ++y)
+        CHECK((view.data[y * view.stride + static_cast<int>(at->x)] & 0xFFFFFF) ==
+              (to_pixel(theme.page) & 0xFFFFFF));
+}

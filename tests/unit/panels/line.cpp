@@ -133,6 +133,51 @@ TEST_CASE("the world lines of a busy wire reach back less far than those of a ca
     CHECK(memory("100") < 5.0);
 }
 
+namespace {
+
+// Places and times of the world line of a bead.
+std::vector<std::pair<double, double>> world_line(const Shot& film, std::size_t frame) {
+    const Table table = film.panels->gas().table(*film.frames[frame].states.front(),
+                                                 theme_of(film.scene.film.theme));
+    std::vector<std::pair<double, double>> line;
+    for (const auto& row : table.rows)
+        if (std::get<std::string>(row[0]) == "world line")
+            line.emplace_back(std::get<double>(row[3]), std::get<double>(row[4]));
+    return line;
+}
+
+}  // namespace
+
+TEST_CASE("the world line of a bead that falls is a parabola") {
+    // From 16 at rest with g = -1, and up again from the end at times 4 sqrt(2) (1 + 2k).
+    const Shot film(test::scene_from(
+        "title: T\nbox: {length: 20}\ngravity: -1\n"
+        "gas: [{name: a, position: 16, radius: 0, velocity: 0, drawn_radius: 0.01}]\n"
+        "run: {until: 24}\nfilm: {seconds: 12, fps: 20, size: [320, 180], template: wide-gas}\n"));
+    const double fall = std::sqrt(32.0);
+    const auto line = world_line(film, film.frames.size() - 1);
+    REQUIRE(line.size() > 100);
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        const auto& [place, time] = line[k];
+        const double since_top = std::abs(std::remainder(time, 2.0 * fall));
+        // As drawn it is 0.01 further.
+        CHECK(std::abs(place - 0.01 - (16.0 - 0.5 * since_top * since_top)) < 1e-9);
+        if (k > 0) CHECK(time - line[k - 1].second < 0.14);  // 24 units of time in 190 frames
+    }
+}
+
+TEST_CASE("a world line bends where heat changes the velocity, between frames") {
+    const Shot film(test::scene_from(
+        "title: T\nbox: {length: 20}\n"
+        "gas: [{name: a, position: [2, 18], radius: 0, velocity: [1, -1], drawn_radius: 0.01}]\n"
+        "run: {until: 4, events: [{at: 3.03, heat: {of: all, to: {temperature: 4}}}]}\n"
+        "film: {seconds: 8, fps: 10, size: [320, 180], template: wide-gas}\n"));
+    const auto line = world_line(film, film.frames.size() - 1);
+    REQUIRE(line.size() == 6);                     // of two beads
+    CHECK(std::abs(line[1].first - 5.04) < 1e-9);  // as drawn
+    CHECK(line[1].second == 3.03);
+}
+
 TEST_CASE("the curve of energies is that of bars, where their density has no value") {
     // Broad bars: the density within them is far from what they hold.
     const Shot film(scene_of("length: 10",

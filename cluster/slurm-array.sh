@@ -70,9 +70,9 @@ fi
 case ${1:-} in '' | -h | --help) usage; exit 0 ;; -*) usage >&2; exit 2 ;; esac
 scene=$1
 shift
-result='' plan='' cpus=1 mem='' minutes='' at_once='' wait=() join_options=() plan_options=() chunks='' sweep=''
+result='' plan='' cpus=1 mem='' minutes='' at_once='' wait=() join_options=() plan_options=() scene_options=() force='' chunks='' sweep=''
 while [ $# -gt 0 ]; do
-    [ $# -gt 1 ] || case $1 in --words | --poster | --wait) ;; *) die "$1 needs a value" ;; esac
+    [ $# -gt 1 ] || case $1 in --words | --poster | --wait | --no-sound | --force) ;; *) die "$1 needs a value" ;; esac
     case $1 in
         -o | --output) result=$2; shift ;;
         --plan) plan=$2; shift ;;
@@ -86,7 +86,10 @@ while [ $# -gt 0 ]; do
         --chunk-seconds) die "the length of an array is a number: use --chunks N" ;;
         --chunks) chunks=$2; shift ;;
         --seeds) sweep=yes plan_options+=("$1" "$2"); shift ;;
-        -*) plan_options+=("$1" "$2"); shift ;;
+        --force) plan_options+=("$1") force=yes ;;
+        --no-sound) plan_options+=("$1") scene_options+=("$1") ;;
+        --vary | --format) plan_options+=("$1" "$2"); shift ;;
+        -*) plan_options+=("$1" "$2") scene_options+=("$1" "$2"); shift ;;
         *) die "one scene at a time: $1 is neither an option nor the value of one" ;;
     esac
     shift
@@ -108,11 +111,18 @@ if [ -z "$sweep" ]; then
 fi
 plan_options+=(--chunks "$chunks")
 
-# Is the plan there, of this command and not older than the scene? If in doubt, all chunks count as missing: a task whose
-# chunk is done ends at once.
-request="$scene ${plan_options[*]}"
+# A fingerprint of the program, the scene and the files that it names; empty where the scene is not valid.
+made_from() {
+    "$carom" check --json "$scene" "${scene_options[@]}" 2>/dev/null |
+        python3 -c 'import json, sys; print(json.load(sys.stdin)[0].get("made_from", ""))' 2>/dev/null || true
+}
+
+# Is the plan there, of this command and of these files? If in doubt, all chunks count as missing: a task whose chunk is
+# done ends at once.
+made_from=$(made_from)
+request="$scene ${plan_options[*]} $made_from"
 is_planned() {
-    [ -e "$plan/plan.json" ] && [ ! "$scene" -nt "$plan/plan.json" ] && [ "$(cat "$plan/.request" 2>/dev/null)" = "$request" ]
+    [ -z "$force" ] && [ -n "$made_from" ] && [ -e "$plan/plan.json" ] && [ "$(cat "$plan/.request" 2>/dev/null)" = "$request" ]
 }
 
 # Lines of numbers as sbatch writes them: 1-3,7.

@@ -87,6 +87,23 @@ TEST_CASE("slurm-array.sh makes only what is missing, and says which job was the
     CHECK(place.asked("render ") == Lines{"render out/film.gif.plan --chunk 2 --quiet"});
 }
 
+TEST_CASE(
+    "slurm-array.sh plans anew where a template has changed, and takes options without values") {
+    if (!has_slurm()) return;
+    const Slurm place;
+    std::filesystem::copy_file(checkout() / "templates/films/lecture.yaml",
+                               place.path() / "scenes/mine.yaml");
+    const std::string array =
+        "array scenes/second.yaml -o out/film.gif --template mine --no-sound --chunks 2";
+    const Outcome made = place.with_slurm(array +
+                                          " || exit 1\ncp out/film.gif dark.gif\n"
+                                          "sed -i s/dark/light/ scenes/mine.yaml\n" +
+                                          array + " || exit 2\n" + array + " --force");
+    CHECK_MESSAGE(made.exit_code == 0, made.out, made.err);
+    CHECK(place.file("out/film.gif") != place.file("dark.gif"));
+    CHECK(place.asked("render ").size() == 6);
+}
+
 TEST_CASE("an ensemble by Slurm is that of one process, and a film for more tasks than chunks") {
     if (!has_slurm()) return;
     const Slurm place;

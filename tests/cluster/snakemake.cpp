@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "cluster/recipes.h"
@@ -125,4 +126,48 @@ TEST_CASE("a disk that is full for a moment costs another attempt") {
     CHECK_MESSAGE(made.exit_code == 0, made.err);
     CHECK(place.asked("--chunk 1 ").size() == 2);
     CHECK(place.has("my results/films/first.mp4"));
+}
+
+TEST_CASE("what a scene names beside it is planned anew where it has changed") {
+    if (!are_installed({"snakemake"})) return;
+    const Snakemake place;
+    std::filesystem::copy_file(checkout() / "templates/films/lecture.yaml",
+                               place.path() / "scenes/mine.yaml");
+    place.write("scenes/other.yaml",
+                Workplace::scene("count: 9, radius: 0.4, speed: 1", "seconds: 1"));
+    place.write("scenes/first.yaml",
+                Workplace::scene("count: 12, radius: 0.4, speed: 3",
+                                 Workplace::small +
+                                     ", seconds: 1, template: mine, beside: {scene: other.yaml, "
+                                     "own_label: a, label: b}"));
+    const std::string only = "--config sweeps=[] figures=[] scenes=scenes/first.yaml";
+    const Outcome first = place.make(only);
+    REQUIRE_MESSAGE(first.exit_code == 0, first.err);
+    CHECK(place.make(only).exit_code == 0);
+    CHECK(place.asked("") == Lines{});
+    const std::string film = place.file("my results/films/first.mp4");
+    for (const auto& [changed, before, after] :
+         {std::tuple{"scenes/mine.yaml", "theme: dark", "theme: light"},
+          std::tuple{"scenes/other.yaml", "count: 9", "count: 8"}}) {
+        CAPTURE(changed);
+        std::string text = place.file(changed);
+        text.replace(text.find(before), std::string(before).size(), after);
+        place.write(changed, text);
+        const Outcome made = place.make(only);
+        CHECK_MESSAGE(made.exit_code == 0, made.err);
+        CHECK(place.asked("plan scenes/first.yaml").size() == 1);
+        CHECK(place.asked("render ").size() >= 1);
+    }
+    CHECK(place.file("my results/films/first.mp4") != film);
+}
+
+TEST_CASE("seeds that YAML reads as a number of base 60 are refused") {
+    if (!are_installed({"snakemake"})) return;
+    const Snakemake place;
+    place.write("carom.yaml", "carom: ./carom\nsweeps: [{scene: ensemble.yaml, seeds: 1:20}]\n");
+    const Outcome made = place.make();
+    CHECK(made.exit_code == 1);
+    CHECK(made.err.find("sweeps: ensemble: write `seeds` in quotes: \"1:20\"") !=
+          std::string::npos);
+    CHECK(place.asked("") == Lines{});
 }

@@ -54,7 +54,7 @@ CurveRecord mean_of(const std::vector<CurveRecord>& records) {
     CurveRun& all = mean.runs.front();
     for (const CurveRecord& record : records) {
         const CurveRun& run = record.runs.front();
-        all.reach = std::max(all.reach, run.reach);
+        if (!all.is_reach_its_own) all.reach = std::max(all.reach, run.reach);
         all.least = std::min(all.least, run.least);
         all.most = std::max(all.most, run.most);
         all.least_positive = std::min(all.least_positive, run.least_positive);
@@ -109,7 +109,13 @@ std::string percent_per(Language language, double width) {
 
 CurvePanel::CurvePanel(const PanelContext& context, CurveSubject subject)
     : context_(context), subject_(std::move(subject)), surveyed_(subject_.meter()) {
-    if (subject_.reach) surveyed_->fix_reach(*subject_.reach);
+    if (subject_.reach) surveyed_->fix_axis(*subject_.reach, subject_.points);
+}
+
+CurveValues CurvePanel::values_of(const CurveMeter& meter, double reach) const {
+    CurveValues values = meter.values();
+    values.reach = reach;
+    return values;
 }
 
 void CurvePanel::take_in(const CurveValues& values) {
@@ -134,7 +140,9 @@ void CurvePanel::survey(const FrameInput& input) {
 void CurvePanel::finish_record() {
     CurveRun& run = record_.runs.front();
     run.reach = subject_.reach ? *subject_.reach : surveyed_->reach();
-    if (!subject_.reach) surveyed_->fix_reach(run.reach);
+    run.points = subject_.points;
+    run.is_reach_its_own = subject_.reach.has_value();
+    if (!subject_.reach) surveyed_->fix_axis(run.reach, subject_.points);
     take_in(surveyed_->values());
     surveyed_ = nullptr;
 }
@@ -175,13 +183,13 @@ plot::Axis CurvePanel::axis_up() const {
     return axis;
 }
 
+// Runs side by side have axes of their own, which may be longer or finer than others'; those that
+// differ in their seeds have that of the first.
 void CurvePanel::make_axes() {
+    const bool is_own = subject_.reach && record_.compares();
     shown_ = subject_.meter();
-    shown_->fix_reach(record_.reach());
-    const int steps =
-        subject_.shape == CurveSubject::Shape::steps ? subject_.points : subject_.points - 1;
-    at_.clear();
-    for (int k = 0; k <= steps; ++k) at_.push_back(record_.reach() * k / steps);
+    shown_reach_ = is_own ? *subject_.reach : record_.reach();
+    shown_->fix_axis(shown_reach_, is_own ? subject_.points : record_.runs.front().points);
     make_plot();
 }
 
@@ -191,10 +199,10 @@ void CurvePanel::make_plot() {
     whole_ = {};
     whole_.language = language;
     whole_.titles = subject_.titles;
-    whole_.x = {.title = say(language, subject_.along), .high = at_.back()};
+    whole_.x = {.title = say(language, subject_.along), .high = record_.reach()};
     whole_.y = axis_up();
     if (subject_.height)
-        whole_.y.title = subject_.height(at_[1] - at_[0]);
+        whole_.y.title = subject_.height(record_.reach() / subject_.points);
     else if (subject_.names_axis)
         whole_.y.title = say(language, subject_.up);
     if (subject_.names.size() > 1 && !record_.compares())
@@ -225,7 +233,7 @@ void CurvePanel::make_plot() {
 std::shared_ptr<const PanelState> CurvePanel::state(const FrameInput& input) {
     shown_->see(input);
     auto state = std::make_shared<CurveState>();
-    state->runs = {shown_->values()};
+    state->runs = {values_of(*shown_, shown_reach_)};
     if (input.refreshes_readouts || !readouts_)
         readouts_ = std::make_shared<const CurveValues>(state->runs.front());
     state->readouts = readouts_;
@@ -247,6 +255,7 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
         return both;
     }
     CurveValues mean;
+    mean.reach = all.front()->runs.front().reach;
     add_means(all, &CurveValues::curves, mean.curves, both->errors);
     add_means(all, &CurveValues::numbers, mean.numbers, mean.errors);
     both->runs = {mean};
@@ -254,21 +263,32 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
     return both;
 }
 
-plot::Bars CurvePanel::bars_of(const std::vector<double>& values) const {
+// Points, or edges of bins.
+std::vector<double> CurvePanel::places(const std::vector<double>& values, double reach) const {
+    const bool is_steps = subject_.shape == CurveSubject::Shape::steps;
+    const std::size_t steps = is_steps ? values.size() : values.size() - 1;
+    std::vector<double> at;
+    for (std::size_t k = 0; k <= steps; ++k)
+        at.push_back(reach * static_cast<double>(k) / static_cast<double>(steps));
+    return at;
+}
+
+plot::Bars CurvePanel::bars_of(const std::vector<double>& values, double reach) const {
+    const std::vector<double> at = places(values, reach);
     plot::Bars bars;
     bars.part = "bar";
-    bars.from = plot::column(whole_.columns[0], {at_.begin(), at_.end() - 1});
-    bars.to = plot::column(whole_.columns[1], {at_.begin() + 1, at_.end()});
+    bars.from = plot::column(whole_.columns[0], {at.begin(), at.end() - 1});
+    bars.to = plot::column(whole_.columns[1], {at.begin() + 1, at.end()});
     std::vector<double> heights;
     for (const double value : values) heights.push_back(std::isfinite(value) ? value : 0.0);
     bars.value = plot::column(whole_.columns[2], std::move(heights));
     return bars;
 }
 
-plot::Line CurvePanel::line_of(const std::vector<double>& values) const {
+plot::Line CurvePanel::line_of(const std::vector<double>& values, double reach) const {
     plot::Line line;
     line.part = "curve";
-    line.x = plot::column(whole_.columns[0], at_);
+    line.x = plot::column(whole_.columns[0], places(values, reach));
     line.y = plot::column(whole_.columns[1], values);
     line.is_thinned = false;
     return line;
@@ -278,6 +298,7 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
                            std::size_t line) const {
     const bool compares = record_.compares();
     const std::vector<double>& values = state.runs[run].curves[line];
+    const double reach = state.runs[run].reach;
     const std::size_t count = compares ? state.runs.size() : state.runs[run].curves.size();
     const plot::Role role = subject_.lines[line].role;
     plot::Stroke stroke = {.role = role,
@@ -291,7 +312,7 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
         plot.layers.emplace_back(std::move(layer));
     };
     if (subject_.shape == CurveSubject::Shape::steps) {
-        plot::Bars bars = bars_of(values);
+        plot::Bars bars = bars_of(values, reach);
         bars.role = stroke.role;
         bars.alpha = count > 1 ? 0.0 : alpha_of_steps;
         bars.edge = stroke;
@@ -300,7 +321,7 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
         add(std::move(bars));
         return;
     }
-    plot::Line curve = line_of(values);
+    plot::Line curve = line_of(values, reach);
     curve.stroke = stroke;
     if (!state.errors.empty()) {
         plot::Band band;

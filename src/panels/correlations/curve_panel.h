@@ -25,7 +25,8 @@ struct CurveValues {
     std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
     std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
     std::vector<std::vector<double>> errors = {};   ///< of these, where they are means of runs
-    void archive(auto& archive) { archive(curves, numbers, errors); }
+    double reach = 0.0;                             ///< of the points or bins along
+    void archive(auto& archive) { archive(curves, numbers, errors, reach); }
 };
 
 /// Follows a run.
@@ -39,12 +40,14 @@ class CurveMeter {
     /// How far the axis along should reach, after all frames; for subjects that do not say.
     virtual double reach() const { return 1.0; }
 
-    /// How far it does: before values(), of what was seen and of what will be.
-    virtual void fix_reach(double) {}
+    /// How far it does, and in how many points or bins: before values(), of what was seen and of
+    /// what will be.
+    virtual void fix_axis(double reach, int points) = 0;
 
+    /// Of curves on the axis that was fixed; their reach is filled in.
     virtual CurveValues values() const = 0;
 
-    /// Writes or reads all that see() has gathered, after fix_reach().
+    /// Writes or reads all that see() has gathered, after fix_axis().
     virtual void archive(Archive& archive) = 0;
 };
 
@@ -65,7 +68,8 @@ struct CurveSubject {
     std::string unit_along = {}, unit_up = {};
     std::function<std::string(double width)> height = {};  ///< the title of the axis up, for bins
                                                            ///< of this width; none: its quantity
-    std::optional<double> reach = {};                      ///< of the axis along
+    std::optional<double> reach = {};                      ///< of the axis along; of runs side by
+                                                           ///< side each has its own
     std::optional<double> top = {};                        ///< of the axis up; none: as it shows
     std::optional<double> level = {};                      ///< across the plot
     double least_top = 0.0;                                ///< of the axis up, in any case
@@ -83,7 +87,11 @@ struct CurveRun {
     std::string name = {};  ///< beside others
     double reach = 1.0, least = 0.0, most = 0.0;
     double least_positive = 1.0;
-    void archive(Archive& archive) { archive(name, reach, least, most, least_positive); }
+    int points = 0;                 ///< or bins, up to the reach
+    bool is_reach_its_own = false;  ///< not a matter of how the run went
+    void archive(Archive& archive) {
+        archive(name, reach, least, most, least_positive, points, is_reach_its_own);
+    }
 };
 
 struct CurveRecord {
@@ -140,8 +148,10 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     std::string remark() const;
     void add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
                    std::size_t line) const;
-    plot::Bars bars_of(const std::vector<double>& values) const;
-    plot::Line line_of(const std::vector<double>& values) const;
+    CurveValues values_of(const CurveMeter& meter, double reach) const;
+    std::vector<double> places(const std::vector<double>& values, double reach) const;
+    plot::Bars bars_of(const std::vector<double>& values, double reach) const;
+    plot::Line line_of(const std::vector<double>& values, double reach) const;
 
     PanelContext context_;
     CurveSubject subject_;
@@ -149,7 +159,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     int frames_seen_ = 0;
     std::shared_ptr<const CurveValues> readouts_;
     plot::Plot whole_;
-    std::vector<double> at_;  ///< points, or edges of bins
+    double shown_reach_ = 1.0;  ///< of this panel's own run
 };
 
 }  // namespace carom

@@ -46,26 +46,34 @@ Rings rings_of(const PanelContext& context, const PanelSpec& spec,
 
 class PairMeter : public CurveMeter {
   public:
-    PairMeter(const PanelContext& context, const PairCorrelation::Wanted& wanted)
-        : box_(context.scene.gas.box),
-          pairs_(box_, context.particles, wanted, velocity_changes(context.scene.run)) {}
+    PairMeter(const PanelContext& context, PairCorrelation::Wanted wanted)
+        : context_(context), box_(context.scene.gas.box), wanted_(std::move(wanted)) {}
+
+    // Before anything is seen.
+    void fix_axis(double reach, int points) override {
+        wanted_.to = reach;
+        wanted_.rings = points;
+        pairs_.emplace(box_, context_.particles, wanted_, velocity_changes(context_.scene.run));
+    }
 
     void see(const FrameInput& input) override {
         BoxSides sides = sides_of(box_);
         for (std::size_t axis = 0; axis < static_cast<std::size_t>(box_.dimension); ++axis)
             sides[axis] = {place_of_surface(box_, input.advanced.surfaces, 2 * axis),
                            place_of_surface(box_, input.advanced.surfaces, 2 * axis + 1)};
-        pairs_.see(input.sample, input.advanced.collisions, sides);
+        pairs_->see(input.sample, input.advanced.collisions, sides);
     }
     CurveValues values() const override {
-        const Eigen::ArrayXd g = pairs_.values();
+        const Eigen::ArrayXd g = pairs_->values();
         return {{{g.begin(), g.end()}}};
     }
-    void archive(Archive& archive) override { archive(pairs_); }
+    void archive(Archive& archive) override { archive(*pairs_); }
 
   private:
+    PanelContext context_;
     Box box_;
-    PairCorrelation pairs_;
+    PairCorrelation::Wanted wanted_;
+    std::optional<PairCorrelation> pairs_;  ///< with the rings of the axis
 };
 
 // Of equal disks in a fluid, that nothing but walls acts on.
@@ -105,7 +113,7 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     const std::vector<Chosen> chosen = choices(spec);
     const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     const Rings rings = rings_of(context, spec, lists);
-    PairCorrelation::Wanted wanted{.to = rings.to, .rings = rings.count};
+    PairCorrelation::Wanted wanted;
     for (auto* part : {&wanted.first, &wanted.second}) {
         part->resize(static_cast<std::size_t>(context.particles.count()));
         for (const Eigen::Index i : part == &wanted.first ? lists.front() : lists.back())
@@ -130,11 +138,12 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     subject.unit_up = "1";
     subject.reach = rings.to;
     subject.level = 1.0;
-    subject.account = [language, rings](const CurveValues& values, std::size_t) -> std::string {
+    subject.account = [language](const CurveValues& values, std::size_t) -> std::string {
         const std::vector<double>& g = values.curves.front();
         const auto highest = std::ranges::max_element(g);
         if (highest == g.end() || !(*highest > 0.0)) return "";
-        const double at = (static_cast<double>(highest - g.begin()) + 0.5) * rings.to / rings.count;
+        const double ring = values.reach / static_cast<double>(g.size()),
+                     at = (static_cast<double>(highest - g.begin()) + 0.5) * ring;
         return say(language, "the pair correlation is highest, {}, at a distance of {}",
                    three_digits(language, *highest), three_digits(language, at));
     };

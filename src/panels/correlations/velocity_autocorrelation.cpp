@@ -141,12 +141,13 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
     subject.unit_up = "1";
     subject.reach = lags;
     subject.top = 1.0;
-    subject.account = [language, context, chosen, lags](const CurveValues& values,
-                                                        std::size_t line) -> std::string {
+    subject.account = [language, context, chosen](const CurveValues& values,
+                                                  std::size_t line) -> std::string {
         const std::vector<double>& curve = values.curves[line];
         const auto half = std::ranges::find_if(curve, [](double value) { return value < 0.5; });
         if (half == curve.end()) return "";
-        const double at = lags * static_cast<double>(half - curve.begin()) / (lag_count - 1);
+        const double at = values.reach * static_cast<double>(half - curve.begin()) /
+                          static_cast<double>(curve.size() - 1);
         return say(language, "{}: half of the velocity is forgotten after a time of {}",
                    name_of(context.scene, chosen[line]), three_digits(language, at));
     };

@@ -65,7 +65,7 @@ class PistonMeter : public CurveMeter {
         const double fine = static_cast<double>(times_.times().size()) + 1.0;
         return std::ceil(fine / shown_bins) * shown_bins * times_.width();
     }
-    void fix_reach(double reach) override { reach_ = reach; }
+    void fix_axis(double reach, int) override { reach_ = reach; }
 
     CurveValues values() const override {
         const std::vector<double>& fine = times_.times();

@@ -215,6 +215,62 @@ TEST_CASE("profiles of runs side by side are those of each, with its law and its
     }
 }
 
+// Longer and shorter lags, larger and smaller disks, more and fewer rings.
+TEST_CASE("curves of runs side by side are those of each, on its own points") {
+    const std::string gas = "count: 300, temperature: 4";  // dense: velocities are forgotten
+    struct Compared {
+        const char *figure, *part, *first, *second;
+    };
+    for (const auto& [figure, part, first, second] :
+         {Compared{"pair-correlation", "bar", "gas.0.radius=0.3", "gas.0.radius=0.6"},
+          Compared{"pair-correlation, to: 3.7", "bar", "gas.0.radius=0.3", "gas.0.radius=0.7"},
+          Compared{"velocity-autocorrelation", "curve", "run.until=4", "run.until=10"},
+          Compared{"mean-squared-displacement, origins: all", "curve", "run.until=10",
+                   "run.until=4"}}) {
+        CAPTURE(figure);
+        const std::string begin = "  - {name: a, kind: " + std::string(figure);
+        const FigureRun together =
+            run_of(scene_of(begin + ", compare: [{label: one, set: " + first +
+                                "}, {label: other, set: " + second + "}]}\n",
+                            gas));
+        const Figure& both = together.figures()[0];
+        std::size_t k = 0;
+        for (const auto& [label, set] : {std::pair{"one", first}, std::pair{"other", second}}) {
+            CAPTURE(label);
+            const FigureRun alone =
+                run_of(scene_of(begin + "}\n", gas, "until: 6", {std::string(set)}));
+            const auto of_part = [&](std::vector<std::vector<Cell>> rows) {
+                std::erase_if(rows, [&](const std::vector<Cell>& row) {
+                    return std::get<std::string>(row.front()) != part;
+                });
+                return rows;
+            };
+            const auto its = of_part(rows_of(table_of(both), label));
+            CHECK(its.size() > 10);
+            CHECK(its == of_part(table_of(alone.figures()[0]).rows));
+            const std::string account = capitalised(both.sides[k++].account) + ".";
+            const std::string alt = words_of(alone, alone.figures()[0]).alt;
+            CHECK_MESSAGE(alt.find(account) != std::string::npos, alt, account);
+        }
+    }
+}
+
+TEST_CASE("the mean of runs with other disks is over the rings of the first run") {
+    const std::string begin = "  - {name: a, kind: pair-correlation",
+                      gas = "count: 60, temperature: 2";
+    const auto edges = [&](const std::string& seeds) {
+        const FigureRun run = run_of(scene_of(begin + seeds + "}\n", gas, "until: 6",
+                                              {"gas.0.radius={uniform: [0.2, 0.6]}"}));
+        std::vector<std::pair<double, double>> all;
+        for (const std::vector<Cell>& row : table_of(run.figures()[0]).rows)
+            if (std::get<std::string>(row[0]) == "bar")
+                all.emplace_back(number(row[2]), number(row[3]));
+        return all;
+    };
+    CHECK(edges("").size() > 10);
+    CHECK(edges(", seeds: 3") == edges(""));
+}
+
 TEST_CASE("all runs find room on the axes") {
     // The second gas is four times as fast: an axis for the first alone would end far below it.
     const std::string fast =

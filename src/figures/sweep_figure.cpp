@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -228,33 +229,39 @@ class SweptFigure {
         return line;
     }
 
-    // Between values that are all whole it is those that are whole.
     std::vector<double> keys_between(const std::vector<std::int64_t>& points) const {
         std::vector<double> keys;
-        for (const std::int64_t point : points) keys.push_back(key_at(point));
-        const bool are_whole = std::ranges::all_of(
-            keys, [](double key) { return key == std::floor(key) && std::abs(key) < 1e15; });
-        std::vector<double> all;
-        for (std::size_t k = 0; k + 1 < keys.size(); ++k)
-            for (int i = 0; i < steps_between; ++i) {
-                const double key = keys[k] + (keys[k + 1] - keys[k]) * i / steps_between;
-                all.push_back(are_whole ? std::round(key) : key);
-            }
-        all.push_back(keys.back());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
-        return all;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+            for (int i = 0; i < steps_between; ++i)
+                keys.push_back(key_at(points[k]) +
+                               (key_at(points[k + 1]) - key_at(points[k])) * i / steps_between);
+        keys.push_back(key_at(points.back()));
+        return keys;
     }
 
+    // None where there is no such gas.
+    std::shared_ptr<const Scene> scene_at(Changes& changes, double key) const {
+        changes[across_] = fmt::format("{}={:.15g}", summary_.sweep.axes[across_].key, key);
+        try {
+            return shown_.scene_with(changes);
+        } catch (const SceneError&) {
+            return nullptr;
+        }
+    }
+
+    // A key that only takes whole numbers has no others between them. A curve has a gap where there
+    // is no gas.
     void add_theory(SweptLine& line, const std::vector<std::int64_t>& points) const {
         Changes changes = summary_.sweep.changes_at(points.front());
-        for (const double key : keys_between(points)) {
-            changes[across_] = fmt::format("{}={:.15g}", summary_.sweep.axes[across_].key, key);
-            std::shared_ptr<const Scene> scene;
-            try {
-                scene = shown_.scene_with(changes);
-            } catch (const SceneError&) {
-                continue;  // a curve has a gap where there is no such gas
+        double last = std::numeric_limits<double>::quiet_NaN();
+        for (double key : keys_between(points)) {
+            std::shared_ptr<const Scene> scene = scene_at(changes, key);
+            if (scene == nullptr && key != std::round(key)) {
+                key = std::round(key);
+                scene = key == last ? nullptr : scene_at(changes, key);
             }
+            if (scene == nullptr) continue;
+            last = key;
             const SeedRange& seeds = summary_.sweep.seeds;
             const auto x = place_of(*scene, key);
             if (!x) continue;

@@ -18,10 +18,11 @@ using plot::Role;
 
 // Of an axis: from 0 unless the values fill but a small part of it; a little beyond them.
 std::pair<double, double> range_of(double least, double most) {
-    constexpr double small = 0.3, beyond = 0.06;
+    constexpr double small = 0.3, beyond = 0.06, equal = 1e-9;  // no more than round-off
     const double width = most - least, reach = std::max(std::abs(least), std::abs(most));
     if (!(width > small * reach)) {
-        const double room = width > 0.0 ? 0.15 * width : 0.1 * (reach > 0.0 ? reach : 1.0);
+        const double room =
+            width > equal * reach ? 0.15 * width : 0.1 * (reach > 0.0 ? reach : 1.0);
         return {least - room, most + room};
     }
     const double low = std::min(least, 0.0), high = std::max(most, 0.0);
@@ -98,10 +99,13 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
         }
     const std::string runs =
         least == most ? fmt::format("{}", most) : say(language_, "{} to {}", least, most);
-    plot_.account = say(language_,
-                        "{} against {}: means of {} independent runs each; bars, where they are "
-                        "longer than the points, are one standard error.",
-                        capitalised(what), numbers.across, runs);
+    plot_.account =
+        most == 1
+            ? say(language_, "{} against {}: one run each.", capitalised(what), numbers.across)
+            : say(language_,
+                  "{} against {}: means of {} independent runs each; bars, where they are "
+                  "longer than the points, are one standard error.",
+                  capitalised(what), numbers.across, runs);
     const SweptLine& first = numbers.lines.front();
     plot::Note key{.wraps = true};
     const Role ink{.of = Role::Of::ink};

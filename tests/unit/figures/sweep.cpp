@@ -163,6 +163,31 @@ TEST_CASE("the pressure of rods is Tonks' at every value") {
               doctest::Approx(10.0 * 2.0 / (50.0 - 20.0 * line.theory.x[k])).epsilon(1e-9));
 }
 
+TEST_CASE("between whole numbers theory has all values of a key that is not a count") {
+    const SweptLine line =
+        numbers_of(scene_of("number: collision rate, vary: \"gas.0.temperature.exact=1:9:2\""))
+            .lines.front();
+    REQUIRE(line.theory.x.size() == 9);
+    for (std::size_t k = 0; k < line.theory.x.size(); ++k) {
+        CHECK(line.theory.x[k] == doctest::Approx(1.0 + static_cast<double>(k)));
+        CHECK(line.theory.y[k] / line.theory.y[0] == doctest::Approx(std::sqrt(line.theory.x[k])));
+    }
+    CHECK(numbers_of(scene_of("number: collision rate, vary: \"gas.0.temperature.exact=1,2\""))
+              .lines.front()
+              .theory.x[1] == doctest::Approx(1.125));
+}
+
+TEST_CASE("numbers that differ by round-off have an axis around them, and one run each is said") {
+    const FigureRun run = run_of(scene_of("number: temperature, vary: \"gas.0.radius=0.1:0.5:5\""));
+    const Figure& figure = run.figures()[0];
+    const plot::Axis axis =
+        dynamic_cast<const PlotPanel&>(*figure.panel).plot(figure.moments.front().state.get()).y;
+    CHECK(axis.low < 0.95);
+    CHECK(axis.high > 1.05);
+    CHECK(words_of(run, figure).alt.find("Temperature against radius: one run each. ") !=
+          std::string::npos);
+}
+
 TEST_CASE("keys that are not across make lines with names") {
     const SweptNumbers swept =
         numbers_of(scene_of("number: mean energy, vary: [\"gas.0.temperature.exact=1,2\", "

@@ -326,7 +326,6 @@ HistogramCounts mean_of(const std::vector<HistogramCounts>& runs) {
             return run.deviation * run.deviation + (run.mean - bars.mean) * (run.mean - bars.mean);
         };
         bars.deviation = std::sqrt(over_runs(square).mean);
-        bars.values *= static_cast<double>(runs.size());
     }
     return mean;
 }

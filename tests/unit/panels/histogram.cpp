@@ -139,7 +139,7 @@ Eigen::ArrayXd two(double a, double b) { return Eigen::Array2d(a, b); }
 }  // namespace
 
 TEST_CASE(
-    "bars are of the present, of a while, or the mean since the start; a held frame counts once") {
+    "bars are of the present, of a while, or the mean since the start; a held frame has no part") {
     const std::vector<double> times{0.0, 0.0, 1.0, 2.0, 3.0};
     const std::vector<Eigen::ArrayXd> speeds{two(0.5, 0.5), two(0.5, 0.5), two(1.5, 0.5),
                                              two(1.5, 2.5), two(3.5, 9.0)};
@@ -153,10 +153,12 @@ TEST_CASE(
         return last.counts;
     };
     CHECK(bars(Over::Since::now) == std::vector{0.0, 0.0, 0.0, 1.0});
-    // Of the samples at 2 and 3: that at 1 is a whole window ago.
-    CHECK(bars(Over::Since::window, 2.0) == std::vector{0.0, 0.5, 0.5, 0.5});
-    // Of four samples: the held one counts once.
-    CHECK(bars(Over::Since::start) == std::vector{0.75, 0.5, 0.25, 0.25});
+    // From 1 to 3: the samples at both ends count half.
+    CHECK(bars(Over::Since::window, 2.0) == std::vector{0.25, 0.75, 0.5, 0.25});
+    // From 0 to 3: the held frame has no time.
+    const std::vector<double> expected{4.0 / 6.0, 4.0 / 6.0, 2.0 / 6.0, 1.0 / 6.0};
+    const std::vector<double> all = bars(Over::Since::start);
+    for (std::size_t k = 0; k < 4; ++k) CHECK(all[k] == relative(expected[k], 1e-14));
 }
 
 TEST_CASE("chosen particles are drawn together, each choice with its own bars and curve") {

@@ -49,7 +49,6 @@ MeanHistogram bars(std::vector<double> counts, double below, double above, doubl
             .counts = std::move(counts),
             .below = below,
             .above = above,
-            .values = 10.0,
             .mean = mean,
             .deviation = deviation};
 }
@@ -125,7 +124,6 @@ TEST_CASE("mean counts have errors, and a deviation about the mean of all runs")
     CHECK(one.above == 1.0);
     CHECK(one.mean == 2.0);
     CHECK(one.deviation == relative(std::sqrt(0.25 + 1.0), 1e-14));
-    CHECK(one.values == 20.0);
 }
 
 namespace {

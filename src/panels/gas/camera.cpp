@@ -13,6 +13,10 @@ double smooth(double share) {
     return x * x * (3.0 - 2.0 * x);
 }
 
+CameraView whole_of(const Region& box) {
+    return {0.5 * (box.low + box.high), box.high[0] - box.low[0]};
+}
+
 }  // namespace
 
 CameraView between(const CameraView& from, const CameraView& to, double share) {
@@ -69,30 +73,31 @@ void Camera::survey(const FrameInput& input) {
     frames_.push_back(std::move(frame));
 }
 
-CameraView Camera::view_of(std::size_t move, const Frame& frame, const CameraView& whole) const {
+// A part that reaches beyond all that is ever seen of the box is seen from its edge on.
+CameraView Camera::view_of(std::size_t move, const Frame& frame, const Region& whole_box) const {
     const View& view = moves_[move].view;
+    const Eigen::Array2d all = whole_box.high - whole_box.low;
     if (const auto* followed = std::get_if<Followed>(&view))
-        return {frame.targets[move], std::min(followed->width, whole.width)};
+        return {frame.targets[move], std::min(followed->width, all[0])};
     const auto* region = std::get_if<Region>(&view);
-    if (region == nullptr) return whole;
+    if (region == nullptr) return whole_of(whole_box);
     const Eigen::Array2d size = region->high - region->low;
-    const Eigen::Array2d box = context_.scene.gas.box.size;
     const bool is_line = context_.scene.gas.box.dimension == 1;
-    const double width = is_line ? size[0] : std::max(size[0], size[1] * box[0] / box[1]);
-    return {0.5 * (region->low + region->high), std::min(width, whole.width)};
+    const double width = is_line ? size[0] : std::max(size[0], size[1] * all[0] / all[1]);
+    const Eigen::Array2d middle = 0.5 * (region->low + region->high);
+    return {middle.max(whole_box.low).min(whole_box.high), std::min(width, all[0])};
 }
 
 // Every move begins with what is seen then, and what that follows meanwhile; in a periodic box at
 // the image of its target that is nearest then.
 void Camera::fix_way(const Region& whole_box) {
-    const Eigen::Array2d size = whole_box.high - whole_box.low;
-    const CameraView whole{0.5 * (whole_box.low + whole_box.high), size[0]};
+    const CameraView whole = whole_of(whole_box);
     std::vector<std::optional<Eigen::Array2d>> shifts(moves_.size());
     std::vector<double> begins(moves_.size(), 0.0);
     for (const Frame& frame : frames_) {
         CameraView now = whole;
         for (std::size_t k = 0; k < moves_.size() && moves_[k].at <= frame.time; ++k) {
-            CameraView next = view_of(k, frame, whole);
+            CameraView next = view_of(k, frame, whole_box);
             if (!shifts[k]) {
                 shifts[k] = nearest_image(next.middle, now.middle) - next.middle;
                 begins[k] = &frame == &frames_.front() ? -1e9 : frame.seconds;
@@ -103,7 +108,7 @@ void Camera::fix_way(const Region& whole_box) {
         }
         const Eigen::Array2d off = nearest_image(now.middle, whole.middle) - whole.middle;
         const bool is_whole =
-            now.width > (1.0 - 1e-9) * whole.width && off.abs().maxCoeff() < 1e-9 * size[0];
+            now.width > (1.0 - 1e-9) * whole.width && off.abs().maxCoeff() < 1e-9 * whole.width;
         way_.push_back(is_whole ? CameraView{} : now);
     }
     frames_ = {};

@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// A part of the box with the proportions of the whole.
+/// A part of the box with the proportions of all that is ever seen of it.
 struct CameraView {
     Eigen::Array2d middle{0.0, 0.0};
     double width = 0.0;  ///< length
@@ -26,9 +26,10 @@ class Camera {
     /// Whether anything but the whole box is ever seen.
     bool moves() const { return !moves_.empty(); }
 
-    /// First pass, every frame in order; then fix_way(), of a box that is `whole` at its largest.
+    /// First pass, every frame in order; then fix_way(), of a box that is `whole_box` at its
+    /// largest.
     void survey(const FrameInput& input);
-    void fix_way(const Region& whole);
+    void fix_way(const Region& whole_box);
 
     /// Second pass, every frame in order: what is seen; none: the whole box. In a periodic box its
     /// middle is inside of the box.
@@ -48,7 +49,7 @@ class Camera {
         std::vector<Eigen::Array2d> targets;  ///< of each move that follows something
     };
     Eigen::Array2d target(const View& view, const FrameInput& input) const;
-    CameraView view_of(std::size_t move, const Frame& frame, const CameraView& whole) const;
+    CameraView view_of(std::size_t move, const Frame& frame, const Region& whole_box) const;
     Eigen::Array2d nearest_image(const Eigen::Array2d& of, const Eigen::Array2d& to) const;
 
     PanelContext context_;

@@ -46,7 +46,7 @@ LinePanel::View LinePanel::whole_view(const DrawContext& dc) const {
                  view.has_lines ? below : 0.0};
     if (!ends_.is_plain()) view.plot.width -= 2.6 * u;  // for what is outside of the right end
     view.low = -ends_.before();
-    view.scale = view.plot.width / (map_->length() + ends_.before() + ends_.beyond());
+    view.scale = view.plot.width / drawn_length();
     view.time = {0.0, memory_, view.plot.y, view.plot.bottom()};
     double filled = 0.0;
     for (Eigen::Index i = 0; i < context_.particles.count(); ++i) {
@@ -60,17 +60,22 @@ LinePanel::View LinePanel::whole_view(const DrawContext& dc) const {
     return view;
 }
 
+// Of the line, with all places that its ends ever reach, as it is drawn.
+double LinePanel::drawn_length() const { return map_->length() + ends_.before() + ends_.beyond(); }
+
 // Of the line as it is drawn, the part that the camera shows: a length of the box is there as much
 // longer as all of it.
 LinePanel::View LinePanel::view(const DrawContext& dc, const State& state) const {
     View view = whole_view(dc);
     if (!state.view) return view;
-    const double length = context_.scene.gas.box.size[0], longer = map_->length() / length;
+    const Region extent = ends_.extent();
+    const double length = extent.high[0] - extent.low[0], longer = drawn_length() / length;
     view.zoom = length / state.view->width;
     view.scale *= view.zoom;
     view.rods = view.rods || view.longest * view.zoom > rods_from * dc.unit;
     view.larger_rods = view.longest_larger * view.zoom > rods_from * dc.unit;
-    view.low = state.view->middle[0] * longer - 0.5 * view.plot.width / view.scale;
+    view.low +=
+        (state.view->middle[0] - extent.low[0]) * longer - 0.5 * view.plot.width / view.scale;
     return view;
 }
 

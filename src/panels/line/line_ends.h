@@ -27,6 +27,9 @@ class LineEnds {
     double before() const { return -extent_.first; }
     double beyond() const { return extent_.second - length_; }
 
+    /// The wire, as far as it ever reaches.
+    Region extent() const { return {{extent_.first, 0.0}, {extent_.second, 0.0}}; }
+
     /// An end at a frame.
     struct End {
         SurfaceState state;

@@ -29,7 +29,7 @@ void LinePanel::Drawing::draw_rings() const {
 // In the picture of the world lines.
 void LinePanel::Drawing::draw_where_it_is() const {
     const double width = 1.0 / v.zoom;
-    const double left = v.low / map.length();
+    const double left = (v.low + panel.ends_.before()) / panel.drawn_length();
     const double share = std::clamp(std::log(v.zoom) / std::log(1.3), 0.0, 1.0);
     draw_where(canvas, dc, {v.plot.x, v.plot.y, v.plot.width, v.plot.height},
                {left, 0.0, width, 1.0}, 0.0, v.scale, share, context.language());

@@ -71,7 +71,7 @@ void LinePanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
     field_.fix_scale();
-    camera_.fix_way({{0.0, 0.0}, context_.scene.gas.box.size});
+    camera_.fix_way(ends_.extent());
     const double length = map_->length();
     const double spacing = length / static_cast<double>(context_.particles.count());
     arrows_.fix_scale(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));

@@ -53,6 +53,7 @@ class LinePanel : public ParticlePanel {
         }
     };
 
+    double drawn_length() const;
     View whole_view(const DrawContext& dc) const;
     View view(const DrawContext& dc, const State& state) const;
     double scale_in(const DrawContext& own) const override;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
+#include "physics/surfaces/behaviours.h"
 #include "scene/limits.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/panel_reading.h"
@@ -179,6 +181,26 @@ Notation<std::vector<CameraMove>> camera_notation() {
     });
 }
 
+// The box with all places that its sides may reach: at the most, as reversals are not looked at.
+// Pistons may go anywhere.
+Region reach_of(const Box& box, const Run& run) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Region reach{{0.0, 0.0}, box.size};
+    const auto all = behaviours_in_time(box.surfaces, run);
+    for (std::size_t side = 0; side < 4; ++side)
+        for (const Behaviour& behaviour : all[side]) {
+            const bool is_far = Surfaces::is_far_side(side);
+            const int axis = box.surfaces.axis_of(side);
+            double outward = std::holds_alternative<Piston>(behaviour) ? infinite : 0.0;
+            if (const auto* driven = std::get_if<Driven>(&behaviour))
+                outward = std::max(0.0, is_far ? driven->velocity : -driven->velocity) *
+                          std::min(run.until, driven->until);
+            double& end = is_far ? reach.high[axis] : reach.low[axis];
+            end = is_far ? std::max(end, box.size[axis] + outward) : std::min(end, -outward);
+        }
+    return reach;
+}
+
 }  // namespace
 
 Notation<TimeSpan> show_notation() {
@@ -195,6 +217,9 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
     const auto part = [=](const std::vector<double>& ends, const Node& node,
                           Reading& reading) -> std::optional<Region> {
         const Box& box = reading.gas.box;
+        const bool is_view = key == "view";
+        const Region whole = is_view ? reach_of(box, reading.run) : Region{{0.0, 0.0}, box.size};
+        const bool can_widen = (whole.low < 0.0).any() || (whole.high > box.size).any();
         const auto axes = static_cast<std::size_t>(box.dimension);
         const char* form =
             axes == 1 ? "[x0, x1] with x0 < x1" : "[x0, y0, x1, y1] with x0 < x1 and y0 < y1";
@@ -209,14 +234,18 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
             region.low[k] = ends[axis];
             region.high[k] = ends[axes + axis];
             is_right = is_right && region.low[k] < region.high[k];
-            is_inside = is_inside && region.low[k] >= 0.0 && region.high[k] <= box.size[k];
+            is_inside =
+                is_inside && region.low[k] >= whole.low[k] && region.high[k] <= whole.high[k];
         }
         if (is_right && (is_inside || !(box.size[0] > 0.0))) return region;
-        reading.errors.add(node,
-                           is_right ? fmt::format("this {} lies outside of the box",
-                                                  key == "view" ? "view" : "region")
-                                    : fmt::format("expected {} for `{}`", form, key),
-                           is_right ? "the box begins at 0 and ends at its `size`" : "");
+        reading.errors.add(
+            node,
+            is_right ? fmt::format("this {} lies outside of the box", is_view ? "view" : "region")
+                     : fmt::format("expected {} for `{}`", form, key),
+            !is_right   ? ""
+            : can_widen ? "it is seen from 0 to its `size`, and as far as its walls "
+                          "may move"
+                        : "the box begins at 0 and ends at its `size`");
         return std::nullopt;
     };
     return parsed(list_of(number(any_number), 2, {4}, "[x0, y0, x1, y1]"), part);

@@ -10,6 +10,7 @@
 #include "panels/fade.h"
 #include "panels/gas/camera.h"
 #include "panels/gas/marks/spotlights.h"
+#include "panels/gas/particle_panel.h"
 #include "panels/plots/histogram_panel.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
@@ -157,6 +158,34 @@ TEST_CASE("in a periodic box the camera follows a particle through the sides wit
         CHECK(way[i]->middle[0] < 40.0);
     }
     CHECK(!way.back());
+}
+
+TEST_CASE("where a wall moves the camera shows all of the part that is asked for") {
+    const auto seen = [](const std::string& view) {
+        const Shot shot(
+            test::scene_from("title: T\nbox: {size: [10, 10], walls: {right: {velocity: 1}}}\n"
+                             "gas: [{count: 4, radius: 0.3, temperature: 1}]\nrun: {until: 10}\n"
+                             "film: {fps: 10, seconds: 2, camera: [{at: 0, view: " +
+                             view + "}]}\n"));
+        return *dynamic_cast<const ParticleState&>(*shot.frames.back().states[0]).view;
+    };
+    const CameraView high = seen("[2, 1, 4, 9]");  // of a box that becomes 20 by 10
+    CHECK(high.width == doctest::Approx(16.0));
+    CHECK(high.middle[0] == doctest::Approx(3.0));
+    CHECK(high.middle[1] == doctest::Approx(5.0));
+    const CameraView beyond = seen("[12, 1, 18, 9]");
+    CHECK(beyond.middle[0] == doctest::Approx(15.0));
+    CHECK_THROWS_AS(seen("[12, 1, 21, 9]"), SceneError);
+}
+
+TEST_CASE("the camera shows the part of a wire that is asked for, where an end moves") {
+    const Shot shot(
+        test::scene_from("title: T\nbox: {length: 10, walls: {right: {velocity: 1}}}\n"
+                         "gas: [{count: 4, radius: 0.3, temperature: 1}]\nrun: {until: 10}\n"
+                         "film: {fps: 10, seconds: 2, camera: [{at: 0, view: [12, 18]}]}\n"));
+    const CameraView view = *dynamic_cast<const ParticleState&>(*shot.frames.back().states[0]).view;
+    CHECK(view.width == doctest::Approx(6.0));
+    CHECK(view.middle[0] == doctest::Approx(15.0));
 }
 
 TEST_CASE("between two views one point of the picture stands still") {

@@ -41,6 +41,7 @@ struct FrameInput {
     const Eigen::ArrayXd& energy;  ///< N
     const AdvanceResult& advanced;
     bool refreshes_readouts = true;  ///< else numbers in words stay as they are
+    bool is_still = false;           ///< what comes or goes is whole
 };
 
 /// What one panel shows in one frame: complete and immutable.

@@ -268,8 +268,10 @@ FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
     std::vector<FrameInput> inputs{runs_[own]->input(tick, sample, advanced)};
     if (beside_)
         inputs.push_back(runs_[other]->input(tick, beside_->sample(), beside_->advanced()));
-    for (FrameInput& input : inputs)
+    for (FrameInput& input : inputs) {
         input.refreshes_readouts = is_still || refreshes_readouts(tick);
+        input.is_still = is_still;
+    }
     const std::size_t before = panels_.size() - of_other_.size();
     for (std::size_t i = 0; i < panels_.size(); ++i) {
         Panel& panel = *panels_[i].panel;

@@ -100,7 +100,8 @@ class PanelSet {
     void archive_progress(Archive& archive);
 
     /// Second pass, every frame in order. Numbers in words stay the same for a fifth of a second,
-    /// so that they can be read; in a still they are those of its frame.
+    /// so that they can be read; in a still they are those of its frame, and spotlights and
+    /// callouts are whole.
     FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
                          bool is_still = false);
 

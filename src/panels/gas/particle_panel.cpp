@@ -52,9 +52,9 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     state.ghosts = ghosts_.present();
     state.ghost_words = ghosts_.words_alpha(input.tick);
     state.flashes = flashes_.at(input.tick);
-    state.light = spotlights_.light(input.tick);
-    state.rings = spotlights_.rings(input.tick);
-    state.callouts = callouts_.at(input.tick);
+    state.light = spotlights_.light(input.tick, input.is_still);
+    state.rings = spotlights_.rings(input.tick, input.is_still);
+    state.callouts = callouts_.at(input.tick, input.is_still);
     if (camera_.moves()) state.view = camera_.next();
     state.field = field_.see(input);
 }

@@ -21,8 +21,12 @@ Showing showing(const std::vector<Tick>& ticks, const Film& film, const TimeSpan
         shown.last = std::min(shown.last,
                               shown.first - 1 + static_cast<int>(std::lround(*seconds * film.fps)));
     if (span.until) shown.until = *span.until;
-    if (shown.last + 1 < end && shown.last >= shown.first)
-        shown.until = std::min(shown.until, ticks[static_cast<std::size_t>(shown.last + 1)].time);
+    if (shown.last < shown.first) return shown;
+    // Where it comes and goes in one pause, until the gas moves again.
+    const double begin = ticks[static_cast<std::size_t>(shown.first)].time;
+    const auto next = std::find_if(ticks.begin() + shown.last + 1, ticks.begin() + end,
+                                   [&](const Tick& tick) { return tick.time > begin; });
+    if (next != ticks.begin() + end) shown.until = std::min(shown.until, next->time);
     return shown;
 }
 

@@ -112,6 +112,43 @@ TEST_CASE("a spotlight dims all others to 35 %, and two that follow one another 
           doctest::Approx(0.35));
 }
 
+TEST_CASE("in a still a spotlight and a callout are whole from their first frame on") {
+    const Shot shot(scene_of(
+        "spotlight: [{from: 1, to: 3, on: [3]}], callouts: [{at: 1, on: 3, text: this one}]"));
+    const std::unique_ptr<PanelSet> panels = shot.read_panels();
+    int faint = 0, with_spotlight = 0;
+    shot.run.play(shot.frames.size(),
+                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                      const FrameData still = panels->frame_data(tick, sample, advanced, true);
+                      const auto& gas = dynamic_cast<const ParticleState&>(*still.states[0]);
+                      const auto& moving = dynamic_cast<const ParticleState&>(
+                          *shot.frames[static_cast<std::size_t>(tick.frame)].states[0]);
+                      REQUIRE(gas.callouts.size() == moving.callouts.size());
+                      REQUIRE(gas.light.size() == moving.light.size());
+                      for (std::size_t i = 0; i < gas.callouts.size(); ++i) {
+                          CHECK(gas.callouts[i].share == 1.0);
+                          faint += moving.callouts[i].share < 0.5;
+                      }
+                      if (gas.light.empty()) return;
+                      ++with_spotlight;
+                      CHECK(gas.light[7] == doctest::Approx(0.35));
+                      CHECK(gas.rings.front().share == 1.0);
+                  });
+    CHECK(faint > 0);
+    CHECK(with_spotlight > 0);
+}
+
+TEST_CASE("what comes and goes in one pause is there at its time") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, radius: 0.5, speed: 1}]\n"
+        "run: {until: 4, events: [{at: 1, pause: 3}]}\nfilm: {fps: 10, seconds: 8}\n");
+    const Showing shown = showing(timeline(scene), scene.film, {1.0, {}}, 1.0);
+    CHECK(shown.last == shown.first + 9);
+    CHECK(shown.holds(1.0));
+    CHECK(!shown.holds(0.99));
+    CHECK(!shown.holds(1.2));
+}
+
 TEST_CASE("the camera eases from view to view, and a particle that it follows is in the middle") {
     const Scene scene = scene_of(
         "camera: [{at: 1, view: [10, 10, 20, 17.5], over: 0.8}, {at: 2, follow: 0, width: 8}, {at: "

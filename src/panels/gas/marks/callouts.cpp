@@ -19,17 +19,17 @@ Callouts::Callouts(const PanelContext& context) : context_(context) {
 void Callouts::survey(const FrameInput& input, const Eigen::ArrayXXd& places) {
     for (std::size_t k = 0; k < callouts_.size(); ++k) {
         const Timed& one = callouts_[k];
-        if (share_of(context_, one.time, input.tick) <= 0.0) continue;
+        if (share_of(context_, one.time, input.tick, input.is_still) <= 0.0) continue;
         ways_[k].push_back({surveyed_, places(one.particle, 0),
                             places.cols() > 1 ? places(one.particle, 1) : 0.0});
     }
     ++surveyed_;
 }
 
-std::vector<Callouts::Present> Callouts::at(const Tick& tick) const {
+std::vector<Callouts::Present> Callouts::at(const Tick& tick, bool is_still) const {
     std::vector<Present> present;
     for (std::size_t k = 0; k < callouts_.size(); ++k) {
-        const double share = share_of(context_, callouts_[k].time, tick);
+        const double share = share_of(context_, callouts_[k].time, tick, is_still);
         if (share > 0.0 && !ways_[k].empty()) present.push_back({k, callouts_[k].particle, share});
     }
     return present;

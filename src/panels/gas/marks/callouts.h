@@ -34,7 +34,7 @@ class Callouts {
         Eigen::Index particle = 0;
         double share = 0.0;  ///< how much of it is seen
     };
-    std::vector<Present> at(const Tick& tick) const;
+    std::vector<Present> at(const Tick& tick, bool is_still) const;
 
     const std::string& words(const Present& one) const;
     const std::vector<Step>& way(const Present& one) const { return ways_[one.index]; }

@@ -11,9 +11,10 @@ constexpr double dimmed = 0.35;  // what is left of a colour
 
 }  // namespace
 
-double share_of(const PanelContext& context, const Showing& time, const Tick& tick) {
+double share_of(const PanelContext& context, const Showing& time, const Tick& tick, bool is_still) {
     if (!context.in_film) return time.holds(tick.time) ? 1.0 : 0.0;
-    return opacity(time, context.scene.film, tick.frame, overlay_fade_seconds);
+    const double share = opacity(time, context.scene.film, tick.frame, overlay_fade_seconds);
+    return is_still && share > 0.0 ? 1.0 : share;
 }
 
 Spotlights::Spotlights(const PanelContext& context) : context_(context) {
@@ -30,18 +31,18 @@ Spotlights::Spotlights(const PanelContext& context) : context_(context) {
     }
 }
 
-double Spotlights::share(const Light& light, const Tick& tick) const {
-    return share_of(context_, light.time, tick);
+double Spotlights::share(const Light& light, const Tick& tick, bool is_still) const {
+    return share_of(context_, light.time, tick, is_still);
 }
 
 // Where one spotlight follows another, particles that both are on stay as they are.
-std::vector<float> Spotlights::light(const Tick& tick) const {
+std::vector<float> Spotlights::light(const Tick& tick, bool is_still) const {
     double most = 0.0;
-    for (const Light& light : lights_) most = std::max(most, share(light, tick));
+    for (const Light& light : lights_) most = std::max(most, share(light, tick, is_still));
     if (most <= 0.0) return {};
     std::vector<double> on(static_cast<std::size_t>(context_.particles.count()), 0.0);
     for (const Light& light : lights_) {
-        const double its = share(light, tick);
+        const double its = share(light, tick, is_still);
         for (const Eigen::Index i : light.on) {
             double& own = on[static_cast<std::size_t>(i)];
             own = std::max(own, its);
@@ -54,10 +55,10 @@ std::vector<float> Spotlights::light(const Tick& tick) const {
     return kept;
 }
 
-std::vector<Spotlights::Ring> Spotlights::rings(const Tick& tick) const {
+std::vector<Spotlights::Ring> Spotlights::rings(const Tick& tick, bool is_still) const {
     std::vector<Ring> rings;
     for (const Light& light : lights_) {
-        const double its = share(light, tick);
+        const double its = share(light, tick, is_still);
         if (its <= 0.0) continue;
         for (const Eigen::Index i : light.single) rings.push_back({i, its});
     }

@@ -100,7 +100,7 @@ void LinePanel::Drawing::draw_ground() const {
     AxisStyle axis = axis_style(dc);
     axis.language = context.language();
     draw_y_axis(canvas, v.plot, v.time, axis);
-    draw_captions();
+    if (!panel.camera_.moves()) draw_captions();
 }
 
 void LinePanel::Drawing::draw_ends() const {
@@ -136,7 +136,8 @@ void LinePanel::Drawing::draw_acting_ends() const {
     }
 }
 
-// What the axis is, what the lines are, and that beads are not as large as they look.
+// What the axis is, what the lines are, and that beads are not as large as they look, or have no
+// room for their labels where the camera is.
 void LinePanel::Drawing::draw_captions() const {
     const Language language = context.language();
     const double baseline = v.plot.y - 0.8 * u;
@@ -166,6 +167,7 @@ void LinePanel::Drawing::draw() const {
     draw_acting_ends();
     if (now.view) canvas.release_clip();
     if (v.has_lines) {
+        if (panel.camera_.moves()) draw_captions();
         canvas.clip_to(v.plot);
         draw_lines();
         draw_reversals();

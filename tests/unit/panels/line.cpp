@@ -102,6 +102,23 @@ TEST_CASE("a frame of a wire is a pure function of it: any order, any painter") 
     }
 }
 
+TEST_CASE("a wire says that labels have no room only where the camera shows none") {
+    const Shot shot(scene_of("length: 40", "{count: 20, radius: 0.3, temperature: 1}",
+                             "size: [640, 360], fps: 10, seconds: 6, template: minimal, labels: "
+                             "index, camera: [{at: 2, view: [0, 4]}]",
+                             "until: 10"));
+    FramePainter painter(*shot.panels);
+    const auto says_so = [&](const FrameData& frame) {
+        const TextLog log;
+        Canvas page({640, 360}, VectorFormat::svg, {"T", ""});
+        painter.paint_on(page, frame);
+        return std::ranges::count(log.lines, "no room for labels on the beads",
+                                  &DrawnLine::markup) == 1;
+    };
+    CHECK(says_so(shot.frames.front()));
+    CHECK(!says_so(shot.frames.back()));
+}
+
 TEST_CASE("every theme and colouring of a wire can be drawn, odd and tiny pictures, few and many") {
     for (const std::string theme : {"light", "dark", "print"})
         for (const std::string color : {"speed", "speed-class", "energy", "species", "mass"})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "draw/formula/words.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double across = 0.7, above = 0.5;  // around the words, units
 constexpr double line_height = 1.35;         // of the size of the words
+constexpr double callout_line = 0.12;        // units
 constexpr double clear = 1.6;                // units, from a target to its plate
 constexpr int columns = 9, rows = 9;         // of places that are tried
 constexpr std::size_t most_lines = 6;
@@ -23,6 +25,8 @@ double distance(const Rect& rect, Point at) {
 bool meet(const Rect& a, const Rect& b) {
     return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
+
+bool meet(const Showing& a, const Showing& b) { return a.first <= b.last && b.first <= a.last; }
 
 TextStyle words_style(const DrawContext& dc) {
     TextStyle style = title_style(dc);
@@ -72,6 +76,29 @@ Rect free_place(const DrawContext& dc, const Rect& area, const CalloutPlate& pla
     return best;
 }
 
+std::vector<std::optional<Rect>> places_in_time(
+    std::span<const Showing> times, std::span<const std::size_t> seen,
+    const std::function<std::optional<Rect>(std::size_t, std::span<const Rect>)>& place_of) {
+    std::vector<std::size_t> order(times.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return times[k].first; });
+    std::vector<bool> counts(times.size(), false);
+    for (const std::size_t k : seen) counts[k] = true;
+    for (std::size_t later = order.size(); later-- > 0;)
+        for (std::size_t i = 0; i < later && counts[order[later]]; ++i)
+            if (meet(times[order[i]], times[order[later]])) counts[order[i]] = true;
+    std::vector<std::optional<Rect>> places(times.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::size_t k = order[i];
+        if (!counts[k]) continue;
+        std::vector<Rect> others;
+        for (const std::size_t first : std::span(order).first(i))
+            if (places[first] && meet(times[first], times[k])) others.push_back(*places[first]);
+        places[k] = place_of(k, others);
+    }
+    return places;
+}
+
 Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x) {
     const double apart = clear * dc.unit;
     const bool is_right = area.right() - x > x - area.x;
@@ -81,30 +108,43 @@ Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& p
             area.y + std::max(0.0, 0.5 * (area.height - plate.height)), plate.width, plate.height};
 }
 
-void draw_callout(Canvas& canvas, const DrawContext& dc, const Rect& place,
-                  const CalloutPlate& plate, Point target, double reach, double alpha) {
-    const double u = dc.unit, line = 0.12 * u;
+namespace {
+
+void draw_line_of(Canvas& canvas, const DrawContext& dc, const DrawnCallout& callout) {
+    const auto& [place, plate, target, reach, alpha] = callout;
+    const double u = dc.unit, line = callout_line * u;
     const Point from{std::clamp(target.x, place.x, place.right()),
                      std::clamp(target.y, place.y, place.bottom())};
     const double length = std::hypot(target.x - from.x, target.y - from.y);
     const double gap = reach + 0.2 * u;
-    if (length > gap) {
-        const double share = (length - gap) / length;
-        const Point to{from.x + share * (target.x - from.x), from.y + share * (target.y - from.y)};
-        canvas.stroke_line(from, to, line + 0.24 * u, with_alpha(dc.theme.ground, 0.8 * alpha));
-        canvas.stroke_line(from, to, line, with_alpha(dc.theme.ink, alpha));
-    }
+    if (length <= gap) return;
+    const double share = (length - gap) / length;
+    const Point to{from.x + share * (target.x - from.x), from.y + share * (target.y - from.y)};
+    canvas.stroke_line(from, to, line + 0.24 * u, with_alpha(dc.theme.ground, 0.8 * alpha));
+    canvas.stroke_line(from, to, line, with_alpha(dc.theme.ink, alpha));
+}
+
+void draw_plate_of(Canvas& canvas, const DrawContext& dc, const DrawnCallout& callout) {
+    const double u = dc.unit, alpha = callout.alpha;
+    const Rect& place = callout.place;
     canvas.fill(place, with_alpha(dc.theme.ground, 0.94 * alpha));
-    canvas.stroke_rect(place, 0.6 * line, with_alpha(dc.theme.ink, alpha));
+    canvas.stroke_rect(place, 0.6 * callout_line * u, with_alpha(dc.theme.ink, alpha));
     TextStyle style = words_style(dc);
     style.color = with_alpha(dc.theme.ink, alpha);
     style.max_width = place.width - 2.0 * across * u + 1.0;
     double top = place.y + above * u;
-    for (const std::string& words : plate.lines) {
+    for (const std::string& words : callout.plate.lines) {
         const LineHeight height = line_height_of(words, style, line_height);
         draw_words(canvas, {place.x + across * u, top + height.above}, words, style);
         top += height.all;
     }
+}
+
+}  // namespace
+
+void draw_callouts(Canvas& canvas, const DrawContext& dc, std::span<const DrawnCallout> callouts) {
+    for (const DrawnCallout& one : callouts) draw_line_of(canvas, dc, one);
+    for (const DrawnCallout& one : callouts) draw_plate_of(canvas, dc, one);
 }
 
 }  // namespace carom

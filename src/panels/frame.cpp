@@ -246,7 +246,8 @@ void FramePainter::draw_callouts(Canvas& canvas, const FrameData& frame, bool st
         if (!at) continue;
         const CalloutPlate plate = callout_plate(dc, callout->words, 0.55 * dc.area.width);
         const Rect place = place_beside(dc, plot_area(dc), plate, at->x);
-        draw_callout(canvas, dc, place, plate, *at, 0.0, alpha);
+        const DrawnCallout drawn{place, plate, *at, 0.0, alpha};
+        carom::draw_callouts(canvas, dc, {&drawn, 1});
     }
 }
 

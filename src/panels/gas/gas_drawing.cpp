@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "panels/chosen.h"
@@ -77,34 +78,44 @@ void GasPanel::Drawing::draw_where_it_is() const {
                panel.context_.language());
 }
 
-// The words stand still; where the camera moves they keep clear of where it shows the particle.
+// Where words stand still: where the camera moves they keep clear of all places where it shows the
+// particle.
+Rect GasPanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& steps,
+                                         Eigen::Index particle, const CalloutPlate& plate,
+                                         std::span<const Rect> others) const {
+    std::vector<Point> way;
+    double reach = 0.0;
+    for (const Callouts::Step& step : steps) {
+        const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
+        const BoxMap then = view ? panel.part_of(whole, *view) : whole;
+        Eigen::Array2d at{step.x, step.y};
+        if (view) at = view->middle + box.nearest(at - view->middle);
+        way.push_back(then.pixel({at[0], at[1]}));
+        reach = std::max(reach, radius[particle] * then.scale);
+    }
+    return free_place(dc, whole.frame, plate, way, reach, others);
+}
+
 void GasPanel::Drawing::draw_callouts() const {
-    std::vector<Rect> taken;
-    for (const Callouts::Present& one : gas.callouts) {
-        std::vector<Point> way;
-        double reach = 0.0;
-        for (const Callouts::Step& step : panel.callouts_.way(one)) {
-            const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
-            const BoxMap then = view ? panel.part_of(whole, *view) : whole;
-            way.push_back(then.pixel({step.x, step.y}));
-            reach = std::max(reach, radius[one.particle] * then.scale);
-        }
-        const CalloutPlate plate = callout_plate(dc, panel.callouts_.words(one),
-                                                 std::min(17.0 * dc.unit, 0.5 * frame.width));
-        taken.push_back(free_place(dc, whole.frame, plate, way, reach, taken));
-        const double shown = shown_radius(one.particle);
-        Point target = pixel(one.particle);  // or its image that the camera shows
-        for_each_image(place_of(gas.place, one.particle), 0.0, [&](Point at) {
+    const auto place = std::bind_front(&Drawing::place_of_callout, this);
+    std::vector<DrawnCallout> drawn;
+    for (const Callouts::Standing& its : panel.callouts_.standing(
+             gas.callouts, dc, std::min(17.0 * dc.unit, 0.5 * whole.frame.width), place)) {
+        const Eigen::Index particle = its.callout.particle;
+        const double shown = shown_radius(particle);
+        Point target = pixel(particle);  // or its image that the camera shows
+        for_each_image(place_of(gas.place, particle), 0.0, [&](Point at) {
             const auto off = [&](Point to) {
                 return std::hypot(to.x - frame.x - frame.width / 2,
                                   to.y - frame.y - frame.height / 2);
             };
             if (off(at) < off(target)) target = at;
         });
-        canvas.clip_to(frame);
-        draw_callout(canvas, dc, taken.back(), plate, target, shown, one.share);
-        canvas.release_clip();
+        drawn.push_back({its.place, its.plate, target, shown, its.callout.share});
     }
+    canvas.clip_to(frame);
+    carom::draw_callouts(canvas, dc, drawn);
+    canvas.release_clip();
 }
 
 void GasPanel::Drawing::draw_contents() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "draw/raster/trail_lines.h"
@@ -91,6 +92,8 @@ struct GasPanel::Drawing {
     void draw_contents() const;
     void draw_where_it_is() const;
     void draw_callouts() const;
+    Rect place_of_callout(const std::vector<Callouts::Step>& steps, Eigen::Index particle,
+                          const CalloutPlate& plate, std::span<const Rect> others) const;
     void draw_field() const;
     void draw_outlines() const;
     double radius_in_crowd() const;

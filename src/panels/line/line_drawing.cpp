@@ -65,18 +65,22 @@ double LinePanel::drawn_length() const { return map_->length() + ends_.before() 
 
 // Of the line as it is drawn, the part that the camera shows: a length of the box is there as much
 // longer as all of it.
-LinePanel::View LinePanel::view(const DrawContext& dc, const State& state) const {
-    View view = whole_view(dc);
-    if (!state.view) return view;
+LinePanel::View LinePanel::part_of(const View& whole, const CameraView& seen,
+                                   const DrawContext& dc) const {
+    View view = whole;
     const Region extent = ends_.extent();
     const double length = extent.high[0] - extent.low[0], longer = drawn_length() / length;
-    view.zoom = length / state.view->width;
+    view.zoom = length / seen.width;
     view.scale *= view.zoom;
     view.rods = view.rods || view.longest * view.zoom > rods_from * dc.unit;
     view.larger_rods = view.longest_larger * view.zoom > rods_from * dc.unit;
-    view.low +=
-        (state.view->middle[0] - extent.low[0]) * longer - 0.5 * view.plot.width / view.scale;
+    view.low += (seen.middle[0] - extent.low[0]) * longer - 0.5 * view.plot.width / view.scale;
     return view;
+}
+
+LinePanel::View LinePanel::view(const DrawContext& dc, const State& state) const {
+    const View whole = whole_view(dc);
+    return state.view ? part_of(whole, *state.view, dc) : whole;
 }
 
 double LinePanel::scale_in(const DrawContext& own) const { return whole_view(own).scale; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "panels/chosen.h"
@@ -69,6 +70,8 @@ struct LinePanel::Drawing {
     void draw_ends() const;
     void draw_rings() const;
     void draw_callouts() const;
+    Rect place_of_callout(const std::vector<Callouts::Step>& steps, Eigen::Index,
+                          const CalloutPlate& plate, std::span<const Rect> others) const;
     void draw_where_it_is() const;
 
     void draw() const;

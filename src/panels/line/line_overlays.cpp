@@ -1,5 +1,7 @@
 // What lies over the beads of a line, or under them: marks, rings, callouts, and where the camera
 // is.
+#include <functional>
+
 #include "panels/line/line_drawing.h"
 
 namespace carom {
@@ -36,23 +38,36 @@ void LinePanel::Drawing::draw_where_it_is() const {
 }
 
 // Over the world lines, as their words would hide beads elsewhere.
-void LinePanel::Drawing::draw_callouts() const {
-    std::vector<Rect> taken;
-    for (const Callouts::Present& one : now.callouts) {
-        std::vector<Point> way;
-        for (const Callouts::Step& step : panel.callouts_.way(one)) {
-            State then;
-            then.view = panel.camera_.at(static_cast<std::size_t>(step.frame));
-            way.push_back({panel.view(dc, then).x(step.x), v.line_y});
+Rect LinePanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& steps, Eigen::Index,
+                                          const CalloutPlate& plate,
+                                          std::span<const Rect> others) const {
+    const View whole = panel.whole_view(dc);
+    std::vector<Point> way;
+    for (const Callouts::Step& step : steps) {
+        const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
+        const View then = view ? panel.part_of(whole, *view, dc) : whole;
+        double x = then.x(step.x) - v.plot.x;
+        if (is_ring) {  // the image nearest to the middle
+            const double period = then.plot.width * then.zoom;
+            x -= period * std::round(x / period - 0.5 / then.zoom);
         }
-        const CalloutPlate plate =
-            callout_plate(dc, panel.callouts_.words(one), std::min(17.0 * u, 0.5 * v.plot.width));
-        taken.push_back(free_place(dc, v.plot, plate, way, 0.0, taken));
-        const std::vector<Point> seen = seen_at(place(one.particle), shown_radius(one.particle));
-        if (!seen.empty())
-            draw_callout(canvas, dc, taken.back(), plate, seen.front(), half_height(one.particle),
-                         one.share);
+        way.push_back({v.plot.x + x, v.line_y});
     }
+    return free_place(dc, v.plot, plate, way, 0.0, others);
+}
+
+void LinePanel::Drawing::draw_callouts() const {
+    const auto place = std::bind_front(&Drawing::place_of_callout, this);
+    std::vector<DrawnCallout> drawn;
+    for (const Callouts::Standing& its : panel.callouts_.standing(
+             now.callouts, dc, std::min(17.0 * u, 0.5 * v.plot.width), place)) {
+        const Eigen::Index i = its.callout.particle;
+        const std::vector<Point> seen = seen_at(this->place(i), shown_radius(i));
+        if (!seen.empty())
+            drawn.push_back(
+                {its.place, its.plate, seen.front(), half_height(i), its.callout.share});
+    }
+    carom::draw_callouts(canvas, dc, drawn);
 }
 
 }  // namespace carom

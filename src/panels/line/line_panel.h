@@ -55,6 +55,7 @@ class LinePanel : public ParticlePanel {
 
     double drawn_length() const;
     View whole_view(const DrawContext& dc) const;
+    View part_of(const View& whole, const CameraView& seen, const DrawContext& dc) const;
     View view(const DrawContext& dc, const State& state) const;
     double scale_in(const DrawContext& own) const override;
     void survey_places(const FrameInput& input);

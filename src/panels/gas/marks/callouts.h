@@ -2,8 +2,8 @@
 // which the words find a place of their own that does not move.
 #pragma once
 
-#include <string>
-#include <utility>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "panels/callout.h"
@@ -36,17 +36,26 @@ class Callouts {
     };
     std::vector<Present> at(const Tick& tick, bool is_still) const;
 
-    const std::string& words(const Present& one) const;
-    const std::vector<Step>& way(const Present& one) const { return ways_[one.index]; }
+    /// Where the words of each of those stand, in all frames in which it is seen. `place_of(way,
+    /// particle, plate, others)` finds a place for one beside others.
+    using PlaceOf = std::function<Rect(const std::vector<Step>& way, Eigen::Index particle,
+                                       const CalloutPlate& plate, std::span<const Rect> others)>;
+    struct Standing {
+        Present callout;
+        CalloutPlate plate;
+        Rect place;
+    };
+    std::vector<Standing> standing(const std::vector<Present>& present, const DrawContext& dc,
+                                   double most_width, const PlaceOf& place_of) const;
 
   private:
     PanelContext context_;
     struct Timed {
         Eigen::Index particle;
-        Showing time;
         const Callout* callout;
     };
     std::vector<Timed> callouts_;
+    std::vector<Showing> times_;           ///< of each
     std::vector<std::vector<Step>> ways_;  ///< of each
     std::int64_t surveyed_ = 0;
 };

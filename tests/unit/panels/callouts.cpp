@@ -1,0 +1,87 @@
+// Where the words of callouts stand in a film.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "panels/callout.h"
+#include "panels/frame.h"
+#include "support/scene_text.h"
+#include "support/shot.h"
+
+using namespace carom;
+using test::Shot;
+
+namespace {
+
+std::vector<DrawnLine> lines_of(FramePainter& painter, const FrameData& frame, const Scene& scene) {
+    const TextLog log;
+    Canvas page({scene.film.size.width, scene.film.size.height}, VectorFormat::svg, {"T", ""});
+    painter.paint_on(page, frame);
+    return log.lines;
+}
+
+bool meet(const Rect& a, const Rect& b) {
+    return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+Rect box_of(const Shot& shot) {
+    return shot.panels->boxes(Grid(shot.scene.film.layout, shot.scene.film.size)).front();
+}
+
+}  // namespace
+
+TEST_CASE("the words of a callout stand still when others come and go") {
+    const Shot shot(test::scene_from(
+        "title: T\nbox: {size: [10, 10]}\ngas: [{name: a, position: [[3, 5], [4, 5]], radius: 0.3, "
+        "velocity: [0, 0]}, {name: b, position: [[8, 1]], radius: 0.3, velocity: [0.01, 0]}]\n"
+        "run: {until: 12}\nfilm: {fps: 10, seconds: 16, size: [640, 360], template: minimal, "
+        "callouts: [{at: 2, for: 4, on: 0, text: first}, {at: 4, for: 6, on: 1, text: "
+        "second}]}\n"));
+    FramePainter painter(*shot.panels);
+    std::vector<Rect> first, second;
+    for (const FrameData& frame : shot.frames) {
+        const std::vector<DrawnLine> lines = lines_of(painter, frame, shot.scene);
+        for (const DrawnLine& line : lines)
+            if (line.markup == "first") first.push_back(line.ink);
+        for (const DrawnLine& line : lines)
+            if (line.markup == "second") second.push_back(line.ink);
+    }
+    REQUIRE(first.size() == 40);
+    REQUIRE(second.size() == 60);
+    for (const Rect& ink : second) {
+        CHECK(ink.x == doctest::Approx(second.front().x));
+        CHECK(ink.y == doctest::Approx(second.front().y));
+    }
+    CHECK(!meet(first.front(), second.front()));
+}
+
+TEST_CASE("plates find their places in order of time, against those seen with them") {
+    const std::vector<Showing> times{{20, 39}, {0, 9}, {5, 24}, {50, 59}};
+    std::vector<std::size_t> asked;
+    const auto places =
+        places_in_time(times, std::vector<std::size_t>{0},
+                       [&](std::size_t k, std::span<const Rect> others) -> std::optional<Rect> {
+                           asked.push_back(k);
+                           return Rect{0.0, static_cast<double>(others.size()), 1.0, 1.0};
+                       });
+    CHECK(asked == std::vector<std::size_t>{1, 2, 0});
+    CHECK(places[0]->y == 1.0);
+    CHECK(places[2]->y == 1.0);
+    CHECK(!places[3]);
+}
+
+TEST_CASE("across a periodic side a callout stands by the image that the camera shows") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [20, 20], walls: periodic}\ngas: [{position: [[0.5, 10], [18.9, "
+        "10]], radius: 0.3, velocity: [0, 0]}]\nrun: {until: 4}\nfilm: {fps: 10, seconds: 4, size: "
+        "[640, 360], template: minimal, camera: [{at: 0, follow: 0, width: 5}], callouts: [{at: 1, "
+        "on: 1, text: it}]}\n");
+    const Shot shot(scene);
+    FramePainter painter(*shot.panels);
+    const Rect box = box_of(shot);
+    for (const DrawnLine& line : lines_of(painter, shot.frames[20], shot.scene))
+        if (line.markup == "it") CHECK(line.ink.right() < box.x + 0.5 * box.width);
+}

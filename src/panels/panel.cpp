@@ -59,23 +59,6 @@ std::string fitting_title(const DrawContext& dc, const std::vector<std::string>&
     return titles.empty() ? "" : titles.back();
 }
 
-bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double width,
-                 const std::vector<std::string>& remarks) {
-    const double u = dc.unit;
-    TextStyle style = label_style(dc);
-    style.align = Align::right;
-    for (const std::string& words : remarks) {
-        const double wide = measure_text(words, style).width;
-        if (wide > width - 2.0 * u) continue;
-        const Point foot{corner.x - 0.6 * u, corner.y - 0.6 * u};
-        canvas.fill({foot.x - wide - 0.4 * u, foot.y - 1.1 * u, wide + 0.8 * u, 1.5 * u},
-                    with_alpha(dc.theme.ground, plate_alpha));
-        draw_text(canvas, foot, words, style);
-        return true;
-    }
-    return false;
-}
-
 std::string line_sample(std::size_t line, Color color, const Theme& theme) {
     if (theme.kind != ThemeKind::print) return "";
     constexpr std::array<const char*, 4> samples = {"—", "- -", "···", "–·–"};

@@ -172,11 +172,6 @@ void draw_panel_title(Canvas& canvas, const DrawContext& dc, const std::string& 
 /// Empty where there are none.
 std::string fitting_title(const DrawContext& dc, const std::vector<std::string>& titles);
 
-/// The longest of some remarks (plain words) that fits into `width`, on a plate of the ground in
-/// the corner whose lower right is `corner`; whether any did.
-bool draw_remark(Canvas& canvas, const DrawContext& dc, Point corner, double width,
-                 const std::vector<std::string>& remarks);
-
 /// In print, a sample of a line or a disk to stand before the words about it, as markup with a
 /// space after it; elsewhere nothing, as the words have the colour.
 std::string line_sample(std::size_t line, Color color, const Theme& theme);

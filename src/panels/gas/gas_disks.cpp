@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "draw/disks/small_disks.h"
@@ -153,26 +154,21 @@ void GasPanel::Drawing::draw_infinite() const {
 
 // Disks that are drawn larger than they are make a gas look denser than it is, and flashes that are
 // left out make it look calmer. Labels that have no room are not forgotten.
-void GasPanel::Drawing::draw_remarks() const {
-    double foot = frame.bottom();
-    if (draw_remark(canvas, dc, {frame.right(), foot}, frame.width, panel.flashes_.remarks()))
-        foot -= 1.5 * dc.unit;
-    if (!labels_fit() &&
-        draw_remark(canvas, dc, {frame.right(), foot}, frame.width,
-                    {say(panel.context_.language(), "No room for labels on the disks")}))
-        foot -= 1.5 * dc.unit;
-    const double smallest = radius.minCoeff();
-    if (!(smallest * scale < least_shown)) return;
-    const double largest = (radius * scale < least_shown).select(radius, smallest).maxCoeff();
+Remarks GasPanel::Drawing::remarks() const {
     const Language language = panel.context_.language();
+    Remarks all(dc, frame, gas.view ? std::optional(map_of(map)) : std::nullopt);
+    all.add(panel.flashes_.remarks());
+    if (!labels_fit()) all.add({say(language, "No room for labels on the disks")});
+    const double smallest = panel.smallest_;
+    if (!(smallest * scale < least_shown)) return all;
+    const double largest = (radius * scale < least_shown).select(radius, smallest).maxCoeff();
     const std::string low = three_digits(language, smallest),
                       high = three_digits(language, largest);
-    std::vector<std::string> words{
-        largest > smallest
-            ? say(language, "Disks enlarged for visibility; radii {} to {}", low, high)
-            : say(language, "Disks enlarged for visibility; radius {}", low)};
-    words.push_back(say(language, "Disks enlarged for visibility"));
-    draw_remark(canvas, dc, {frame.right(), foot}, frame.width, words);
+    all.add({largest > smallest
+                 ? say(language, "Disks enlarged for visibility; radii {} to {}", low, high)
+                 : say(language, "Disks enlarged for visibility; radius {}", low),
+             say(language, "Disks enlarged for visibility")});
+    return all;
 }
 
 }  // namespace carom

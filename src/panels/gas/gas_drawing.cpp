@@ -10,6 +10,7 @@
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/gas/disk_names.h"
+#include "panels/gas/marks/view_map.h"
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_strokes.h"
 #include "util/text.h"
@@ -69,31 +70,40 @@ void GasPanel::Drawing::draw() const {
 // A thin line around what is seen, and where that is in the box.
 void GasPanel::Drawing::draw_where_it_is() const {
     const double zoom = map.scale / whole.scale;
-    const double share = std::clamp(std::log(zoom) / std::log(1.3), 0.0, 1.0);
     canvas.stroke_rect(frame, 0.07 * dc.unit, dc.theme.muted);
     const Point corner = whole.pixel({map.low[0], map.low[1] + frame.height / map.scale});
     const Rect part{(corner.x - frame.x) / frame.width, (corner.y - frame.y) / frame.height,
                     1.0 / zoom, 1.0 / zoom};
-    draw_where(canvas, dc, frame, part, frame.height / frame.width, map.scale, share,
-               panel.context_.language());
+    draw_view_map(canvas, dc, map_of(map), part, view_map_share(zoom), panel.context_.language());
+}
+
+ViewMap GasPanel::Drawing::map_of(const BoxMap& view) const {
+    return view_map(dc, whole.frame, whole.frame.height / whole.frame.width, view.scale);
 }
 
 // Where words stand still: where the camera moves they keep clear of all places where it shows the
-// particle.
+// particle, of its map and of remarks.
 Rect GasPanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& steps,
                                          Eigen::Index particle, const CalloutPlate& plate,
                                          std::span<const Rect> others) const {
     std::vector<Point> way;
-    double reach = 0.0;
+    std::vector<Rect> taken(others.begin(), others.end());
+    double reach = 0.0, scale_before = 0.0;
     for (const Callouts::Step& step : steps) {
         const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
         const BoxMap then = view ? panel.part_of(whole, *view) : whole;
         Eigen::Array2d at{step.x, step.y};
         if (view) at = view->middle + box.nearest(at - view->middle);
+        if (scale_before != then.scale) {
+            State seen;
+            seen.view = view;
+            Drawing{panel, canvas, dc, seen}.remarks().take_places(taken);
+        }
+        scale_before = then.scale;
         way.push_back(then.pixel({at[0], at[1]}));
         reach = std::max(reach, radius[particle] * then.scale);
     }
-    return free_place(dc, whole.frame, plate, way, reach, others);
+    return free_place(dc, whole.frame, plate, way, reach, taken);
 }
 
 void GasPanel::Drawing::draw_callouts() const {
@@ -135,7 +145,7 @@ void GasPanel::Drawing::draw_contents() const {
         draw_labels();
     draw_followed();
     draw_flashes();
-    draw_remarks();
+    remarks().draw(canvas);
     canvas.release_clip();
     surfaces.draw_around(canvas, dc, map, gas.surfaces);
     draw_arrows();

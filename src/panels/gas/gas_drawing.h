@@ -8,6 +8,7 @@
 
 #include "draw/raster/trail_lines.h"
 #include "panels/gas/gas_panel.h"
+#include "panels/gas/marks/view_map.h"
 
 namespace carom {
 
@@ -91,6 +92,7 @@ struct GasPanel::Drawing {
     void draw_box() const;
     void draw_contents() const;
     void draw_where_it_is() const;
+    ViewMap map_of(const BoxMap& view) const;
     void draw_callouts() const;
     Rect place_of_callout(const std::vector<Callouts::Step>& steps, Eigen::Index particle,
                           const CalloutPlate& plate, std::span<const Rect> others) const;
@@ -109,7 +111,7 @@ struct GasPanel::Drawing {
     void draw_trails() const;
     void draw_followed() const;
     void draw_flashes() const;
-    void draw_remarks() const;
+    Remarks remarks() const;
 };
 
 }  // namespace carom

@@ -1,12 +1,8 @@
 #include "panels/gas/particle_panel.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "physics/mechanics.h"
-#include "util/text.h"
 
 namespace carom {
 
@@ -57,39 +53,6 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     state.callouts = callouts_.at(input.tick, input.is_still);
     if (camera_.moves()) state.view = camera_.next();
     state.field = field_.see(input);
-}
-
-void draw_where(Canvas& canvas, const DrawContext& dc, const Rect& picture, const Rect& part,
-                double shape, double scale, double share, Language language) {
-    const double u = dc.unit, most = 6.0 * u;
-    const double width = shape > 1.0 ? most / shape : most, height = width * shape;
-    const double least = 0.5 * u;  // a line has a map too
-    const Rect map{picture.x + 1.1 * u, picture.bottom() - 1.1 * u - std::max(least, height), width,
-                   std::max(least, height)};
-    const double most_length = 0.2 * picture.width / scale;
-    const double power = std::pow(10.0, std::floor(std::log10(most_length)));
-    double length = power;
-    for (const double digit : {2.0, 5.0})
-        if (digit * power <= most_length) length = digit * power;
-    const double bar = length * scale, left = map.right() + 1.2 * u;
-    canvas.fill({picture.x + 0.4 * u, map.y - 0.7 * u, left + bar - picture.x + 0.6 * u,
-                 picture.bottom() - map.y + 0.3 * u},
-                with_alpha(dc.theme.ground, plate_alpha * share));
-    canvas.stroke_rect(map, 0.07 * u, with_alpha(dc.theme.muted, share));
-    const auto across = [&](double x) { return map.x + std::clamp(x, 0.0, 1.0) * map.width; };
-    const auto down = [&](double y) { return map.y + std::clamp(y, 0.0, 1.0) * map.height; };
-    canvas.stroke_rect({across(part.x), down(part.y), across(part.right()) - across(part.x),
-                        down(part.bottom()) - down(part.y)},
-                       0.14 * u, with_alpha(dc.theme.highlight, share));
-    const double y = map.bottom();
-    const Color ink = with_alpha(dc.theme.ink, share);
-    canvas.stroke_line({left, y}, {left + bar, y}, 0.14 * u, ink);
-    for (const double end : {left, left + bar})
-        canvas.stroke_line({end, y - 0.3 * u}, {end, y + 0.07 * u}, 0.1 * u, ink);
-    TextStyle style = label_style(dc);
-    style.color = ink;
-    style.align = Align::center;
-    draw_text(canvas, {left + 0.5 * bar, y - 0.6 * u}, plain_number(language, length), style);
 }
 
 void ParticlePanel::archive_progress(Archive& archive) {

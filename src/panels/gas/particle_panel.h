@@ -94,10 +94,4 @@ class ParticlePanel : public Panel {
     FieldLayer field_;
 };
 
-/// What a view of a part of the box needs, over the picture: a small map of the whole box with the
-/// part in it (in shares of the whole, y down), and a bar of a round length. `shape`: the height of
-/// the box over its width; `scale`: pixels of a length; `share`: how much of it is seen.
-void draw_where(Canvas& canvas, const DrawContext& dc, const Rect& picture, const Rect& part,
-                double shape, double scale, double share, Language language);
-
 }  // namespace carom

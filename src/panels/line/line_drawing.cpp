@@ -184,8 +184,7 @@ void LinePanel::Drawing::draw() const {
     draw_rings();
     draw_flashes();
     canvas.release_clip();
-    draw_remark(canvas, dc, {v.plot.right(), v.plot.bottom()}, v.plot.width,
-                panel.flashes_.remarks());
+    remarks_in(v, now.view.has_value()).draw(canvas);
     draw_arrows();
     draw_words();
     if (now.ghosts)

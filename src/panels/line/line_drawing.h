@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panels/chosen.h"
+#include "panels/gas/marks/view_map.h"
 #include "panels/line/line_panel.h"
 
 namespace carom {
@@ -73,6 +74,8 @@ struct LinePanel::Drawing {
     Rect place_of_callout(const std::vector<Callouts::Step>& steps, Eigen::Index,
                           const CalloutPlate& plate, std::span<const Rect> others) const;
     void draw_where_it_is() const;
+    ViewMap map_of(const View& view) const;
+    Remarks remarks_in(const View& view, bool has_map) const;
 
     void draw() const;
     std::vector<Point> seen_at(double place, double radius) const;

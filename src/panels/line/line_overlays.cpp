@@ -32,17 +32,29 @@ void LinePanel::Drawing::draw_rings() const {
 void LinePanel::Drawing::draw_where_it_is() const {
     const double width = 1.0 / v.zoom;
     const double left = (v.low + panel.ends_.before()) / panel.drawn_length();
-    const double share = std::clamp(std::log(v.zoom) / std::log(1.3), 0.0, 1.0);
-    draw_where(canvas, dc, {v.plot.x, v.plot.y, v.plot.width, v.plot.height},
-               {left, 0.0, width, 1.0}, 0.0, v.scale, share, context.language());
+    draw_view_map(canvas, dc, map_of(v), {left, 0.0, width, 1.0}, view_map_share(v.zoom),
+                  context.language());
 }
 
-// Over the world lines, as their words would hide beads elsewhere.
+ViewMap LinePanel::Drawing::map_of(const View& view) const {
+    return view_map(dc, view.plot, 0.0, view.scale);
+}
+
+Remarks LinePanel::Drawing::remarks_in(const View& view, bool has_map) const {
+    Remarks remarks(dc, view.plot, has_map ? std::optional(map_of(view)) : std::nullopt);
+    remarks.add(panel.flashes_.remarks());
+    return remarks;
+}
+
+// Over the world lines, as their words would hide beads elsewhere, and clear of the map and of
+// remarks there.
 Rect LinePanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& steps, Eigen::Index,
                                           const CalloutPlate& plate,
                                           std::span<const Rect> others) const {
     const View whole = panel.whole_view(dc);
     std::vector<Point> way;
+    std::vector<Rect> taken(others.begin(), others.end());
+    double scale_before = 0.0;
     for (const Callouts::Step& step : steps) {
         const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
         const View then = view ? panel.part_of(whole, *view, dc) : whole;
@@ -52,8 +64,10 @@ Rect LinePanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& ste
             x -= period * std::round(x / period - 0.5 / then.zoom);
         }
         way.push_back({v.plot.x + x, v.line_y});
+        if (scale_before != then.scale) remarks_in(then, view.has_value()).take_places(taken);
+        scale_before = then.scale;
     }
-    return free_place(dc, v.plot, plate, way, 0.0, others);
+    return free_place(dc, v.plot, plate, way, 0.0, taken);
 }
 
 void LinePanel::Drawing::draw_callouts() const {

@@ -1,4 +1,4 @@
-// Where the words of callouts stand in a film.
+// Where the words of callouts and remarks stand in a film.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 
 #include "panels/callout.h"
 #include "panels/frame.h"
+#include "panels/gas/marks/view_map.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 
@@ -84,4 +85,51 @@ TEST_CASE("across a periodic side a callout stands by the image that the camera 
     const Rect box = box_of(shot);
     for (const DrawnLine& line : lines_of(painter, shot.frames[20], shot.scene))
         if (line.markup == "it") CHECK(line.ink.right() < box.x + 0.5 * box.width);
+}
+
+TEST_CASE("remarks and callouts leave the map of the camera's view free") {
+    for (const std::string size : {"[640, 360]", "[1920, 1080]"}) {
+        CAPTURE(size);
+        const Shot shot(test::scene_from(
+            "title: T\nbox: {size: [10, 10]}\ngas: [{name: a, count: 30, radius: 0.3, temperature: "
+            "1}, "
+            "{name: b, position: [[1.2, 1.2]], radius: 0.1, velocity: [0, 0], mass: infinite}]\n"
+            "run: {until: 10}\nfilm: {fps: 10, seconds: 6, size: " +
+            size +
+            ", flashes: true, camera: [{at: 0, view: [1, 1, 6, 6]}], callouts: [{at: 3, on: 30, "
+            "text: in the corner}]}\n"));
+        FramePainter painter(*shot.panels);
+        const FrameData& frame = shot.frames[30];
+        const Rect box = box_of(shot);
+        const double unit = Grid(shot.scene.film.layout, shot.scene.film.size).unit();
+        DiskPainter disks;
+        const DrawContext dc{box, unit, theme(ThemeKind::dark), disks};
+        const ViewMap map = view_map(dc, box, 1.0, box.width / 5.0);
+        int words = 0;
+        for (const DrawnLine& line : lines_of(painter, frame, shot.scene)) {
+            if (line.markup == "1") continue;  // the length of its bar
+            words += line.markup == "in the corner" ||
+                     line.markup.find("collisions flash") != std::string::npos;
+            CHECK_MESSAGE(!meet(line.ink, map.plate), line.markup);
+        }
+        CHECK(words == 2);
+    }
+}
+
+TEST_CASE("a remark that has no room beside the map stands above it, and others above that") {
+    DiskPainter disks;
+    const DrawContext dc{{0, 0, 400, 300}, 20.0, theme(ThemeKind::dark), disks};
+    const ViewMap map = view_map(dc, dc.area, 1.0, 20.0);
+    Remarks remarks(dc, dc.area, map);
+    remarks.add({"short"});
+    remarks.add({"words as long as the picture"});
+    remarks.add({"last"});
+    Canvas canvas({400, 300});
+    const TextLog log;
+    remarks.draw(canvas);
+    REQUIRE(log.lines.size() == 3);
+    for (const DrawnLine& line : log.lines) CHECK(!meet(line.ink, map.plate));
+    CHECK(log.lines[0].ink.y > map.plate.y);
+    CHECK(log.lines[1].ink.bottom() < map.plate.y);
+    CHECK(log.lines[2].ink.bottom() < log.lines[1].ink.y);
 }

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "draw/formula/words.h"
-#include "panels/callout.h"
 #include "panels/fade.h"
 #include "panels/gas/marks/ghosts.h"
 #include "panels/layout.h"
@@ -29,15 +28,9 @@ FramePainter::FramePainter(const PanelSet& panels)
       grid_(scene_.film.layout, scene_.film.size),
       unit_(grid_.unit()),
       captions_(caption_schedule(scene_)),
+      callouts_(panels),
       ground_(blank(scene_.film)),
-      canvas_(blank(scene_.film)) {
-    if (scene_.film.callouts.empty()) return;
-    const std::vector<Tick> ticks = timeline(scene_);
-    for (const Callout& callout : scene_.film.callouts)
-        if (std::holds_alternative<PlotPoint>(callout.on))
-            callouts_.emplace_back(&callout,
-                                   showing(ticks, scene_.film, {callout.at, {}}, callout.seconds));
-}
+      canvas_(blank(scene_.film)) {}
 
 Canvas FramePainter::blank(const Film& film) {
     return Canvas({film.size.width, film.size.height},
@@ -223,32 +216,13 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
         else if (opacities[i] > 0.0)
             draw_fading(canvas, placed, *frame.states[i], opacities[i]);
     }
-    draw_callouts(canvas, frame, still);
+    callouts_.draw(canvas, frame, opacities, still);
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
     if (!is_card(frame.tick.phase)) draw_captions(canvas, frame.tick, still);
     const bool has_card =
         still ? is_card(frame.tick.phase) : card_cover(scene_.film, frame.tick) > 0.0;
     if (has_card) draw_card(canvas, is_end_card(frame.tick), card_cover(scene_.film, frame.tick));
-}
-
-// The words stand in their panel, beside the place that they are about.
-void FramePainter::draw_callouts(Canvas& canvas, const FrameData& frame, bool still) {
-    for (const auto& [callout, showing] : callouts_) {
-        double alpha = opacity(showing, scene_.film, frame.tick.frame, caption_fade_seconds);
-        if (alpha <= 0.0 || frame.states.empty()) continue;
-        if (still) alpha = 1.0;
-        const PlotPoint& point = std::get<PlotPoint>(callout->on);
-        const std::size_t of_film = panels_.panels().size() - scene_.film.panels.size();
-        const PanelSet::Placed& placed = panels_.panels()[of_film + point.panel];
-        const DrawContext dc = context_at(placed.slot);
-        const auto at = placed.panel->place_of(dc, *frame.states[of_film + point.panel], point);
-        if (!at) continue;
-        const CalloutPlate plate = callout_plate(dc, callout->words, 0.55 * dc.area.width);
-        const Rect place = place_beside(dc, plot_area(dc), plate, at->x);
-        const DrawnCallout drawn{place, plate, *at, 0.0, alpha};
-        carom::draw_callouts(canvas, dc, {&drawn, 1});
-    }
 }
 
 bool FramePainter::is_end_card(const Tick& tick) const {

@@ -4,13 +4,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "panels/layout.h"
 #include "panels/panel_set.h"
+#include "panels/plot_callouts.h"
 #include "scene/time/captions.h"
-#include "scene/time/showing.h"
 
 namespace carom {
 
@@ -53,7 +52,6 @@ class FramePainter {
     void draw_title(Canvas& canvas) const;
     void draw_changing(Canvas& canvas, const FrameData& frame, const std::vector<double>& opacities,
                        bool still);
-    void draw_callouts(Canvas& canvas, const FrameData& frame, bool still);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
     bool is_end_card(const Tick& tick) const;
@@ -68,7 +66,7 @@ class FramePainter {
     double unit_;
     DiskPainter disks_;
     std::vector<CaptionSpan> captions_;
-    std::vector<std::pair<const Callout*, Showing>> callouts_;  ///< to points of plots
+    PlotCallouts callouts_;
     std::vector<bool> grounded_;  ///< the panels whose ground is in `ground_`
     Canvas ground_;               ///< what is the same in every frame with these panels
     Canvas canvas_;

@@ -210,3 +210,17 @@ TEST_CASE("the last picture of a reversed film is its first") {
     CHECK(last == first);
     CHECK(middle != first);
 }
+
+TEST_CASE("render names callouts that no frame shows") {
+    const TemporaryFolder folder;
+    const fs::path scene = folder.write(
+        "scene.yaml",
+        "title: T\nbox: {size: [10, 10]}\ngas: [{count: 20, radius: 0.3, speed: 1}]\n"
+        "run: {until: 4}\nfilm: {size: [320, 180], fps: 10, seconds: 4, panels: [speed-histogram], "
+        "callouts: [{at: 1, on: {panel: speed-histogram, x: 1}, text: seen}, {at: 1, on: {panel: "
+        "speed-histogram, x: 50}, text: too fast}]}\n");
+    const Outcome outcome = run_carom({"render", scene.string()}, folder.path());
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.err.find("no frame shows the callout “too fast”; `x` is beyond the axis") !=
+          std::string::npos);
+}

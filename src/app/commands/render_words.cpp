@@ -30,6 +30,13 @@ std::string warning_of_page(const RenderReport& report) {
         1e-6 * static_cast<double>(report.bytes), 1e-6 * most_inlined_bytes);
 }
 
+std::string warning_of_callouts(const std::vector<std::string>& never_shown) {
+    if (never_shown.empty()) return "";
+    return fmt::format("carom: no frame shows {} {}; `x` is beyond the axis of the panel\n",
+                       never_shown.size() == 1 ? "the callout" : "the callouts",
+                       printable(listed(never_shown)));
+}
+
 }  // namespace
 
 std::string timings_of(const RenderReport& report) {
@@ -68,7 +75,8 @@ std::string warning_of_cut(const std::vector<std::string>& cut) {
 
 std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page) {
     return (report.lacks_sound ? warning_of_silence(format) : "") + warning(format, report) +
-           (in_page ? warning_of_page(report) : "") + warning_of_cut(report.cut);
+           (in_page ? warning_of_page(report) : "") + warning_of_cut(report.cut) +
+           warning_of_callouts(report.never_shown);
 }
 
 }  // namespace carom

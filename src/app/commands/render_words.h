@@ -18,8 +18,8 @@ std::string warning_of_silence(const OutputFormat& format);
 /// That there is no room for these (FramePainter::cut_words()). Empty: nothing is cut.
 std::string warning_of_cut(const std::vector<std::string>& cut);
 
-/// What may disappoint: no sound, its size for its format or `in_page`, words that are cut. Empty:
-/// nothing.
+/// What may disappoint: no sound, its size for its format or `in_page`, words that are cut,
+/// callouts that are not there. Empty: nothing.
 std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page);
 
 }  // namespace carom

@@ -148,12 +148,15 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
     const std::unique_ptr<PanelSet> panels = plan.panels();
     progress.begin("rendering", static_cast<double>(plan.frames()));
     CollisionCounts collisions;
+    PlotCallouts callouts(*panels);
     const auto play = [&](const auto& take) {
         plan.run.play(plan.frames_to_play(),
                       [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
                           collisions = advanced.counts;
                           FrameData frame = panels->frame_data(tick, sample, advanced);
-                          if (tick.frame >= plan.span.first) take(std::move(frame));
+                          if (tick.frame < plan.span.first) return;
+                          callouts.see(frame);
+                          take(std::move(frame));
                       });
     };
     WorkerSeconds seconds;
@@ -166,6 +169,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
     }
     const std::vector<std::string> cut = FramePainter(*panels).cut_words();
     report.cut.insert(report.cut.end(), cut.begin(), cut.end());
+    const std::vector<std::string> never = callouts.never_shown();
+    report.never_shown.insert(report.never_shown.end(), never.begin(), never.end());
     progress.finish();
     report.workers.draw += seconds.draw;
     report.workers.encode += seconds.encode;

@@ -23,9 +23,10 @@ struct RenderReport {
     int frames = 0;
     std::int64_t bytes = 0;
     CollisionCounts collisions;
-    std::vector<std::string> passes;  ///< what the run was simulated for
-    std::vector<std::string> cut;     ///< as FramePainter::cut_words()
-    bool lacks_sound = false;         ///< that the scene has, as its format has none
+    std::vector<std::string> passes;       ///< what the run was simulated for
+    std::vector<std::string> cut;          ///< as FramePainter::cut_words()
+    std::vector<std::string> never_shown;  ///< as PlotCallouts::never_shown()
+    bool lacks_sound = false;              ///< that the scene has, as its format has none
     double wall_seconds = 0.0;
     double simulate_seconds = 0.0;  ///< CPU, all passes and the panels, but for a first pass that
                                     ///< panels see on a thread of their own

@@ -15,6 +15,10 @@
 namespace carom {
 namespace {
 
+bool holds(const TimeSpan& span, double time) {
+    return span.from <= time && (!span.until || time < *span.until);
+}
+
 // What begins at the end of the run or later is never seen.
 void check_begin(const Node& place, const char* key, double time, Reading& reading) {
     const double until = reading.run.until;
@@ -325,6 +329,15 @@ std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
                 kind != nullptr && !kind->has_plot) {
                 errors.add(*draft.panel, fmt::format("a panel of kind `{}` has no axes to point to",
                                                      found->kind));
+                continue;
+            }
+            if (!holds(found->show, callout.at)) {
+                const auto [from, until] = found->show;
+                errors.add(
+                    *draft.panel,
+                    fmt::format("the panel {} is not shown at {}", in_quotes(name), callout.at),
+                    until ? fmt::format("it is shown from {} to {}", from, *until)
+                          : fmt::format("it is shown from {} on", from));
                 continue;
             }
             std::get<PlotPoint>(callout.on).panel =

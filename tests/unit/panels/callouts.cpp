@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "panels/callout.h"
+#include "panels/callouts/callout.h"
 #include "panels/frame.h"
 #include "panels/gas/marks/view_map.h"
+#include "panels/plot_callouts.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 
@@ -132,4 +133,50 @@ TEST_CASE("a remark that has no room beside the map stands above it, and others 
     CHECK(log.lines[0].ink.y > map.plate.y);
     CHECK(log.lines[1].ink.bottom() < map.plate.y);
     CHECK(log.lines[2].ink.bottom() < log.lines[1].ink.y);
+}
+
+TEST_CASE("callouts to a plot have places of their own, and those beyond its axes none") {
+    const std::string on = "for: 8, on: {panel: speed-histogram, x: ";
+    const Shot shot(test::scene_from(
+        "title: T\nbox: {size: [10, 10]}\ngas: [{count: 40, radius: 0.3, temperature: 1}]\n"
+        "run: {until: 10}\nfilm: {fps: 10, seconds: 12, size: [1280, 720], panels: "
+        "[speed-histogram], callouts: [{at: 1, " +
+        on + "0.3}, text: slow ones}, {at: 1, " + on + "1}, text: likely}, {at: 1, " + on +
+        "50}, text: never}]}\n"));
+    FramePainter painter(*shot.panels);
+    std::vector<Rect> slow, likely;
+    PlotCallouts callouts(*shot.panels);
+    for (const FrameData& frame : shot.frames) {
+        callouts.see(frame);
+        for (const DrawnLine& line : lines_of(painter, frame, shot.scene)) {
+            CHECK(line.markup != "never");
+            if (line.markup == "slow ones") slow.push_back(line.ink);
+            if (line.markup == "likely") likely.push_back(line.ink);
+        }
+    }
+    REQUIRE(slow.size() == 80);
+    REQUIRE(likely.size() == 80);
+    for (std::size_t i = 0; i < slow.size(); ++i) {
+        CHECK(!meet(slow[i], likely[i]));
+        CHECK(likely[i].y == doctest::Approx(likely[0].y));
+    }
+    CHECK(callouts.never_shown() == std::vector<std::string>{"“never”"});
+}
+
+TEST_CASE("a callout goes with its panel, and none is about a panel that is not there") {
+    const auto scene = [](const std::string& at) {
+        return test::scene_from(
+            "title: T\nbox: {size: [10, 10]}\ngas: [{count: 40, radius: 0.3, temperature: 1}]\n"
+            "run: {until: 10}\nfilm: {fps: 10, seconds: 12, size: [640, 360], panels: [{kind: "
+            "speed-histogram, show: {from: 3, until: 6}}], callouts: [{for: 20, at: " +
+            at + ", on: {panel: speed-histogram, x: 1}, text: here}]}\n");
+    };
+    const Shot shot(scene("4"));
+    FramePainter painter(*shot.panels);
+    for (const FrameData& frame : shot.frames)
+        CHECK(
+            std::ranges::count(lines_of(painter, frame, shot.scene), "here", &DrawnLine::markup) ==
+            (frame.tick.time >= 4.0 && frame.tick.time < 6.0));
+    CHECK_THROWS_AS(scene("2"), SceneError);
+    CHECK_THROWS_AS(scene("6"), SceneError);
 }

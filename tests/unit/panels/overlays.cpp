@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "panels/callout.h"
+#include "panels/callouts/callout.h"
 #include "panels/fade.h"
 #include "panels/gas/camera.h"
 #include "panels/gas/marks/spotlights.h"

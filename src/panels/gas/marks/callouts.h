@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "panels/callout.h"
+#include "panels/callouts/callout.h"
 #include "panels/panel.h"
 #include "scene/time/showing.h"
 

@@ -1,4 +1,4 @@
-#include "panels/callout.h"
+#include "panels/callouts/callout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -99,13 +99,28 @@ std::vector<std::optional<Rect>> places_in_time(
     return places;
 }
 
-Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x) {
+Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x,
+                  std::span<const Rect> others) {
     const double apart = clear * dc.unit;
-    const bool is_right = area.right() - x > x - area.x;
-    const double left = is_right ? x + apart : x - apart - plate.width;
     const double most = std::max(area.x, area.right() - plate.width);
-    return {std::clamp(left, area.x, most),
-            area.y + std::max(0.0, 0.5 * (area.height - plate.height)), plate.width, plate.height};
+    const double high = std::max(0.0, area.height - plate.height);
+    const bool is_right = area.right() - x > x - area.x;
+    Rect best{0.0, 0.0, plate.width, plate.height};
+    double least = std::numeric_limits<double>::infinity();
+    for (const bool right : {is_right, !is_right})
+        for (int row = 0; row < rows; ++row) {
+            const double left = right ? x + apart : x - apart - plate.width;
+            const Rect place{std::clamp(left, area.x, most), area.y + high * row / (rows - 1),
+                             plate.width, plate.height};
+            double cost = std::abs(place.y - area.y - 0.5 * high);
+            if (right != is_right) cost += area.height;
+            for (const Rect& other : others)
+                if (meet(place, other)) cost += 1000.0 * area.height;
+            if (cost >= least) continue;
+            least = cost;
+            best = place;
+        }
+    return best;
 }
 
 namespace {

@@ -32,8 +32,9 @@ std::vector<std::optional<Rect>> places_in_time(
     const std::function<std::optional<Rect>(std::size_t, std::span<const Rect>)>& place_of);
 
 /// The place in a plot for a plate about something at `x`, whatever its height: at the side that
-/// has more room.
-Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x);
+/// has more room, in the middle, or as near to that as other plates leave it free.
+Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x,
+                  std::span<const Rect> others);
 
 /// One at its place, with a line to its target's edge.
 struct DrawnCallout {

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <variant>
 
 namespace carom {
 namespace {
@@ -34,11 +36,10 @@ Eigen::ArrayXd finite_masses(const Particles& particles) {
 ThermalMotion motion_of(const Box& box, const Particles& particles, const Sample& sample,
                         const Eigen::ArrayXd& counted) {
     const Eigen::ArrayXd mass = finite_masses(particles);
-    const bool free = (particles.inverse_mass > 0.0).all();
     ThermalMotion motion;
     for (Eigen::Index a = 0; a < sample.velocity.cols(); ++a) {
         const auto v = sample.velocity.col(a);
-        const bool conserved = free && box.is_periodic(a) && box.surfaces.are_plain();
+        const bool conserved = conserves_momentum(box, particles, a);
         const double drift = conserved ? sum_in_order(mass * v) / sum_in_order(mass) : 0.0;
         motion.energy += 0.5 * sum_in_order(counted * mass * (v - drift).square());
         motion.degrees_of_freedom += sum_in_order(counted);
@@ -105,6 +106,23 @@ Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample) {
         sum[a] = (v != 0.0).select(mass * v, 0.0).sum();
     }
     return sum;
+}
+
+bool conserves_momentum(const Box& box, Eigen::Index axis) {
+    const Surfaces& surfaces = box.surfaces;
+    if (!box.is_periodic(axis) || surfaces.gravity[axis] != 0.0 || !surfaces.obstacles.empty())
+        return false;
+    const auto is_bath = [](const Behaviour& its) { return std::holds_alternative<Bath>(its); };
+    for (std::size_t side = 0; side < surfaces.sides.size(); ++side)
+        if (box.has_surface(side) && !box.is_periodic(side / 2) && is_bath(surfaces.sides[side]))
+            return false;
+    return std::ranges::none_of(surfaces.partitions, [&](const Partition& line) {
+        return line.axis == axis || !line.gaps.empty() || is_bath(line.behaviour);
+    });
+}
+
+bool conserves_momentum(const Box& box, const Particles& particles, Eigen::Index axis) {
+    return (particles.inverse_mass > 0.0).all() && conserves_momentum(box, axis);
 }
 
 ThermalMotion thermal_motion(const Box& box, const Particles& particles, const Sample& sample) {

@@ -38,15 +38,23 @@ Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision
 /// Total momentum, one component for each dimension; infinite with an infinite mass that moves.
 Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample);
 
+/// Whether nothing can take up momentum along an axis from a gas without infinite masses: its sides
+/// are joined, nothing pulls along it, and every surface is smooth and lies along it from end to
+/// end. Partitions that stand across it count as closed; what events change does not count.
+bool conserves_momentum(const Box& box, Eigen::Index axis);
+
+/// The same of these particles.
+bool conserves_momentum(const Box& box, const Particles& particles, Eigen::Index axis);
+
 /// Kinetic energy relative to the drift, and the degrees of freedom that share it, of some or all
 /// particles of a gas.
 ///
-/// Along an axis where momentum is conserved (periodic, and no particle of infinite mass in the
-/// gas) velocities count from that of the centre of mass, V: what drifts as a whole is no heat.
-/// Such a drift takes up one degree of freedom: at temperature T the mean of m (v_x - V_x)^2 is T
-/// (1 - m / M), M being the mass of the whole gas (Shirts, Burt and Johnson, J. Chem. Phys. 125,
-/// 164102, 2006). So there is 1 degree of freedom for each particle and axis, and 1 - m / M where
-/// momentum is conserved: for all N particles together N - 1.
+/// Along an axis where momentum is conserved (conserves_momentum()) velocities count from that of
+/// the centre of mass, V: what drifts as a whole is no heat. Such a drift takes up one degree of
+/// freedom: at temperature T the mean of m (v_x - V_x)^2 is T (1 - m / M), M being the mass of the
+/// whole gas (Shirts, Burt and Johnson, J. Chem. Phys. 125, 164102, 2006). So there is 1 degree of
+/// freedom for each particle and axis, and 1 - m / M where momentum is conserved: for all N
+/// particles together N - 1.
 struct ThermalMotion {
     double energy = 0.0;
     double degrees_of_freedom = 0.0;

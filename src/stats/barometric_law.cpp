@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/mechanics.h"
+
 namespace carom {
 namespace {
 
@@ -96,15 +98,17 @@ struct Falling {
     std::vector<std::size_t> kind_of = {};  // of each particle
 };
 
-Falling falling(const Box& box, const Particles& particles, const Sample& start, int axis) {
+// `drift`: the velocity that they keep as a whole.
+Falling falling(const Box& box, const Particles& particles, const Sample& start, int axis,
+                const Eigen::ArrayXd& drift) {
     const double gravity = box.surfaces.gravity[axis], size = box.size[axis];
     Falling all;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         const double mass = 1.0 / particles.inverse_mass[i], radius = particles.radius[i];
         const double lowest = gravity < 0.0 ? radius : size - radius;
         const double height = size - 2.0 * radius;
-        all.energy += mass * (0.5 * start.velocity.row(i).square().sum() -
-                              gravity * (start.position(i, axis) - lowest));
+        const double square = (start.velocity.row(i).transpose() - drift).square().sum();
+        all.energy += mass * (0.5 * square - gravity * (start.position(i, axis) - lowest));
         auto kind = std::ranges::find_if(all.kinds, [&](const FallingKind& one) {
             return one.mass == mass && one.height == height;
         });
@@ -130,8 +134,11 @@ std::vector<std::vector<double>> barometric_densities(
     const Box& box, const Particles& particles, const Sample& start, int axis, const Cells& slabs,
     const std::vector<std::vector<Eigen::Index>>& groups) {
     if ((particles.inverse_mass == 0.0).any()) return {};
-    const Falling all = falling(box, particles, start, axis);
-    const bool is_joined = box.dimension == 2 && box.is_periodic(1 - axis);
+    // What they keep along the other axis is neither energy nor freedom that they share.
+    const bool is_joined = box.dimension == 2 && conserves_momentum(box, particles, 1 - axis);
+    Eigen::ArrayXd drift = Eigen::ArrayXd::Zero(box.dimension);
+    if (is_joined) drift[1 - axis] = momentum(particles, start)[1 - axis] / masses(particles).sum();
+    const Falling all = falling(box, particles, start, axis, drift);
     const double freedoms = double(box.dimension) * double(particles.count()) - (is_joined ? 1 : 0);
     if (!(all.energy > 0.0) || freedoms < 3.0 || all.kinds.size() > most_kinds) return {};
     const double gravity = std::abs(box.surfaces.gravity[axis]), width = slabs.size[axis];

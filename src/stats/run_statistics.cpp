@@ -73,8 +73,7 @@ RunStatistics::RunStatistics(const Box& box, const Particles& particles, int spe
     mass_ = mass.value();
     degrees_of_freedom_ = box.dimension * movable;
     for (int axis = 0; axis < box.dimension; ++axis) {
-        const bool is_conserved = mass_ > 0.0 && std::isfinite(mass_) && box.is_periodic(axis) &&
-                                  box.surfaces.are_plain();
+        const bool is_conserved = mass_ > 0.0 && conserves_momentum(box, particles, axis);
         is_conserved_[static_cast<std::size_t>(axis)] = is_conserved;
         degrees_of_freedom_ -= is_conserved ? 1.0 : 0.0;
     }

@@ -6,6 +6,7 @@
 
 #include "panels/surfaces/surface_words.h"
 #include "physics/energy_account.h"
+#include "physics/mechanics.h"
 #include "physics/theory/collision_rate.h"
 
 namespace carom {
@@ -32,7 +33,8 @@ bool is_over_gas_alone(const PanelContext& context, std::int32_t surface) {
     // periodic sides let through along it keeps its momentum.
     const Box& box = context.scene.gas.box;
     if (box.dimension == 2 &&
-        (context.particles.count() < 2 || box.is_periodic(1 - surfaces.axis_of(surface))))
+        (context.particles.count() < 2 ||
+         conserves_momentum(box, context.particles, 1 - surfaces.axis_of(surface))))
         return false;
     for (std::size_t k = 0; k < surfaces.sides.size(); ++k)
         if (k != side && !std::holds_alternative<Reflecting>(surfaces.sides[k])) return false;

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "physics/mechanics.h"
 #include "physics/placement/draws.h"
 #include "physics/placement/members.h"
 #include "physics/theory/theory.h"
@@ -81,8 +82,8 @@ std::optional<NoEquilibrium> why_not(const Box& box, const Particles& particles,
         if (!finite[i] && square_speed[i] > 0.0)
             return NoEquilibrium{.why = Why::moving_infinite_mass,
                                  .species = static_cast<std::size_t>(particles.species[i])};
-    const bool free = finite.all();
-    const bool along_x = free && box.is_periodic(0), along_y = free && box.is_periodic(1);
+    const bool along_x = conserves_momentum(box, particles, 0),
+               along_y = conserves_momentum(box, particles, 1);
     if (box.dimension == 2 && along_x != along_y)
         return NoEquilibrium{.why = along_x ? Why::momentum_along_x : Why::momentum_along_y};
     const Eigen::Index count = finite.count();
@@ -117,7 +118,7 @@ std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& parti
                                           const Sample& sample, const std::vector<int>& species) {
     if (why_not(box, particles, sample)) return std::nullopt;
     const auto finite = particles.inverse_mass > 0.0;
-    const bool momentum = finite.all() && box.is_periodic(0);
+    const bool momentum = conserves_momentum(box, particles, 0);
     const Eigen::ArrayXd masses = finite.select(particles.inverse_mass.inverse(), 0.0);
     const Eigen::ArrayXd square_speed = sample.velocity.square().rowwise().sum();
     EquilibriumGas gas;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/mechanics.h"
+
 namespace carom {
 
 ThermalTimes::ThermalTimes(const Box& box, const Particles& particles,
@@ -18,6 +20,8 @@ ThermalTimes::ThermalTimes(const Box& box, const Particles& particles,
         for (const Eigen::Index i : part.members) is_member[static_cast<std::size_t>(i)] = true;
     }
     if ((particles.inverse_mass > 0.0).all()) mass_ = (1.0 / particles.inverse_mass).sum();
+    for (int axis = 0; axis < box.dimension; ++axis)
+        is_conserved_[static_cast<std::size_t>(axis)] = conserves_momentum(box, particles, axis);
 }
 
 const std::vector<ThermalIntegrals>& ThermalTimes::see(const Sample& sample,
@@ -45,15 +49,11 @@ std::vector<ThermalIntegrals> ThermalTimes::moment(const Sample& sample) {
     return now;
 }
 
-// What drifts as a whole is no heat. It changes at reversals alone, at which there are samples.
+// What drifts as a whole is no heat. It is that of the sample before until the next sample.
 void ThermalTimes::look_for_drift(const Sample& sample) {
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
         if (is_conserved(axis))
             drift_[axis] = (sample.velocity.col(axis) / particles_.inverse_mass).sum() / mass_;
-}
-
-bool ThermalTimes::is_conserved(Eigen::Index axis) const {
-    return mass_ > 0.0 && box_.is_periodic(axis);
 }
 
 double ThermalTimes::half_freedom(Eigen::Index particle) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,7 +40,9 @@ class ThermalTimes {
 
   private:
     void look_for_drift(const Sample& sample);
-    bool is_conserved(Eigen::Index axis) const;
+    bool is_conserved(Eigen::Index axis) const {
+        return is_conserved_[static_cast<std::size_t>(axis)];
+    }
     double half_freedom(Eigen::Index particle) const;
     bool is_in(const Eigen::Array2d& place, const ThermalPart& part) const;
     void fly(const PathPiece& piece);
@@ -52,8 +55,9 @@ class ThermalTimes {
     std::vector<ThermalPart> parts_;
     std::vector<std::vector<bool>> is_member_;  ///< of each part
     Paths paths_;
-    Eigen::Array2d drift_{0.0, 0.0};  ///< of the centre of mass, where it is conserved
-    double mass_ = 0.0;               ///< of the whole gas; infinite ones: 0
+    std::array<bool, 2> is_conserved_{};  ///< momentum along an axis
+    Eigen::Array2d drift_{0.0, 0.0};      ///< of the centre of mass, where it is conserved
+    double mass_ = 0.0;                   ///< of the whole gas; infinite ones: 0
     std::vector<ThermalIntegrals> integrals_;
     std::vector<double> times_;  ///< scratch
 };

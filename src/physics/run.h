@@ -51,7 +51,8 @@ struct ChangeSurface {
     Behaviour behaviour = Reflecting{};
 };
 
-/// Scales velocities about their mean.
+/// Scales velocities: about their mean along axes where momentum is conserved
+/// (conserves_momentum()), else about 0.
 struct Heat {
     std::optional<std::int32_t> species;  ///< index into Gas::species; none: of all particles
     std::variant<double, Temperature> amount{};  ///< energy more or less, or what it comes to

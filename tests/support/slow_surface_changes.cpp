@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "physics/mechanics.h"
 #include "support/slow_surfaces.h"
 
 namespace carom::test {
@@ -147,26 +148,41 @@ bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_th
         set_motion(its);
         if (let_through) close_on(change->surface);
     } else if (const auto* heat = std::get_if<Heat>(&event.action)) {
-        long double mass = 0.0L, energy = 0.0L, count = 0.0L;
-        Vector momentum;
+        long double mass = 0.0L, mass_of_all = 0.0L, energy = 0.0L;
+        Vector momentum, momentum_of_all;
         std::vector<Disk*> all;
-        for (Disk& disk : disks_)
-            if (disk.inverse_mass > 0.0L && (!heat->species || disk.species == *heat->species))
-                all.push_back(&disk);
-        for (const Disk* disk : all) {
-            count += 1.0L;
-            mass += 1.0L / disk->inverse_mass;
-            momentum = momentum + (1.0L / disk->inverse_mass) * disk->v;
+        bool are_finite = true;
+        for (Disk& disk : disks_) {
+            are_finite = are_finite && disk.inverse_mass > 0.0L;
+            if (!(disk.inverse_mass > 0.0L)) continue;
+            const long double its = 1.0L / disk.inverse_mass;
+            mass_of_all += its;
+            momentum_of_all = momentum_of_all + its * disk.v;
+            if (heat->species && disk.species != *heat->species) continue;
+            all.push_back(&disk);
+            mass += its;
+            momentum = momentum + its * disk.v;
         }
-        if (count < 2.0L) return false;
-        const Vector mean = (1.0L / mass) * momentum;
+        if (all.empty()) return false;
+        // As much for each direction of each particle, but for the motion of the gas as a whole.
+        const auto count = static_cast<long double>(all.size());
+        Vector mean;
+        long double freedom = box_.dimension * count, of_mean = 0.0L;
+        int drifting = 0;
+        for (int axis = 0; axis < box_.dimension; ++axis) {
+            if (!are_finite || !conserves_momentum(box_, axis)) continue;
+            mean[axis] = momentum[axis] / mass;
+            const long double apart = mean[axis] - momentum_of_all[axis] / mass_of_all;
+            of_mean += 0.5L * mass * apart * apart;
+            freedom -= mass / mass_of_all;
+            ++drifting;
+        }
+        if (count < 2.0L && drifting == box_.dimension) return false;
         for (const Disk* disk : all)
             energy += 0.5L * dot(disk->v - mean, disk->v - mean) / disk->inverse_mass;
         const auto* to = std::get_if<Temperature>(&heat->amount);
-        // As much for each direction of each particle, but for the motion of them all.
-        const long double wanted = to != nullptr
-                                       ? 0.5L * box_.dimension * (count - 1.0L) * to->value
-                                       : energy + std::get<double>(heat->amount);
+        const long double wanted = to != nullptr ? 0.5L * freedom * to->value - of_mean
+                                                 : energy + std::get<double>(heat->amount);
         if (!(energy > 0.0L && wanted > 0.0L)) return false;
         for (Disk* disk : all) disk->v = mean + std::sqrt(wanted / energy) * (disk->v - mean);
     }

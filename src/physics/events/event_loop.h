@@ -78,8 +78,8 @@ class EventLoop {
     std::optional<std::int32_t> change(const SurfaceAction& action, bool is_mirrored,
                                        double time) requires has_surfaces;
 
-    /// The same for velocities, which are scaled about their mean. Returns false, and does nothing,
-    /// if there is not so much energy.
+    /// The same for velocities, which are scaled. Returns false, and does nothing, if there is not
+    /// so much energy.
     bool heat(const Heat& heat, bool is_mirrored, double time) requires has_surfaces;
 
     /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and predicts

@@ -2,9 +2,11 @@
 // of the surfaces themselves, and what the run's events change. Included by event_loop.cpp alone.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "physics/events/event_loop.h"
+#include "physics/mechanics.h"
 
 namespace carom {
 
@@ -242,25 +244,46 @@ void EventLoop<Dimension, Scalar, has_surfaces>::scale(const Scaling<Scalar>& sc
         }
 }
 
-// About the velocity of the centre of mass, the energy in which stays.
+// Along axes where momentum is conserved about the velocity of the centre of mass, which stays,
+// with the energy in it; else about 0. To a temperature: as thermal_motion() has it, which counts
+// velocities from that of the whole gas along such axes.
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_mirrored,
                                                       double time) requires has_surfaces {
     if constexpr (has_surfaces) {  // Clang before 16 instantiates it without, too
         using std::sqrt;
         move_epoch_to(clock_.local(time));
-        Scalar mass = with_bits(0.0), energy = with_bits(0.0);
-        std::array<Scalar, 2> mean{with_bits(0.0), with_bits(0.0)};
+        const bool are_finite =
+            std::ranges::none_of(bodies_, [](const Body& b) { return b.inverse_mass == 0.0; });
+        Scalar mass = with_bits(0.0), mass_of_all = with_bits(0.0), energy = with_bits(0.0);
+        std::array<Scalar, 2> mean{with_bits(0.0), with_bits(0.0)}, mean_of_all = mean;
         double count = 0.0;
         for (const Body& b : bodies_) {
+            if (b.inverse_mass == 0.0) continue;
+            const Scalar its = with_bits(1.0) / b.inverse_mass;
+            mass_of_all += its;
+            for (std::size_t a = 0; a < Dimension; ++a) mean_of_all[a] += its * b.v[a];
             if (!counts_for(b, heat.species)) continue;
             count += 1.0;
-            const Scalar its = with_bits(1.0) / b.inverse_mass;
             mass += its;
             for (std::size_t a = 0; a < Dimension; ++a) mean[a] += its * b.v[a];
         }
-        if (count < 2.0) return false;
-        for (Scalar& v : mean) v = v / mass;
+        if (count == 0.0) return false;
+        // Of the temperature: degrees of freedom, and the energy of what does not change.
+        Scalar freedom = with_bits(Dimension * count), energy_of_mean = with_bits(0.0);
+        bool shares_energy = count > 1.0;
+        for (std::size_t a = 0; a < Dimension; ++a) {
+            if (!are_finite || !conserves_momentum(box_, static_cast<Eigen::Index>(a))) {
+                mean[a] = with_bits(0.0);
+                shares_energy = true;
+                continue;
+            }
+            mean[a] = mean[a] / mass;
+            const Scalar apart = mean[a] - mean_of_all[a] / mass_of_all;
+            energy_of_mean += 0.5 * mass * apart * apart;
+            freedom -= mass / mass_of_all;
+        }
+        if (!shares_energy) return false;
         for (const Body& b : bodies_) {
             if (!counts_for(b, heat.species)) continue;
             for (std::size_t a = 0; a < Dimension; ++a) {
@@ -269,8 +292,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_
             }
         }
         const auto* to = std::get_if<Temperature>(&heat.amount);
-        const Scalar wanted = to != nullptr ? Scalar(0.5 * Dimension * (count - 1.0) * to->value)
-                                            : energy + std::get<double>(heat.amount);
+        const Scalar wanted = to != nullptr ? Scalar(0.5 * freedom * to->value - energy_of_mean)
+                                            : Scalar(energy + std::get<double>(heat.amount));
         if (!(energy > 0.0) || !(wanted > 0.0)) return false;
         const Change<Scalar> change{now_,
                                     Scaling<Scalar>{heat.species, sqrt(wanted / energy), mean}};

@@ -105,8 +105,8 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
                  "This side or partition acts otherwise from now on: with `temperature`, "
                  "`mass` (and `force`) or `velocity`, or `solid`."),
         bind_key("heat", &EventDraft::heat, heat_notation(),
-                 "Gives energy to particles, or takes it, by scaling their velocities "
-                 "about the mean."),
+                 "Gives energy to particles, or takes it, by scaling their velocities; along an "
+                 "axis where momentum is conserved, about their mean."),
         bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
                  "Shows the places that the particles have at this time as outlines, with "
                  "these words, until the next mark."),

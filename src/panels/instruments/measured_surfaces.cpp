@@ -1,14 +1,23 @@
 #include "panels/instruments/measured_surfaces.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "panels/surfaces/surface_words.h"
 
 namespace carom {
 namespace {
 
-// Between the sides across an axis.
-double width_along(const Box& box, const std::vector<SurfaceState>& states, int axis) {
+// From side to side along an axis.
+std::pair<double, double> ends_along(const Box& box, const std::vector<SurfaceState>& states,
+                                     int axis) {
     const auto low = static_cast<std::size_t>(2 * axis);
-    return place_of_surface(box, states, low + 1) - place_of_surface(box, states, low);
+    return {place_of_surface(box, states, low), place_of_surface(box, states, low + 1)};
+}
+
+double width_along(const Box& box, const std::vector<SurfaceState>& states, int axis) {
+    const auto [low, high] = ends_along(box, states, axis);
+    return high - low;
 }
 
 }  // namespace
@@ -47,9 +56,17 @@ void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
 double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,
                          std::int32_t surface) {
     if (box.dimension == 1) return 1.0;
-    double length = width_along(box, states, 1 - box.surfaces.axis_of(surface));
-    if (const Partition* line = box.surfaces.partition(surface))
-        for (const auto& [from, to] : line->gaps) length -= to - from;
+    const int along = 1 - box.surfaces.axis_of(surface);
+    const auto [low, high] = ends_along(box, states, along);
+    double length = high - low;
+    const Partition* line = box.surfaces.partition(surface);
+    if (line == nullptr) return length;
+    for (const auto& [from, to] : line->gaps) {
+        // One that reaches a wall goes on beyond it, where the wall may be now.
+        const double begin = from > 0.0 ? std::max(from, low) : low;
+        const double end = to < box.length(along) ? std::min(to, high) : high;
+        length -= std::max(0.0, end - begin);
+    }
     return length;
 }
 

@@ -86,6 +86,21 @@ TEST_CASE("on a partition counts what its sides leave, and gaps have no length")
     CHECK(seen.plot().y.low == 0.0);
 }
 
+TEST_CASE("of a gap only what lies between the walls is taken from the length") {
+    const auto pressure = [](const std::string& gap, const std::string& velocity) {
+        const Seen seen(one_disk("{size: [10, 20], walls: {top: {velocity: " + velocity +
+                                     ", until: 10}}}\npartitions: [{name: part, x: 10, gaps: [" +
+                                     gap + "]}]",
+                                 "{kind: pressure, surfaces: part, over: {window: 20}}"));
+        return seen.last(0);
+    };
+    // Five hits with 8 in the last 20, when the top has come from 20 to 10 or to 25.
+    CHECK(error_of(pressure("[12, 18]", "-1"), 40.0 / (20.0 * 10.0)) < 1e-12);
+    CHECK(error_of(pressure("[8, 18]", "-1"), 40.0 / (20.0 * 8.0)) < 1e-12);
+    CHECK(error_of(pressure("[12, 18]", "0.5"), 40.0 / (20.0 * 19.0)) < 1e-12);
+    CHECK(error_of(pressure("[12, 20]", "0.5"), 40.0 / (20.0 * 12.0)) < 1e-12);
+}
+
 TEST_CASE("parts of a box hold what is in them") {
     const auto in_parts = [](const std::string& panel) {
         return Seen(

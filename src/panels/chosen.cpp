@@ -28,6 +28,17 @@ std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
     return lists;
 }
 
+std::vector<std::vector<Eigen::Index>> members_that_collide(const PanelContext& context,
+                                                            const std::vector<Chosen>& chosen) {
+    const auto is_infinite = [&](Eigen::Index i) {
+        return context.particles.inverse_mass[i] == 0.0;
+    };
+    std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
+    for (std::vector<Eigen::Index>& list : lists)
+        if (!std::ranges::all_of(list, is_infinite)) std::erase_if(list, is_infinite);
+    return lists;
+}
+
 std::optional<double> asked_trail(const Scene& scene, const Particles& particles,
                                   Eigen::Index particle) {
     const auto species = static_cast<std::size_t>(particles.species[particle]);

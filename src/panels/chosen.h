@@ -18,6 +18,11 @@ std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& cho
 std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
                                                const std::vector<Chosen>& chosen);
 
+/// The same of those that collisions can turn: without infinite masses, but where there is nothing
+/// else.
+std::vector<std::vector<Eigen::Index>> members_that_collide(const PanelContext& context,
+                                                            const std::vector<Chosen>& chosen);
+
 /// How long a trail the scene asks for, in seconds of film, by the particle's species or else for
 /// the film; nothing where it does not say.
 std::optional<double> asked_trail(const Scene& scene, const Particles& particles,

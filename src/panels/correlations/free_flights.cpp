@@ -31,7 +31,7 @@ class FlightMeter : public CurveMeter {
         : flown_(flown),
           window_(window),
           flights_(context.scene.gas.box, spec.ends_at_walls, velocity_changes(context.scene.run)),
-          lists_(members(context, choices(spec))),
+          lists_(members_that_collide(context, choices(spec))),
           lists_of_(static_cast<std::size_t>(context.particles.count())),
           kept_(lists_.size()),
           sums_(lists_.size(), SlidingSum(flight_bins + 4, window)) {

@@ -196,9 +196,9 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     const double fit_from = spec.fit_from.value_or(0.5 * (spec.from + context.scene.run.until));
     const std::vector<Chosen> chosen = choices(spec);
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Mean squared displacement"});
-    const auto followed = std::make_shared<Followed>(
-        Followed{members(context, chosen), Displacements(context.scene.gas.box, spec.from),
-                 SlopesOfParticles(fit_from, first_reversal(context.scene.run))});
+    const auto followed = std::make_shared<Followed>(Followed{
+        members_that_collide(context, chosen), Displacements(context.scene.gas.box, spec.from),
+        SlopesOfParticles(fit_from, first_reversal(context.scene.run))});
     subject.measure = [followed](const FrameInput& input) { return followed->see(input); };
     subject.numbers = [followed, dimension = context.scene.gas.box.dimension] {
         return followed->numbers(dimension);
@@ -329,7 +329,8 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     const double lags = usual_lags(spec, context.scene.run);
     const double fit_from = spec.fit_from.value_or(0.5 * lags);
     CurveSubject subject{.points = lag_count};
-    subject.meter = [context, lists = members(context, chosen), from = spec.from, lags, fit_from] {
+    subject.meter = [context, lists = members_that_collide(context, chosen), from = spec.from, lags,
+                     fit_from] {
         return std::make_unique<DisplacementMeter>(context, lists, from, lags, fit_from);
     };
     name_curves(subject, context, spec, say(language, "Mean squared displacement"), "");

@@ -131,7 +131,8 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
     const std::vector<Chosen> chosen = choices(spec);
     const double lags = usual_lags(spec, context.scene.run);
     CurveSubject subject{.points = lag_count};
-    subject.meter = [context, lists = members(context, chosen), from = spec.from, lags] {
+    subject.meter = [context, lists = members_that_collide(context, chosen), from = spec.from,
+                     lags] {
         return std::make_unique<AutocorrelationMeter>(context, lists, from, lags);
     };
     name_curves(subject, context, spec, say(language, "Velocity autocorrelation"), "");

@@ -252,6 +252,25 @@ TEST_CASE("free times are free paths over the speed, on a logarithmic axis too")
     CHECK(time.y.kind == plot::Axis::Kind::logarithmic);
 }
 
+TEST_CASE("fixed disks have no part in free flights and displacements of all") {
+    const std::string pegs =
+        "title: T\nbox: {size: [10, 10], walls: periodic}\n"
+        "gas: [{name: peg, radius: 2, mass: infinite, position: [[2.5, 5], [7.5, 0]]}, {name: "
+        "ball, "
+        "count: 3, radius: 0.2, speed: 1}]\nrun: {until: 200}\nfilm: {seconds: 2, fps: 10}\n";
+    PanelSpec all{.kind = "mean-squared-displacement", .fit_from = 2.0};
+    for (const std::string kind : {"free-path", "free-time", "mean-squared-displacement"})
+        for (const bool all_origins : {false, true}) {
+            CAPTURE(kind);
+            all.kind = kind;
+            all.all_origins = all_origins;
+            PanelSpec ball = all;
+            ball.of = {Chosen{.species = 1}};
+            Run2 of_all(pegs, all), of_ball(pegs, ball);
+            CHECK(of_all.finished().account == of_ball.finished().account);
+        }
+}
+
 TEST_CASE("between walls alone a disk has no exact mean free path") {
     Run2 run(
         "title: T\nbox: {size: [20, 15]}\n"

@@ -44,6 +44,10 @@ void add_means(const std::vector<const CurveState*>& states, Numbers CurveValues
 
 }  // namespace
 
+double CurveRecord::start() const {
+    return std::ranges::min_element(runs, {}, &CurveRun::start)->start;
+}
+
 double CurveRecord::reach() const {
     return std::ranges::max_element(runs, {}, &CurveRun::reach)->reach;
 }
@@ -54,6 +58,7 @@ CurveRecord mean_of(const std::vector<CurveRecord>& records) {
     CurveRun& all = mean.runs.front();
     for (const CurveRecord& record : records) {
         const CurveRun& run = record.runs.front();
+        all.start = std::min(all.start, run.start);
         if (!all.is_reach_its_own) all.reach = std::max(all.reach, run.reach);
         all.least = std::min(all.least, run.least);
         all.most = std::max(all.most, run.most);
@@ -109,12 +114,13 @@ std::string percent_per(Language language, double width) {
 
 CurvePanel::CurvePanel(const PanelContext& context, CurveSubject subject)
     : context_(context), subject_(std::move(subject)), surveyed_(subject_.meter()) {
-    if (subject_.reach) surveyed_->fix_axis(*subject_.reach, subject_.points);
+    if (subject_.reach) surveyed_->fix_axis(0.0, *subject_.reach, subject_.points);
 }
 
-CurveValues CurvePanel::values_of(const CurveMeter& meter, double reach) const {
+CurveValues CurvePanel::values_of(const CurveMeter& meter) const {
     CurveValues values = meter.values();
-    values.reach = reach;
+    values.start = shown_start_;
+    values.reach = shown_reach_;
     return values;
 }
 
@@ -139,10 +145,11 @@ void CurvePanel::survey(const FrameInput& input) {
 
 void CurvePanel::finish_record() {
     CurveRun& run = record_.runs.front();
+    run.start = subject_.reach ? 0.0 : surveyed_->start();
     run.reach = subject_.reach ? *subject_.reach : surveyed_->reach();
     run.points = subject_.points;
     run.is_reach_its_own = subject_.reach.has_value();
-    if (!subject_.reach) surveyed_->fix_axis(run.reach, subject_.points);
+    if (!subject_.reach) surveyed_->fix_axis(run.start, run.reach, subject_.points);
     take_in(surveyed_->values());
     surveyed_ = nullptr;
 }
@@ -188,8 +195,10 @@ plot::Axis CurvePanel::axis_up() const {
 void CurvePanel::make_axes() {
     const bool is_own = subject_.reach && record_.compares();
     shown_ = subject_.meter();
+    shown_start_ = is_own ? 0.0 : record_.start();
     shown_reach_ = is_own ? *subject_.reach : record_.reach();
-    shown_->fix_axis(shown_reach_, is_own ? subject_.points : record_.runs.front().points);
+    shown_->fix_axis(shown_start_, shown_reach_,
+                     is_own ? subject_.points : record_.runs.front().points);
     make_plot();
 }
 
@@ -199,10 +208,11 @@ void CurvePanel::make_plot() {
     whole_ = {};
     whole_.language = language;
     whole_.titles = subject_.titles;
-    whole_.x = {.title = say(language, subject_.along), .high = record_.reach()};
+    whole_.x = {
+        .title = say(language, subject_.along), .low = record_.start(), .high = record_.reach()};
     whole_.y = axis_up();
     if (subject_.height)
-        whole_.y.title = subject_.height(record_.reach() / subject_.points);
+        whole_.y.title = subject_.height((record_.reach() - record_.start()) / subject_.points);
     else if (subject_.names_axis)
         whole_.y.title = say(language, subject_.up);
     if (subject_.names.size() > 1 && !record_.compares())
@@ -233,7 +243,7 @@ void CurvePanel::make_plot() {
 std::shared_ptr<const PanelState> CurvePanel::state(const FrameInput& input) {
     shown_->see(input);
     auto state = std::make_shared<CurveState>();
-    state->runs = {values_of(*shown_, shown_reach_)};
+    state->runs = {values_of(*shown_)};
     if (input.refreshes_readouts || !readouts_)
         readouts_ = std::make_shared<const CurveValues>(state->runs.front());
     state->readouts = readouts_;
@@ -255,6 +265,7 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
         return both;
     }
     CurveValues mean;
+    mean.start = all.front()->runs.front().start;
     mean.reach = all.front()->runs.front().reach;
     add_means(all, &CurveValues::curves, mean.curves, both->errors);
     add_means(all, &CurveValues::numbers, mean.numbers, mean.errors);
@@ -263,18 +274,20 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
     return both;
 }
 
-// Points, or edges of bins.
-std::vector<double> CurvePanel::places(const std::vector<double>& values, double reach) const {
+// Points, or edges of bins, of a run.
+std::vector<double> CurvePanel::places(const CurveValues& run, std::size_t line) const {
     const bool is_steps = subject_.shape == CurveSubject::Shape::steps;
-    const std::size_t steps = is_steps ? values.size() : values.size() - 1;
+    const std::size_t count = run.curves[line].size(), steps = is_steps ? count : count - 1;
     std::vector<double> at;
     for (std::size_t k = 0; k <= steps; ++k)
-        at.push_back(reach * static_cast<double>(k) / static_cast<double>(steps));
+        at.push_back(run.start +
+                     (run.reach - run.start) * static_cast<double>(k) / static_cast<double>(steps));
     return at;
 }
 
-plot::Bars CurvePanel::bars_of(const std::vector<double>& values, double reach) const {
-    const std::vector<double> at = places(values, reach);
+plot::Bars CurvePanel::bars_of(const CurveValues& run, std::size_t line) const {
+    const std::vector<double> at = places(run, line);
+    const std::vector<double>& values = run.curves[line];
     plot::Bars bars;
     bars.part = "bar";
     bars.from = plot::column(whole_.columns[0], {at.begin(), at.end() - 1});
@@ -285,11 +298,11 @@ plot::Bars CurvePanel::bars_of(const std::vector<double>& values, double reach) 
     return bars;
 }
 
-plot::Line CurvePanel::line_of(const std::vector<double>& values, double reach) const {
+plot::Line CurvePanel::line_of(const CurveValues& run, std::size_t index) const {
     plot::Line line;
     line.part = "curve";
-    line.x = plot::column(whole_.columns[0], places(values, reach));
-    line.y = plot::column(whole_.columns[1], values);
+    line.x = plot::column(whole_.columns[0], places(run, index));
+    line.y = plot::column(whole_.columns[1], run.curves[index]);
     line.is_thinned = false;
     return line;
 }
@@ -297,8 +310,6 @@ plot::Line CurvePanel::line_of(const std::vector<double>& values, double reach) 
 void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
                            std::size_t line) const {
     const bool compares = record_.compares();
-    const std::vector<double>& values = state.runs[run].curves[line];
-    const double reach = state.runs[run].reach;
     const std::size_t count = compares ? state.runs.size() : state.runs[run].curves.size();
     const plot::Role role = subject_.lines[line].role;
     plot::Stroke stroke = {.role = role,
@@ -312,7 +323,7 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
         plot.layers.emplace_back(std::move(layer));
     };
     if (subject_.shape == CurveSubject::Shape::steps) {
-        plot::Bars bars = bars_of(values, reach);
+        plot::Bars bars = bars_of(state.runs[run], line);
         bars.role = stroke.role;
         bars.alpha = count > 1 ? 0.0 : alpha_of_steps;
         bars.edge = stroke;
@@ -321,7 +332,7 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
         add(std::move(bars));
         return;
     }
-    plot::Line curve = line_of(values, reach);
+    plot::Line curve = line_of(state.runs[run], line);
     curve.stroke = stroke;
     if (!state.errors.empty()) {
         plot::Band band;

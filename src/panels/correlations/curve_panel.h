@@ -25,8 +25,8 @@ struct CurveValues {
     std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
     std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
     std::vector<std::vector<double>> errors = {};   ///< of these, where they are means of runs
-    double reach = 0.0;                             ///< of the points or bins along
-    void archive(auto& archive) { archive(curves, numbers, errors, reach); }
+    double start = 0.0, reach = 0.0;                ///< of the points or bins along
+    void archive(auto& archive) { archive(curves, numbers, errors, start, reach); }
 };
 
 /// Follows a run.
@@ -37,14 +37,16 @@ class CurveMeter {
     /// Every frame in order, with the collisions on the way.
     virtual void see(const FrameInput& input) = 0;
 
-    /// How far the axis along should reach, after all frames; for subjects that do not say.
+    /// Where the axis along should begin, and how far it should reach, after all frames; for
+    /// subjects that do not say.
+    virtual double start() const { return 0.0; }
     virtual double reach() const { return 1.0; }
 
-    /// How far it does, and in how many points or bins: before values(), of what was seen and of
-    /// what will be.
-    virtual void fix_axis(double reach, int points) = 0;
+    /// Where it begins and how far it does reach, and in how many points or bins: before values(),
+    /// of what was seen and of what will be.
+    virtual void fix_axis(double start, double reach, int points) = 0;
 
-    /// Of curves on the axis that was fixed; their reach is filled in.
+    /// Of curves on the axis that was fixed, which is filled in.
     virtual CurveValues values() const = 0;
 
     /// Writes or reads all that see() has gathered, after fix_axis().
@@ -55,7 +57,7 @@ class CurveMeter {
 struct CurveSubject {
     enum class Shape {
         steps,  ///< bins, with a mean in each
-        line    ///< points from 0 on
+        line    ///< points
     };
     Shape shape = Shape::line;
     int points = 0;  ///< or bins
@@ -68,8 +70,8 @@ struct CurveSubject {
     std::string unit_along = {}, unit_up = {};
     std::function<std::string(double width)> height = {};  ///< the title of the axis up, for bins
                                                            ///< of this width; none: its quantity
-    std::optional<double> reach = {};                      ///< of the axis along; of runs side by
-                                                           ///< side each has its own
+    std::optional<double> reach = {};                      ///< of the axis along, from 0; of runs
+                                                           ///< side by side each has its own
     std::optional<double> top = {};                        ///< of the axis up; none: as it shows
     std::optional<double> level = {};                      ///< across the plot
     double least_top = 0.0;                                ///< of the axis up, in any case
@@ -85,12 +87,12 @@ struct CurveSubject {
 /// What the first pass of a run has shown.
 struct CurveRun {
     std::string name = {};  ///< beside others
-    double reach = 1.0, least = 0.0, most = 0.0;
+    double start = 0.0, reach = 1.0, least = 0.0, most = 0.0;
     double least_positive = 1.0;
     int points = 0;                 ///< or bins, up to the reach
     bool is_reach_its_own = false;  ///< not a matter of how the run went
     void archive(Archive& archive) {
-        archive(name, reach, least, most, least_positive, points, is_reach_its_own);
+        archive(name, start, reach, least, most, least_positive, points, is_reach_its_own);
     }
 };
 
@@ -99,6 +101,7 @@ struct CurveRecord {
     int runs_in_mean = 1;
 
     bool compares() const { return runs.size() > 1; }
+    double start() const;
     double reach() const;
     void archive(Archive& archive) { archive(runs, runs_in_mean); }
 };
@@ -148,10 +151,10 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     std::string remark() const;
     void add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
                    std::size_t line) const;
-    CurveValues values_of(const CurveMeter& meter, double reach) const;
-    std::vector<double> places(const std::vector<double>& values, double reach) const;
-    plot::Bars bars_of(const std::vector<double>& values, double reach) const;
-    plot::Line line_of(const std::vector<double>& values, double reach) const;
+    CurveValues values_of(const CurveMeter& meter) const;
+    std::vector<double> places(const CurveValues& run, std::size_t line) const;
+    plot::Bars bars_of(const CurveValues& run, std::size_t line) const;
+    plot::Line line_of(const CurveValues& run, std::size_t index) const;
 
     PanelContext context_;
     CurveSubject subject_;
@@ -159,7 +162,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     int frames_seen_ = 0;
     std::shared_ptr<const CurveValues> readouts_;
     plot::Plot whole_;
-    double shown_reach_ = 1.0;  ///< of this panel's own run
+    double shown_start_ = 0.0, shown_reach_ = 1.0;  ///< of this panel's own run
 };
 
 }  // namespace carom

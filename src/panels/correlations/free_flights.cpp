@@ -69,7 +69,7 @@ class FlightMeter : public CurveMeter {
         return round_up_for_axis(all.empty() ? 0.0 : quantile(all, shown_share));
     }
 
-    void fix_axis(double reach, int) override {
+    void fix_axis(double, double reach, int) override {
         reach_ = reach;
         for (std::size_t k = 0; k < kept_.size(); ++k) {
             for (const double value : kept_[k]) add(k, value, 0.0);

@@ -23,7 +23,7 @@ class LagMeter : public CurveMeter {
     void see(const FrameInput& input) override {
         averages_.see(input.sample, input.advanced.collisions);
     }
-    void fix_axis(double, int) override {}  // is that of its lags
+    void fix_axis(double, double, int) override {}  // is that of its lags
     void archive(Archive& archive) override { archive(averages_); }
 
   protected:

@@ -50,7 +50,7 @@ class PairMeter : public CurveMeter {
         : context_(context), box_(context.scene.gas.box), wanted_(std::move(wanted)) {}
 
     // Before anything is seen.
-    void fix_axis(double reach, int points) override {
+    void fix_axis(double, double reach, int points) override {
         wanted_.to = reach;
         wanted_.rings = points;
         pairs_.emplace(box_, context_.particles, wanted_, velocity_changes(context_.scene.run));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "panels/correlations/curve_panel.h"
 #include "panels/instruments/measured_surfaces.h"
@@ -60,22 +61,26 @@ class PistonMeter : public CurveMeter {
                        acceleration(state)};
     }
 
-    // Whole bins, each of several fine ones.
+    // With whole bins in between, each of several fine ones.
+    double start() const override { return shown_bins * times_.width() * std::floor(lowest()); }
     double reach() const override {
-        const double fine = static_cast<double>(times_.times().size()) + 1.0;
-        return std::ceil(fine / shown_bins) * shown_bins * times_.width();
+        const double fine = times_.first() + static_cast<double>(times_.times().size()) + 1.0;
+        const double in_bins = std::max(std::ceil(fine / shown_bins), std::floor(lowest()) + 1.0);
+        return in_bins * shown_bins * times_.width();
     }
-    void fix_axis(double reach, int) override { reach_ = reach; }
+    void fix_axis(double start, double reach, int) override { range_ = {start, reach}; }
 
     CurveValues values() const override {
         const std::vector<double>& fine = times_.times();
         std::vector<double> shares(shown_bins, 0.0);
-        const double in_one = std::round(reach_.value_or(reach()) / times_.width() / shown_bins);
+        const auto [from, to] = range_.value_or(std::pair{start(), reach()});
+        const double in_one = std::round((to - from) / times_.width() / shown_bins);
+        const double before = times_.first() - std::round(from / times_.width());
         double all = 0.0;
         for (const double time : fine) all += time;
         for (std::size_t i = 0; i < fine.size(); ++i) {
-            const double bin = std::floor((double(i) + 0.5) / in_one);
-            shares[static_cast<std::size_t>(std::min(bin, shown_bins - 1.0))] +=
+            const double bin = std::floor((before + double(i) + 0.5) / in_one);
+            shares[static_cast<std::size_t>(std::clamp(bin, 0.0, shown_bins - 1.0))] +=
                 percent * fine[i] / all;
         }
         CurveValues now{.curves = {std::move(shares)}};
@@ -90,6 +95,9 @@ class PistonMeter : public CurveMeter {
         double time, place, velocity, acceleration;
         void archive(auto& archive) { archive(time, place, velocity, acceleration); }
     };
+
+    // Of the places, in units of as many fine bins as bins are shown.
+    double lowest() const { return double(times_.first()) / shown_bins; }
 
     double acceleration(const SurfaceState& state) const {
         const auto* piston = std::get_if<Piston>(&state.behaviour);
@@ -137,17 +145,17 @@ class PistonMeter : public CurveMeter {
     std::int32_t surface_;
     int axis_;
     Residence times_;
-    std::optional<double> reach_;
+    std::optional<std::pair<double, double>> range_;
     std::optional<Moment> last_;
     std::optional<PistonOverGas> law_;
 };
 
 plot::Line curve_of(const PistonOverGas& piston, const plot::Plot& plot) {
     constexpr int points = 200;
-    const double reach = plot.x.high, width = reach / shown_bins;
+    const double length = plot.x.high - plot.x.low, width = length / shown_bins;
     std::vector<double> along, up;
     for (int i = 0; i <= points; ++i) {
-        along.push_back(reach * i / points);
+        along.push_back(plot.x.low + length * i / points);
         up.push_back(percent * width * piston.density_at(along.back()));
     }
     plot::Line line;

@@ -41,7 +41,12 @@ void Residence::add_monotone(const MotionStretch& stretch) {
 }
 
 void Residence::add(double place, double time) {
-    const auto bin = static_cast<std::size_t>(std::max(0.0, std::floor(place / width_)));
+    const auto number = static_cast<int>(std::floor(place / width_));
+    if (number < first_) {
+        times_.insert(times_.begin(), static_cast<std::size_t>(first_ - number), 0.0);
+        first_ = number;
+    }
+    const auto bin = static_cast<std::size_t>(number - first_);
     if (bin >= times_.size()) times_.resize(bin + 1, 0.0);
     times_[bin] += time;
 }

@@ -15,7 +15,7 @@ struct MotionStretch {
     }
 };
 
-/// Times in bins of equal width from 0 on; places below 0 count as in the first.
+/// Times in bins of equal width, whose edges are multiples of it.
 class Residence {
   public:
     explicit Residence(double width) : width_(width) {}
@@ -23,17 +23,20 @@ class Residence {
     void add(const MotionStretch& stretch);
 
     double width() const { return width_; }
-    /// Of each bin, up to the last that was reached.
+    /// Of each bin, from the one at 0 or the lowest that was reached, up to the last.
     const std::vector<double>& times() const { return times_; }
+    /// The number of the first of them: 0 for the one that begins at 0, or less.
+    int first() const { return first_; }
 
     /// Writes or reads the times; the width is not part of it.
-    void archive(auto& archive) { archive(times_); }
+    void archive(auto& archive) { archive(first_, times_); }
 
   private:
     void add_monotone(const MotionStretch& stretch);
     void add(double place, double time);
 
     double width_;
+    int first_ = 0;
     std::vector<double> times_;
 };
 

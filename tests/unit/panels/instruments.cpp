@@ -308,40 +308,6 @@ TEST_CASE("the mean place of a piston over an ideal gas is that of its exact dis
     CHECK(error_of(driven.last(0), 10.0) < 1e-14);
 }
 
-TEST_CASE("a piston is where its exact distribution says, for the time that it says") {
-    // Nine points between the floor and a light lid mix well: h has the exact law.
-    const std::string panel = "{kind: piston-histogram}";
-    const std::string scene =
-        "box: {size: [6, 14], walls: {top: {mass: 5, force: -2}}}\n"
-        "gas: [{name: a, count: 9, radius: 0.01, temperature: {exact: 2}}]\n"
-        "run: {until: 20000}\nfilm: {seconds: 8, panels: [" +
-        panel + "]}\n";
-    const Seen seen(scene, 400);
-    const auto state = seen.last_state();
-    const plot::Plot plot = seen.plot(state.get());
-    const plot::Bars* bars = nullptr;
-    const plot::Line* law = nullptr;
-    for (const plot::AnyLayer& layer : plot.layers) {
-        if (const auto* one = std::get_if<plot::Bars>(&layer)) bars = one;
-        if (const auto* one = std::get_if<plot::Line>(&layer)) law = one;
-    }
-    REQUIRE(bars != nullptr);
-    REQUIRE(law != nullptr);
-    double all = 0.0, under_law = 0.0, apart = 0.0;
-    for (std::size_t i = 0; i < bars->value.size(); ++i) {
-        const double middle = 0.5 * (bars->from[i] + bars->to[i]);
-        const auto at = static_cast<std::size_t>(std::lround(200.0 * middle / plot.x.high));
-        all += bars->value[i];
-        under_law += law->y[at];
-        apart += std::abs(bars->value[i] - law->y[at]);
-    }
-    CHECK(error_of(all, 100.0) < 1e-9);
-    CHECK(error_of(under_law, 100.0) < 1e-3);
-    // Some 4000 swings, each a value of its own: 40 bars differ by 0.8 sqrt(p / 4000) each, in all
-    // by some 5 %.
-    CHECK(apart < 12.0);
-}
-
 // Of a piston of some mass on 300 disks of mass 1, from 1 above its mean of 31: the mean of the
 // times between crossings of the mean place, of six runs together; and what the panel says.
 std::pair<double, double> period_of_piston(int mass, double radius, double until) {

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "util/random.h"
 
@@ -19,21 +20,32 @@ TEST_CASE("a place at constant velocity is in each bin as long as the bin is wid
     CHECK(residence.times()[4] == doctest::Approx(0.125).epsilon(1e-14));
 }
 
+TEST_CASE("places below 0 have bins of their own") {
+    Residence residence(0.5);
+    residence.add({0.25, 0.0, 0.0, 3.0});
+    CHECK(residence.first() == 0);
+    residence.add({-1.25, 1.0, 0.0, 1.5});
+    REQUIRE(residence.first() == -3);
+    REQUIRE(residence.times().size() == 4);
+    for (const auto& [bin, time] :
+         {std::pair<std::size_t, double>{0, 0.25}, {1, 0.5}, {2, 0.5}, {3, 3.25}})
+        CHECK(residence.times()[bin] == doctest::Approx(time).epsilon(1e-14));
+}
+
 TEST_CASE("a thrown ball is in each bin as long as its height by steps says") {
     Random random(5, "stretches");
     for (int trial = 0; trial < 200; ++trial) {
-        const MotionStretch stretch{random.uniform(0.0, 3.0), random.uniform(0.0, 4.0),
+        const MotionStretch stretch{random.uniform(-3.0, 3.0), random.uniform(0.0, 4.0),
                                     random.uniform(-2.0, 1.0), random.uniform(0.1, 1.2)};
         constexpr double width = 0.3;
         constexpr int steps = 20'000;
         Residence exact(width);
         exact.add(stretch);
         std::vector<double> slow(exact.times().size(), 0.0);
-        double largest = 0.0;
         for (int i = 0; i < steps; ++i) {
             const double place = stretch.place_after(stretch.duration * (i + 0.5) / steps);
-            largest = std::max(largest, place);
-            const auto bin = static_cast<std::size_t>(std::max(0.0, std::floor(place / width)));
+            const auto bin =
+                static_cast<std::size_t>(std::floor(place / width) - double(exact.first()));
             REQUIRE(bin < slow.size());
             slow[bin] += stretch.duration / steps;
         }

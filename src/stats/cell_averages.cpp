@@ -61,8 +61,9 @@ CellAverages::CellAverages(const Box& box, const Particles& particles, const Cel
       particles_(particles),
       cells_(cells),
       wanted_(std::move(wanted)),
-      paths_(box, std::move(velocity_changes)),
-      gravity_(paths_.gravity()) {}
+      paths_(box, std::move(velocity_changes)) {
+    for (int axis = 0; axis < box.dimension; ++axis) gravity_[axis] = box.surfaces.gravity[axis];
+}
 
 CellSums CellAverages::no_sums() const {
     const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(cells_.all());
@@ -142,43 +143,41 @@ void CellAverages::see(const Sample& sample, std::span<const Collision> collisio
 
 void CellAverages::fly(const PathPiece& piece) {
     if (!is_member(piece.particle)) return;
-    const Point origin{piece.from, piece.place, piece.velocity};
     const double from = std::max(piece.from, start_), to = piece.to;
     if (!(to > from)) return;
     crossed_.clear();
-    add_crossings(piece.particle, origin, from, to);
+    add_crossings(piece, from, to);
     std::ranges::sort(crossed_);
     double time = from;
     for (const double next : crossed_) {
         if (!(next > time)) continue;
-        stay(piece.particle, origin, time, next);
+        stay(piece, time, next);
         time = next;
     }
-    if (to > time) stay(piece.particle, origin, time, to);
+    if (to > time) stay(piece, time, to);
 }
 
 // The times at which it goes from cell to cell, and from slice to slice.
-void CellAverages::add_crossings(Eigen::Index particle, const Point& origin, double from,
-                                 double to) {
+void CellAverages::add_crossings(const PathPiece& piece, double from, double to) {
     const auto add = [&](double after) {
-        const double time = origin.time + after;
+        const double time = piece.from + after;
         if (time > from && time < to) crossed_.push_back(time);
     };
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
-        const double place = origin.place[axis], velocity = origin.velocity[axis];
-        const double gravity = gravity_[axis], size = cells_.size[axis];
+        const double place = piece.place[axis], velocity = piece.velocity[axis];
+        const double gravity = piece.acceleration[axis], size = cells_.size[axis];
         if (cells_.count[axis] == 1 && box_.is_periodic(axis)) continue;
         const auto at = [&](double time) {
-            const double after = time - origin.time;
+            const double after = time - piece.from;
             return place + after * (velocity + 0.5 * gravity * after);
         };
         double low = std::min(at(from), at(to)), high = std::max(at(from), at(to));
-        if (const double turn = origin.time - velocity / gravity;
+        if (const double turn = piece.from - velocity / gravity;
             gravity != 0.0 && turn > from && turn < to) {
             low = std::min(low, at(turn));
             high = std::max(high, at(turn));
         }
-        if (!((high - low) / size < most_cells_crossed)) throw too_fast(particle, origin.time);
+        if (!((high - low) / size < most_cells_crossed)) throw too_fast(piece.particle, piece.from);
         for (double k = std::ceil(low / size); k * size <= high; k += 1.0) {
             const double way = k * size - place;
             if (gravity == 0.0) {
@@ -200,25 +199,57 @@ void CellAverages::add_crossings(Eigen::Index particle, const Point& origin, dou
         crossed_.push_back(k * length);
 }
 
-void CellAverages::stay(Eigen::Index particle, const Point& origin, double from, double to) {
-    const double span = to - from, middle = 0.5 * (from + to) - origin.time;
-    const Eigen::Array2d velocity = origin.velocity + middle * gravity_;  // its mean, too
-    const Eigen::Array2d place =
-        origin.place + middle * (origin.velocity + 0.5 * middle * gravity_);
-    const Eigen::Index cell = cell_at(place);
+void CellAverages::stay(const PathPiece& piece, double from, double to) {
+    const double span = to - from, middle = 0.5 * (from + to) - piece.from;
+    const Eigen::Array2d velocity = piece.velocity_after(middle);  // its mean, too
+    const Eigen::Index cell = cell_at(piece.place_after(middle));
     if (cell < 0) return;
     CellSums& sums = slice_at(0.5 * (from + to));
     sums.particles[cell] += span;
-    sums.speed[cell] += length_of_way(velocity, gravity_, span);
+    sums.speed[cell] += length_of_way(velocity, piece.acceleration, span);
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
         sums.velocity(cell, axis) += span * velocity[axis];
-    if (!wanted_.temperature || particles_.inverse_mass[particle] == 0.0) return;
-    stays_.push_back({cell, from, to, velocity - (0.5 * (from + to) - from_) * gravity_,
-                      1.0 / particles_.inverse_mass[particle]});
+    const double inverse_mass = particles_.inverse_mass[piece.particle];
+    if (!wanted_.temperature || inverse_mass == 0.0) return;
+    stays_.push_back({cell, from, to, velocity - (0.5 * (from + to) - from_) * piece.acceleration,
+                      piece.acceleration - gravity_, 1.0 / inverse_mass});
 }
 
-// Through all comings and goings of each cell, in order of time: between them the motion about
-// their centre of mass keeps its energy, as gravity moves all alike.
+namespace {
+
+// Of the particles in a cell, in a frame that falls since a time: only those that lie on a floor
+// are accelerated in it.
+struct CellMotion {
+    int count = 0;
+    double mass = 0.0, squares = 0.0, products = 0.0, squares_gained = 0.0;
+    Eigen::Array2d momentum{0.0, 0.0}, force{0.0, 0.0};
+
+    void add(double its, const Eigen::Array2d& velocity, const Eigen::Array2d& acceleration) {
+        mass += its;
+        momentum += its * velocity;
+        squares += its * velocity.square().sum();
+        if ((acceleration == 0.0).all()) return;
+        force += its * acceleration;
+        products += its * (velocity * acceleration).sum();
+        squares_gained += its * acceleration.square().sum();
+    }
+
+    // Twice the energy of the motion about their centre of mass.
+    double thermal(double time) const {
+        const double all = squares + time * (2.0 * products + time * squares_gained);
+        return std::max(0.0, all - (momentum + time * force).square().sum() / mass);
+    }
+    // Its integral: constant where all fall alike, else a parabola.
+    double thermal(double from, double to) const {
+        const double first = thermal(from);
+        if (squares_gained == 0.0) return (to - from) * first;
+        return (to - from) / 6.0 * (first + 4.0 * thermal(0.5 * (from + to)) + thermal(to));
+    }
+};
+
+}  // namespace
+
+// Through all comings and goings of each cell, in order of time.
 void CellAverages::add_temperatures() {
     struct Change {
         Eigen::Index cell;
@@ -235,29 +266,23 @@ void CellAverages::add_temperatures() {
     std::ranges::sort(changes, [](const Change& a, const Change& b) {
         return std::tie(a.cell, a.time, a.sign, a.stay) < std::tie(b.cell, b.time, b.sign, b.stay);
     });
-    int count = 0;
-    double mass = 0.0, squares = 0.0;
-    Eigen::Array2d momentum{0.0, 0.0};
+    CellMotion now;
     for (std::size_t k = 0; k < changes.size(); ++k) {
         const Change& change = changes[k];
         const double span =
             k > 0 && changes[k - 1].cell == change.cell ? change.time - changes[k - 1].time : 0.0;
-        if (count > 1 && span > 0.0) {
+        if (now.count > 1 && span > 0.0) {
             CellSums& sums = slice_at(change.time - 0.5 * span);
-            const double thermal = squares - momentum.square().sum() / mass;
-            sums.thermal_energy[change.cell] += span * std::max(0.0, thermal);
-            sums.thermal_freedom[change.cell] += span * (count - 1);
+            sums.thermal_energy[change.cell] +=
+                now.thermal(change.time - span - from_, change.time - from_);
+            sums.thermal_freedom[change.cell] += span * (now.count - 1);
         }
         const Stay& one = stays_[change.stay];
-        count += change.sign;
-        if (count == 0) {
-            mass = squares = 0.0;
-            momentum = {0.0, 0.0};
-            continue;
-        }
-        mass += change.sign * one.mass;
-        momentum += change.sign * one.mass * one.velocity;
-        squares += change.sign * one.mass * one.velocity.square().sum();
+        now.count += change.sign;
+        if (now.count == 0)
+            now = {};
+        else
+            now.add(change.sign * one.mass, one.velocity, one.acceleration);
     }
 }
 

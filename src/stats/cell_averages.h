@@ -91,7 +91,8 @@ class CellAverages {
     struct Stay {
         Eigen::Index cell;
         double from, to;
-        Eigen::Array2d velocity;  ///< at the beginning, less what gravity has added since `from_`
+        Eigen::Array2d velocity;      ///< at `from_`, had it been on this path then
+        Eigen::Array2d acceleration;  ///< less gravity
         double mass;
     };
     struct Slice {
@@ -108,8 +109,8 @@ class CellAverages {
     std::int64_t slice_number(double time) const;
     Eigen::Index cell_at(const Eigen::Array2d& place) const;
     void fly(const PathPiece& piece);
-    void add_crossings(Eigen::Index particle, const Point& origin, double from, double to);
-    void stay(Eigen::Index particle, const Point& origin, double from, double to);
+    void add_crossings(const PathPiece& piece, double from, double to);
+    void stay(const PathPiece& piece, double from, double to);
     void add_temperatures();
     void add_moment(const Sample& sample);
 

@@ -27,7 +27,7 @@ const std::vector<FreeFlight>& FreeFlights::see(const Sample& sample,
         const auto i = static_cast<std::size_t>(piece.particle);
         const double span = piece.span();
         const double way =
-            length_of_way(piece.velocity + 0.5 * span * paths_.gravity(), paths_.gravity(), span);
+            length_of_way(piece.velocity_after(0.5 * span), piece.acceleration, span);
         now_[i].length += way;
         now_[i].duration += span;
         totals_[i].way += way;

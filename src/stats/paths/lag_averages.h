@@ -50,11 +50,10 @@ class LagAverages {
     double value(const PathPiece& early, double early_time, const PathPiece& late,
                  double late_time) const;
     Eigen::Array2d place(const PathPiece& piece, double time) const {
-        const double after = time - piece.from;
-        return piece.place + after * (piece.velocity + 0.5 * after * paths_.gravity());
+        return piece.place_after(time - piece.from);
     }
     Eigen::Array2d velocity(const PathPiece& piece, double time) const {
-        return piece.velocity + (time - piece.from) * paths_.gravity();
+        return piece.velocity_after(time - piece.from);
     }
 
     Of of_;

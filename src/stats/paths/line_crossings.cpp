@@ -50,7 +50,7 @@ double LineCrossings::add_monotone(const PathPiece& piece, double begin, const P
     const double last = level(to.place);
     if (first == last) return last;
     const std::size_t direction = last > first ? 0 : 1;
-    const double pull = paths_.gravity()[line_.axis];
+    const double pull = piece.acceleration[line_.axis];
     for (double k = std::min(first, last) + 1.0; k <= std::max(first, last); k += 1.0) {
         const double distance = line_.at + k * box_.length(line_.axis) - from.place;
         const double square = from.velocity * from.velocity + 2.0 * pull * distance;
@@ -59,14 +59,12 @@ double LineCrossings::add_monotone(const PathPiece& piece, double begin, const P
         const double time = begin + (sum != 0.0 ? 2.0 * distance / sum : 0.0);
         const int other = 1 - line_.axis;
         if (line_.between) {
-            const double along = box_.wrapped(
-                other, piece.place[other] +
-                           time * (piece.velocity[other] + 0.5 * time * paths_.gravity()[other]));
+            const double along = box_.wrapped(other, piece.place_after(time)[other]);
             if (along < line_.between->first || along > line_.between->second) continue;
         }
         ++totals_.count.at(direction);
         const double inverse_mass = particles_.inverse_mass[piece.particle];
-        const Eigen::Array2d velocity = piece.velocity + time * paths_.gravity();
+        const Eigen::Array2d velocity = piece.velocity_after(time);
         if (inverse_mass > 0.0)
             totals_.energy.at(direction) += 0.5 * velocity.square().sum() / inverse_mass;
     }
@@ -74,7 +72,7 @@ double LineCrossings::add_monotone(const PathPiece& piece, double begin, const P
 }
 
 void LineCrossings::fly(const PathPiece& piece) {
-    const double pull = paths_.gravity()[line_.axis], span = piece.span();
+    const double pull = piece.acceleration[line_.axis], span = piece.span();
     const double place = piece.place[line_.axis], velocity = piece.velocity[line_.axis];
     const auto at = [&](double time) {
         return Point{place + time * (velocity + 0.5 * time * pull), velocity + time * pull};

@@ -212,9 +212,9 @@ double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces) con
     double farthest = 0.0, bend = 0.0;
     for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
         const double span = piece->span();
-        apart -= span * (piece->velocity + 0.5 * span * paths_.gravity());
+        apart -= piece->place_after(span) - piece->place;
         farthest = std::max(farthest, apart.matrix().norm());
-        bend = std::max(bend, 0.125 * span * span * paths_.gravity().matrix().norm());
+        bend = std::max(bend, 0.125 * span * span * piece->acceleration.matrix().norm());
     }
     return farthest + bend;
 }
@@ -235,24 +235,36 @@ void PairCorrelation::add_flights(const Eigen::ArrayXXd& positions, Eigen::Array
         });
 }
 
-// While both keep their velocities; what falls, falls alike.
+// While nothing but gravity changes their velocities. What falls, falls alike; where one lies on a
+// floor and the other falls, along chords that are near the path.
 void PairCorrelation::add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
                                Eigen::ArrayXd& time) {
     for (std::size_t i = 0, j = 0; i < first.size() && j < second.size();) {
         const PathPiece &one = first[i], &other = second[j];
         const double from = std::max(one.from, other.from), to = std::min(one.to, other.to);
         if (to > from) {
-            const auto place = [&](const PathPiece& piece) -> Eigen::Array2d {
-                const double after = from - piece.from;
-                return piece.place + after * (piece.velocity + 0.5 * after * paths_.gravity());
-            };
-            const auto velocity = [&](const PathPiece& piece) -> Eigen::Array2d {
-                return piece.velocity + (from - piece.from) * paths_.gravity();
-            };
-            add_images(place(other) - place(one), velocity(other) - velocity(one), to - from, time);
+            const Eigen::Array2d place =
+                other.place_after(from - other.from) - one.place_after(from - one.from);
+            const Eigen::Array2d velocity =
+                other.velocity_after(from - other.from) - one.velocity_after(from - one.from);
+            const Eigen::Array2d acceleration = other.acceleration - one.acceleration;
+            const int chords = chords_of(acceleration.matrix().norm(), to - from);
+            const double span = (to - from) / chords;
+            for (int k = 0; k < chords; ++k) {
+                const double after = k * span;
+                add_images(place + after * (velocity + 0.5 * after * acceleration),
+                           velocity + (after + 0.5 * span) * acceleration, span, time);
+            }
         }
         ++(one.to < other.to ? i : j);
     }
+}
+
+// So many that none is farther from the path than a small part of a ring.
+int PairCorrelation::chords_of(double acceleration, double span) const {
+    constexpr double part_of_ring = 1e-3, most = 1e4;
+    const double chords = span * std::sqrt(acceleration / (8.0 * part_of_ring * width_));
+    return static_cast<int>(std::clamp(std::ceil(chords), 1.0, most));
 }
 
 // All images that come near on the way, in most boxes but the nearest.

@@ -62,6 +62,7 @@ class PairCorrelation {
     void add_flights(const Eigen::ArrayXXd& positions, Eigen::ArrayXd& time);
     void add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
                   Eigen::ArrayXd& time);
+    int chords_of(double acceleration, double span) const;
     void add_images(const Eigen::Array2d& place, const Eigen::Array2d& velocity, double span,
                     Eigen::ArrayXd& time) const;
     void add_flight(const Eigen::Array2d& place, const Eigen::Array2d& velocity, double span,

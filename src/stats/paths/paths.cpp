@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace carom {
 
@@ -29,6 +30,7 @@ double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity
 
 Paths::Paths(const Box& box, std::vector<double> changes) : changes_(std::move(changes)) {
     for (int axis = 0; axis < box.dimension; ++axis) gravity_[axis] = box.surfaces.gravity[axis];
+    is_straight_ = changes_.empty() && (gravity_ == 0.0).all();
 }
 
 Paths::Point Paths::at(const Sample& sample, Eigen::Index particle) {
@@ -40,16 +42,54 @@ Paths::Point Paths::at(const Sample& sample, Eigen::Index particle) {
     return point;
 }
 
-Paths::Point Paths::moved(const Point& from, double time) const {
-    const double span = time - from.time;
-    return {time, from.place + span * (from.velocity + 0.5 * span * gravity_),
-            from.velocity + span * gravity_};
+// For how long it lies on a floor before it falls along an axis, where it does: it has no velocity,
+// and at the end as much as it has gained since. `is_changed`: on the way or at the end, so that
+// the velocity there does not say it.
+double Paths::rest_of(const Point& from, const Point& to, Eigen::Index axis,
+                      bool is_changed) const {
+    const double gravity = gravity_[axis], span = to.time - from.time;
+    if (gravity == 0.0 || from.velocity[axis] != 0.0) return 0.0;
+    if (is_changed)
+        return to.velocity[axis] == 0.0 && to.place[axis] == from.place[axis] ? span : 0.0;
+    constexpr double rounding = 1e-9;
+    const double rest = span - std::clamp(to.velocity[axis] / gravity, 0.0, span);
+    return rest > rounding * span ? rest : 0.0;
 }
 
-// The end where there is none.
-double Paths::change_between(double from, double to) const {
-    const auto change = std::ranges::lower_bound(changes_, from);
-    return change != changes_.end() && *change < to ? *change : to;
+// Where velocities change at a time in between, forward until then and backward from the end.
+void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
+    pieces_.clear();
+    const auto first = std::ranges::lower_bound(changes_, from.time);
+    const auto behind = std::lower_bound(first, changes_.end(), to.time);
+    const bool is_changed = first != behind;
+    const bool ends_changed = behind != changes_.end() && *behind == to.time;
+    Eigen::Array2d rest{0.0, 0.0};
+    for (Eigen::Index axis = 0; axis < 2; ++axis)
+        rest[axis] = rest_of(from, to, axis, is_changed || ends_changed);
+    // Forward from the last point on, to where something changes.
+    PathPiece piece{
+        .particle = particle, .from = from.time, .place = from.place, .velocity = from.velocity};
+    double since = 0.0;
+    const auto fall = [&](double after, double until) {
+        piece.acceleration = (rest > since).select(0.0, gravity_);
+        piece.to = until;
+        pieces_.push_back(piece);
+        piece.place = pieces_.back().place_after(piece.span());
+        piece.velocity = pieces_.back().velocity_after(piece.span());
+        piece.from = until;
+        since = after;
+    };
+    const double forward = is_changed ? *first : to.time;
+    for (const double after : {rest.minCoeff(), rest.maxCoeff()})
+        if (after > since && from.time + after < forward) fall(after, from.time + after);
+    fall(forward - from.time, forward);
+    if (!is_changed) return;
+    const double span = to.time - forward;
+    PathPiece last{.particle = particle, .from = forward, .to = to.time};
+    last.acceleration = pieces_.back().acceleration;
+    last.velocity = to.velocity - span * last.acceleration;
+    last.place = to.place - span * (to.velocity - 0.5 * span * last.acceleration);
+    pieces_.push_back(last);
 }
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// The paths of particles between two samples of a run, in pieces on which nothing but gravity
-// changes a velocity: what averages by exact times are made of.
+// The paths of particles between two samples of a run, in pieces with constant accelerations: what
+// averages by exact times are made of.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,16 +15,21 @@ namespace carom {
 /// A piece of a particle's path. On a line all that is along y is 0.
 struct PathPiece {
     Eigen::Index particle = 0;
-    double from = 0.0, to = 0.0;          ///< times
-    Eigen::Array2d place{0.0, 0.0};       ///< at `from`
-    Eigen::Array2d velocity{0.0, 0.0};    ///< at `from`
-    const Collision* ended_by = nullptr;  ///< none: the sample, or an event of the run
+    double from = 0.0, to = 0.0;            ///< times
+    Eigen::Array2d place{0.0, 0.0};         ///< at `from`
+    Eigen::Array2d velocity{0.0, 0.0};      ///< at `from`
+    Eigen::Array2d acceleration{0.0, 0.0};  ///< gravity; 0 along an axis while it lies on a floor
+    const Collision* ended_by = nullptr;    ///< none: the sample, or an event of the run
 
     double span() const { return to - from; }
+    Eigen::Array2d place_after(double time) const {
+        return place + time * (velocity + 0.5 * time * acceleration);
+    }
+    Eigen::Array2d velocity_after(double time) const { return velocity + time * acceleration; }
 
     /// All but the collision, which is known during the call only that gives the piece.
     void archive(auto& archive) {
-        archive(particle, from, to, place, velocity);
+        archive(particle, from, to, place, velocity, acceleration);
         ended_by = nullptr;
     }
 };
@@ -62,8 +67,6 @@ class Paths {
         time_ = sample.time;
     }
 
-    const Eigen::Array2d& gravity() const { return gravity_; }
-
     /// Writes or reads where the particles are.
     void archive(auto& archive) { archive(last_, time_); }
 
@@ -74,20 +77,24 @@ class Paths {
         void archive(auto& archive) { archive(time, place, velocity); }
     };
     static Point at(const Sample& sample, Eigen::Index particle);
-    Point moved(const Point& from, double time) const;
-    double change_between(double from, double to) const;
+    void part(Eigen::Index particle, const Point& from, const Point& to);
+    double rest_of(const Point& from, const Point& to, Eigen::Index axis, bool is_changed) const;
 
-    // Where velocities change at a time in between, forward until then and backward from the end.
     void advance(Eigen::Index particle, const Point& to, const Collision* by, auto&& see) {
         Point& from = last_[static_cast<std::size_t>(particle)];
         if (to.time < from.time) return;             // on the way to the first sample
         if (to.time > from.time || by != nullptr) {  // also of no time, where two fall together
-            const double change = change_between(from.time, to.time);
-            see(PathPiece{particle, from.time, change, from.place, from.velocity,
-                          change < to.time ? nullptr : by});
-            if (change < to.time) {
-                const Point middle = moved(to, change);
-                see(PathPiece{particle, change, to.time, middle.place, middle.velocity, by});
+            if (is_straight_) {
+                see(PathPiece{.particle = particle,
+                              .from = from.time,
+                              .to = to.time,
+                              .place = from.place,
+                              .velocity = from.velocity,
+                              .ended_by = by});
+            } else {
+                part(particle, from, to);
+                pieces_.back().ended_by = by;
+                for (const PathPiece& piece : pieces_) see(piece);
             }
         }
         from = to;
@@ -95,8 +102,10 @@ class Paths {
 
     Eigen::Array2d gravity_{0.0, 0.0};
     std::vector<double> changes_;
-    std::vector<Point> last_;  ///< of each particle, its last collision or the last sample
-    double time_ = 0.0;        ///< of the last sample
+    bool is_straight_ = true;        ///< no gravity and no changes
+    std::vector<PathPiece> pieces_;  ///< scratch: between two points of a path
+    std::vector<Point> last_;        ///< of each particle, its last collision or the last sample
+    double time_ = 0.0;              ///< of the last sample
 };
 
 }  // namespace carom

@@ -83,8 +83,8 @@ void ThermalTimes::fly(const PathPiece& piece) {
 void ThermalTimes::add_stay(const PathPiece& piece, double from, double to,
                             ThermalIntegrals& into) const {
     const double inverse_mass = particles_.inverse_mass[piece.particle], span = to - from;
-    const Eigen::Array2d velocity = piece.velocity + 0.5 * (from + to) * paths_.gravity() - drift_;
-    const Eigen::Array2d bent = paths_.gravity() * span;
+    const Eigen::Array2d velocity = piece.velocity_after(0.5 * (from + to)) - drift_;
+    const Eigen::Array2d bent = piece.acceleration * span;
     into.energy +=
         0.5 * span * (velocity.square().sum() + bent.square().sum() / 12.0) / inverse_mass;
     into.half_freedom += span * half_freedom(piece.particle);
@@ -93,7 +93,7 @@ void ThermalTimes::add_stay(const PathPiece& piece, double from, double to,
 // The times of the piece at which it is at a place on an axis, or at an image of it.
 void ThermalTimes::add_crossings(const PathPiece& piece, int axis, double edge) {
     const double span = piece.span(), start = piece.place[axis], velocity = piece.velocity[axis];
-    const double pull = paths_.gravity()[axis];
+    const double pull = piece.acceleration[axis];
     const auto at = [&](double time) { return start + time * (velocity + 0.5 * time * pull); };
     double low = std::min(start, at(span)), high = std::max(start, at(span));
     const double turn = pull != 0.0 ? -velocity / pull : -1.0;
@@ -129,9 +129,8 @@ void ThermalTimes::add(const PathPiece& piece, std::size_t part) {
     for (std::size_t i = 1; i < times_.size(); ++i) {
         const double middle = 0.5 * (times_[i - 1] + times_[i]);
         if (!(times_[i] > times_[i - 1])) continue;
-        const Eigen::Array2d place =
-            piece.place + middle * (piece.velocity + 0.5 * middle * paths_.gravity());
-        if (is_in(place, parts_[part])) add_stay(piece, times_[i - 1], times_[i], integrals_[part]);
+        if (is_in(piece.place_after(middle), parts_[part]))
+            add_stay(piece, times_[i - 1], times_[i], integrals_[part]);
     }
 }
 

@@ -59,9 +59,7 @@ TEST_CASE("pieces of paths follow one another without a gap, whatever the frames
             paths(sample, all, [&](const PathPiece& piece) {
                 PathPiece& before = last[static_cast<std::size_t>(piece.particle)];
                 if (before.to > 0.0) {
-                    const double span = before.span();
-                    const Eigen::Array2d end =
-                        before.place + span * (before.velocity + 0.5 * span * paths.gravity());
+                    const Eigen::Array2d end = before.place_after(before.span());
                     CHECK(piece.from == before.to);
                     CHECK((piece.place - end).matrix().norm() < 1e-12);
                 }

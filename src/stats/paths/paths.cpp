@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/reversal/mirrored_events.h"
+
 namespace carom {
 
 std::vector<double> velocity_changes(const Run& run) {
@@ -12,6 +14,10 @@ std::vector<double> velocity_changes(const Run& run) {
         if (std::holds_alternative<ReverseVelocities>(event.action) ||
             std::holds_alternative<Heat>(event.action))
             times.push_back(event.at);
+    for (const MirroredEvent& mirrored : mirrored_events(run))
+        if (std::holds_alternative<Heat>(run.events[mirrored.event].action))
+            times.push_back(mirrored.at);
+    std::ranges::sort(times);
     return times;
 }
 
@@ -29,7 +35,10 @@ double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity
 }
 
 Paths::Paths(const Box& box, std::vector<double> changes) : changes_(std::move(changes)) {
-    for (int axis = 0; axis < box.dimension; ++axis) gravity_[axis] = box.surfaces.gravity[axis];
+    for (int axis = 0; axis < box.dimension; ++axis) {
+        gravity_[axis] = box.surfaces.gravity[axis];
+        if (box.is_periodic(axis)) period_[axis] = box.length(axis);
+    }
     is_straight_ = changes_.empty() && (gravity_ == 0.0).all();
 }
 
@@ -56,7 +65,8 @@ double Paths::rest_of(const Point& from, const Point& to, Eigen::Index axis,
     return rest > rounding * span ? rest : 0.0;
 }
 
-// Where velocities change at a time in between, forward until then and backward from the end.
+// Where velocities change in between, forward until then and backward from the end; where they
+// change several times, evenly from the first to the last.
 void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
     pieces_.clear();
     const auto first = std::ranges::lower_bound(changes_, from.time);
@@ -84,11 +94,19 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
         if (after > since && from.time + after < forward) fall(after, from.time + after);
     fall(forward - from.time, forward);
     if (!is_changed) return;
-    const double span = to.time - forward;
-    PathPiece last{.particle = particle, .from = forward, .to = to.time};
+    const double change = *std::prev(behind), span = to.time - change;
+    PathPiece last{.particle = particle, .from = change, .to = to.time};
     last.acceleration = pieces_.back().acceleration;
     last.velocity = to.velocity - span * last.acceleration;
     last.place = to.place - span * (to.velocity - 0.5 * span * last.acceleration);
+    if (change > forward) {
+        const double between = change - forward;
+        Eigen::Array2d way = last.place - piece.place;
+        way -= (period_ > 0.0).select(period_ * (way / period_).round(), 0.0);
+        piece.to = change;
+        piece.velocity = way / between - 0.5 * between * piece.acceleration;
+        pieces_.push_back(piece);
+    }
     pieces_.push_back(last);
 }
 

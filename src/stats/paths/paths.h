@@ -34,7 +34,8 @@ struct PathPiece {
     }
 };
 
-/// Times at which the velocities of a run change without a collision.
+/// Times at which the velocities of a run change without a collision, in order: reversals, heat,
+/// and heat that a reversal undoes.
 std::vector<double> velocity_changes(const Run& run);
 
 /// The length of a path: the integral of the speed over a time, with this velocity in its middle.
@@ -101,6 +102,7 @@ class Paths {
     }
 
     Eigen::Array2d gravity_{0.0, 0.0};
+    Eigen::Array2d period_{0.0, 0.0};  ///< 0 between walls
     std::vector<double> changes_;
     bool is_straight_ = true;        ///< no gravity and no changes
     std::vector<PathPiece> pieces_;  ///< scratch: between two points of a path

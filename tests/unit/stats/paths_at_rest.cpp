@@ -1,5 +1,5 @@
-// Paths of particles that lie on a floor under gravity: what is averaged over them does not depend
-// on how often they are seen.
+// Paths of particles that lie on a floor under gravity, and of gases that events heat: what is
+// averaged over them does not depend on how often they are seen.
 #include <doctest/doctest.h>
 
 #include <numeric>
@@ -163,4 +163,51 @@ TEST_CASE("a cell and pairs with some that lie and some that fall are seen as of
     // Chords keep within a thousandth of a ring.
     CHECK(rarely.second.maxCoeff() > 1.0);
     CHECK((rarely.second - often.second).abs().maxCoeff() < 2e-3 * often.second.maxCoeff());
+}
+
+TEST_CASE("heat, and heat that is undone on the way back, is on the path where it happens") {
+    Gas gas;
+    gas.box.size = {30.0, 20.0};
+    gas.species = {{.name = "a", .count = 40, .radius = 0.2, .velocity = Temperature{1.0}}};
+    Run run;
+    run.bits = 256;
+    run.until = 40.0;
+    run.events = {{10.3, Heat{{}, Temperature{25.0}}}, {20.0, ReverseVelocities{}}};
+    CHECK(velocity_changes(run) == std::vector<double>{10.3, 20.0, 29.7});
+    const Simulation simulation(gas, run);
+    const double cold =
+        kinetic_energies(simulation.particles(), Simulation(simulation).sample()).sum();
+    // 25 for each disk while it is hot. Paths end within rounding of their times and places.
+    const double exact = 20.6 * cold + 19.4 * 25.0 * 40.0;
+    for (const int steps : {9, 40, 160}) {
+        CAPTURE(steps);
+        CHECK(energy_of(simulation, steps_up_to(40.0, steps), velocity_changes(run)) ==
+              relative(exact, 1e-9));
+    }
+    const auto crossings = [&](int steps) {
+        LineCrossings all(gas.box, simulation.particles(), {.axis = 0, .at = 15.0},
+                          all_of(simulation), velocity_changes(run));
+        CrossingTotals totals;
+        see(simulation, steps_up_to(40.0, steps),
+            [&](const Sample& sample, std::span<const Collision> collisions) {
+                totals = all.see(sample, collisions);
+            });
+        return totals;
+    };
+    CHECK(crossings(13).count == crossings(1600).count);
+}
+
+TEST_CASE("several changes between two samples are all on the path") {
+    Gas gas;
+    gas.box.size = {30.0, 20.0};
+    gas.species = {{.name = "a", .count = 10, .radius = 0.2, .velocity = Temperature{1.0}}};
+    Run run;
+    run.until = 3.0;
+    run.events = {{1.0, Heat{{}, Temperature{4.0}}}, {1.5, ReverseVelocities{}}};
+    run.events[0].is_mirrored = false;
+    const Simulation simulation(gas, run);
+    const double cold =
+        kinetic_energies(simulation.particles(), Simulation(simulation).sample()).sum();
+    CHECK(energy_of(simulation, {0.0, 3.0}, velocity_changes(run)) ==
+          relative(cold + 2.0 * 4.0 * 10.0, 1e-9));
 }

@@ -9,7 +9,11 @@ EnergyAccount energies(const Box& box, const Particles& particles, const Sample&
     EnergyAccount account;
     const Eigen::Array2d& gravity = box.surfaces.gravity;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        if (particles.inverse_mass[i] == 0.0) continue;
+        if (particles.inverse_mass[i] == 0.0) {
+            if ((gravity != 0.0).any() || (sample.velocity.row(i) != 0.0).any())
+                account.relative_error.reset();
+            continue;
+        }
         const double square = sample.velocity.row(i).square().sum();
         account.kinetic += 0.5 * square / particles.inverse_mass[i];
         for (Eigen::Index axis = 0; axis < box.dimension; ++axis) {

@@ -236,7 +236,7 @@ struct Simulation::Implementation {
         return std::visit([&](const auto& its) { return its.surfaces(present.time); }, loop);
     }
 
-    // Of the present; without a relative error.
+    // Of the present; without work, the heat of events and the size of the error.
     EnergyAccount energies_now() const {
         Sample now;
         std::visit([&](const auto& its) { its.sample(present.time, now); }, loop);
@@ -251,6 +251,10 @@ struct Simulation::Implementation {
                 account.heat += its.heat_of_events();
             },
             loop);
+        if (!at_start.relative_error || !account.relative_error) {
+            account.relative_error.reset();
+            return account;
+        }
         const double most = std::max({account.kinetic, std::abs(account.potential), account.pistons,
                                       std::abs(account.work), std::abs(account.heat)});
         const double error = account.in_all() - at_start.in_all() - account.work - account.heat;

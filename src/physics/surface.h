@@ -181,7 +181,9 @@ struct EnergyAccount {
     double pistons = 0.0;    ///< kinetic energy of pistons
     double work = 0.0;       ///< of driven surfaces on the gas and on pistons
     double heat = 0.0;       ///< from baths, and by events that heat
-    double relative_error = 0.0;  ///< of the sum, in units of the largest of its terms
+    /// Of the sum, in units of the largest of its terms; none where an infinite mass moves, or
+    /// gravity pulls at one: its energy, and what it gives to others, are in no sum.
+    std::optional<double> relative_error = 0.0;
 
     /// What is in the gas and in pistons.
     double in_all() const { return kinetic + potential + pistons; }

@@ -45,7 +45,7 @@ double distance(Simulation& simulation, const Sample& other) {
 }
 
 void check_account(const Simulation& simulation) {
-    CHECK(simulation.energy_account().relative_error < 1e-12);
+    CHECK(simulation.energy_account().relative_error.value() < 1e-12);
 }
 
 }  // namespace

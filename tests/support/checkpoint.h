@@ -46,7 +46,7 @@ class Trace {
                 add(simulation.sample());
                 const EnergyAccount energy = simulation.energy_account();
                 numbers({energy.kinetic, energy.potential, energy.pistons, energy.work, energy.heat,
-                         energy.relative_error});
+                         energy.relative_error.value_or(-1.0)});
             }
         } catch (const std::exception& error) {
             thrown = error.what();

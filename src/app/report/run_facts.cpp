@@ -45,6 +45,8 @@ Fact collisions(const RunReport& report) {
                         grouped(counts.particle), of_each, grouped(counts.wall))};
 }
 
+constexpr const char* no_error = "not conserved: an infinite mass moves";
+
 // The rest of the sum where surfaces act: what does not change by itself.
 std::string account_words(const EnergyAccount& account) {
     std::vector<std::string> parts{"kinetic " + number(account.kinetic)};
@@ -55,8 +57,10 @@ std::string account_words(const EnergyAccount& account) {
     add("pistons", account.pistons);
     add("work", account.work);
     add("heat", account.heat);
-    return fmt::format("{} at the end, relative error {:.1e}", fmt::join(parts, ", "),
-                       account.relative_error);
+    const std::string error = account.relative_error
+                                  ? fmt::format(", relative error {:.1e}", *account.relative_error)
+                                  : fmt::format("; {}", no_error);
+    return fmt::format("{} at the end{}", fmt::join(parts, ", "), error);
 }
 
 Json account_value(const EnergyAccount& account) {
@@ -69,7 +73,7 @@ Json account_value(const EnergyAccount& account) {
 }
 
 std::string energy_words(const RunSummary& summary) {
-    if (!summary.largest_energy_error) return "not conserved: an infinite mass moves";
+    if (!summary.largest_energy_error) return no_error;
     if (*summary.largest_energy_error == 0.0)
         return number(summary.energy_initial) + ", kept exactly";
     return fmt::format("{}, relative error {:.1e}", number(summary.energy_initial),

@@ -12,6 +12,7 @@
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "support/scene_text.h"
+#include "support/seen_panel.h"
 
 using namespace carom;
 

@@ -74,14 +74,17 @@ class PistonMeter : public CurveMeter {
         const std::vector<double>& fine = times_.times();
         std::vector<double> shares(shown_bins, 0.0);
         const auto [from, to] = range_.value_or(std::pair{start(), reach()});
-        const double in_one = std::round((to - from) / times_.width() / shown_bins);
-        const double before = times_.first() - std::round(from / times_.width());
         double all = 0.0;
         for (const double time : fine) all += time;
+        // Bins of an axis that is another run's, too, may divide fine ones.
+        const double in_one = (to - from) / times_.width() / shown_bins;
+        const double before = times_.first() - from / times_.width();
         for (std::size_t i = 0; i < fine.size(); ++i) {
-            const double bin = std::floor((before + double(i) + 0.5) / in_one);
-            shares[static_cast<std::size_t>(std::clamp(bin, 0.0, shown_bins - 1.0))] +=
-                percent * fine[i] / all;
+            const double low = (before + double(i)) / in_one, high = low + 1.0 / in_one;
+            for (double bin = std::floor(low); bin < high; bin += 1.0)
+                shares[static_cast<std::size_t>(std::clamp(bin, 0.0, shown_bins - 1.0))] +=
+                    percent * fine[i] / all * in_one *
+                    (std::min(high, bin + 1.0) - std::max(low, bin));
         }
         CurveValues now{.curves = {std::move(shares)}};
         if (law_) now.numbers = {Law(*law_).numbers};

@@ -1,6 +1,8 @@
 // What holds in every box whose surfaces act.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <exception>
 
@@ -10,6 +12,15 @@
 #include "support/surface_scenes.h"
 
 using namespace carom;
+
+namespace {
+
+double largest_term(const EnergyAccount& its) {
+    return std::max({its.kinetic, std::abs(its.potential), its.pistons, std::abs(its.work),
+                     std::abs(its.heat)});
+}
+
+}  // namespace
 
 TEST_CASE("the account of energy closes") {
     int whole = 0;
@@ -23,8 +34,14 @@ TEST_CASE("the account of energy closes") {
         run.events = scene.events;
         try {
             Simulation simulation(scene.gas, run);
-            simulation.advance_to(20.0);
-            CHECK(simulation.energy_account().relative_error.value() < 1e-12);
+            // A piston that is made to move evenly may have had much more energy on the way.
+            double largest = 0.0;
+            for (int time = 1; time <= 20; ++time) {
+                simulation.advance_to(time);
+                largest = std::max(largest, largest_term(simulation.energy_account()));
+            }
+            const EnergyAccount end = simulation.energy_account();
+            CHECK(end.relative_error.value() * largest_term(end) < 1e-12 * largest);
             ++whole;
         } catch (const std::exception&) {
             continue;  // no room for the disks, a line that would close on one, a crushed gas

@@ -48,6 +48,8 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"beside_elsewhere", several_places},  // the ending and the folder of a name
     {"beside_film", several_places},
     {"beside_panel", several_places},
+    {"beside_reversal", several_places},
+    {"beside_until", several_places},
     {"beside_value", several_places},
     {"captions_cut", several_places},         // times against the film's length
     {"collision_map_plane", several_places},  // a kind against the box
@@ -61,6 +63,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"figure_sweep_point", several_places},      // values of `vary` against the scene
     {"figure_test_few", several_places},         // its particles against what it counts
     {"figure_test_over", several_places},
+    {"film_callout_show", several_places},
     {"film_camera_ring", several_places},  // what is followed against the box
     {"film_field", several_places},        // a name against the gas
     {"film_field_share", several_places},  // `of` against `species`

@@ -88,7 +88,7 @@ TEST_CASE("on a partition counts what its sides leave, and gaps have no length")
 
 TEST_CASE("of a gap only what lies between the walls is taken from the length") {
     const auto pressure = [](const std::string& gap, const std::string& velocity) {
-        const Seen seen(one_disk("{size: [10, 20], walls: {top: {velocity: " + velocity +
+        const Seen seen(one_disk("{size: [20, 20], walls: {top: {velocity: " + velocity +
                                      ", until: 10}}}\npartitions: [{name: part, x: 10, gaps: [" +
                                      gap + "]}]",
                                  "{kind: pressure, surfaces: part, over: {window: 20}}"));

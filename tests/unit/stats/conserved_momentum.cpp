@@ -70,9 +70,9 @@ std::vector<Case> cases() {
         {"gravity along y", pull(0.0, -0.3)},
         {"partition across x", partition(0)},
         {"partition across y", partition(1)},
-        {"membrane across y", partition(1, {.behaviour = Membrane{.species = {0}}})},
-        {"gap in one across y", partition(1, {.gaps = {{3.0, 9.0}}})},
-        {"bath across y", partition(1, {.behaviour = Bath{1.0}})},
+        {"membrane across y", partition(1, {.name = "", .behaviour = Membrane{.species = {0}}})},
+        {"gap in one across y", partition(1, {.name = "", .gaps = {{3.0, 9.0}}})},
+        {"bath across y", partition(1, {.name = "", .behaviour = Bath{1.0}})},
         {"obstacle",
          [](Gas& gas) {
              gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{5.0, 5.0}, 2.0}}};

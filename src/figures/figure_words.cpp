@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "scene/describe.h"
 #include "util/formula/formula.h"
@@ -27,8 +28,8 @@ std::string kind_and_time(const Scene& scene, const FigureSpec& spec) {
     const Language language = scene.film.language;
     const std::string kind = kind_words(scene, spec);
     const std::string times = shown_times(language, spec);
-    const bool over = spec.panel.over && spec.panel.over->since == Over::Since::window;
-    if (over) return say(language, "{} from time {}", kind, times);
+    if (spec.panel.over && start_of_mean(*spec.panel.over, spec.times.back()))
+        return say(language, "{} from time {}", kind, times);
     return spec.times.size() > 1 ? say(language, "{} at times {}", kind, times)
                                  : say(language, "{} at time {}", kind, times);
 }
@@ -167,10 +168,11 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
 }  // namespace
 
 std::string shown_times(Language language, const FigureSpec& spec) {
-    const auto& over = spec.panel.over;
-    if (over && over->since == Over::Since::window)
-        return say(language, "{} to {}", plain_number(language, spec.times.back() - over->window),
-                   plain_number(language, spec.times.back()));
+    const double at = spec.times.back();
+    if (const auto& over = spec.panel.over)
+        if (const auto start = start_of_mean(*over, at))
+            return say(language, "{} to {}", plain_number(language, *start),
+                       plain_number(language, at));
     std::vector<std::string> times;
     for (const double time : spec.times) times.push_back(plain_number(language, time));
     return listed(language, times);

@@ -12,6 +12,7 @@
 #include "figures/figure_words.h"
 #include "media/base64.h"
 #include "media/formats.h"
+#include "panels/plots/window.h"
 #include "runs/json.h"
 #include "scene/limits.h"
 #include "scene/words.h"
@@ -104,8 +105,9 @@ Json figure_json(const SetFigure& figure) {
               {"scene", figure.part->stem}, {"scene_title", scene.title},
               {"seed", scene.seed},         {"overrides", scene.source.overrides},
               {"times", spec.times}};
-    if (spec.panel.over && spec.panel.over->since == Over::Since::window)
-        json["over"] = {spec.times.back() - spec.panel.over->window, spec.times.back()};
+    if (spec.panel.over)
+        if (const auto start = start_of_mean(*spec.panel.over, spec.times.back()))
+            json["over"] = {*start, spec.times.back()};
     for (const ComparedRun& run : spec.compare)
         json["runs"].push_back(
             {{"label", run.label},

@@ -14,6 +14,7 @@
 #include "media/formats.h"
 #include "panels/field/field_layer.h"
 #include "panels/frame.h"
+#include "panels/plots/window.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "scene/describe.h"
@@ -270,7 +271,7 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t pa
 // "speeds, a speed-histogram at time 4, 8.9 by 6.2 cm".
 std::string figure_words(const Scene& scene, const FigureSpec& spec) {
     const auto [width, height] = figure_size(scene, spec);
-    const bool over = spec.panel.over && spec.panel.over->since == Over::Since::window;
+    const bool over = spec.panel.over && start_of_mean(*spec.panel.over, spec.times.back());
     const std::string kind =
         spec.compare.empty() ? spec.panel.kind
                              : fmt::format("{} of {} runs", spec.panel.kind, spec.compare.size());

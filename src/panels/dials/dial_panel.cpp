@@ -199,9 +199,12 @@ std::vector<DialPanel::Reading> DialPanel::readings(const PanelState& state) con
     return readings;
 }
 
+// The mean of several runs' counts is none.
+bool DialPanel::is_whole() const { return subject_.counts && record_.runs_in_mean == 1; }
+
 std::string DialPanel::number(double value) const {
     if (std::isnan(value)) return "–";
-    if (subject_.counts) return grouped(std::llround(value));
+    if (is_whole()) return grouped(std::llround(value));
     return steady_number(context_.language(), value, {scale_.low, scale_.high});
 }
 
@@ -367,7 +370,7 @@ Table DialPanel::table(const PanelState& state, const Theme&) const {
     const std::size_t lines = std::max<std::size_t>(1, subject_.lines.size());
     for (std::size_t k = 0; k < now.size(); ++k) {
         Cell value = now[k].value;
-        if (subject_.counts) value = static_cast<std::int64_t>(std::llround(now[k].value));
+        if (is_whole()) value = static_cast<std::int64_t>(std::llround(now[k].value));
         std::vector<Cell> row{subject_.part, now[k].line.column, value, subject_.unit};
         if (compares) row.insert(row.begin() + 1, record_.runs[k / lines].name);
         table.rows.push_back(std::move(row));

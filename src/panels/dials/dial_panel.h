@@ -108,6 +108,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
 
   private:
     struct Layout;
+    bool is_whole() const;
     Layout layout(const DrawContext& dc) const;
     Layout layout_in_grid(const DrawContext& dc, const Rect& area) const;
     void draw_words(Canvas& canvas, const DrawContext& dc, const Layout& layout) const;

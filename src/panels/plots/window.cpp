@@ -1,5 +1,7 @@
 #include "panels/plots/window.h"
 
+#include <algorithm>
+
 #include "util/text.h"
 
 namespace carom {
@@ -7,6 +9,12 @@ namespace carom {
 std::optional<double> window_of(const Over& over) {
     if (over.since == Over::Since::start) return std::nullopt;
     return over.window;
+}
+
+std::optional<double> start_of_mean(const Over& over, double at) {
+    if (over.since == Over::Since::start) return 0.0;
+    if (over.since == Over::Since::now) return std::nullopt;
+    return std::max(0.0, at - over.window);
 }
 
 std::string words_of_window(Language language, const Over& over, Phrase alone) {
@@ -24,7 +32,7 @@ std::string time_words(Language language, const PanelSpec& spec) {
     const std::string at = plain_number(language, *spec.at);
     if (!back) return say(language, "until time {}", at);
     if (*back == 0.0) return say(language, "at time {}", at);
-    return say(language, "time {} to {}", plain_number(language, *spec.at - *back), at);
+    return say(language, "time {} to {}", plain_number(language, std::max(0.0, *spec.at - *back)), at);
 }
 
 }  // namespace carom

@@ -12,6 +12,10 @@ namespace carom {
 /// The time before the present that a mean is over, 0 for the present alone; none: all.
 std::optional<double> window_of(const Over& over);
 
+/// When a mean that is shown at a time begins, no earlier than the run; none for what is of the
+/// present alone.
+std::optional<double> start_of_mean(const Over& over, double at);
+
 /// "mean since the start", "mean over the last 5"; `alone` for what is of the present alone.
 std::string words_of_window(Language language, const Over& over, Phrase alone);
 

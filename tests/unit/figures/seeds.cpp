@@ -212,3 +212,31 @@ TEST_CASE("a profile of several seeds is the mean of theirs, with its errors") {
         CHECK(expected.error > 0.0);
     }
 }
+
+TEST_CASE("the mean of counts is no whole number") {
+    const std::string counter = "  - {name: a, kind: counter, at: 1.5";
+    const auto counted = [](const FigureRun& run) {
+        return std::get<double>(table_of(run.figures()[0]).rows[0][2]);
+    };
+    double sum = 0.0;
+    for (int seed = 5; seed < 8; ++seed) {
+        Scene scene = scene_of(counter + "}\n");
+        scene.seed = scene.gas.seed = static_cast<std::uint64_t>(seed);
+        const FigureRun one = run_of(scene);
+        sum += static_cast<double>(std::get<std::int64_t>(table_of(one.figures()[0]).rows[0][2]));
+    }
+    REQUIRE(std::fmod(sum, 3.0) != 0.0);
+    const FigureRun mean = run_of(scene_of(counter + ", seeds: 3}\n"));
+    CHECK(counted(mean) == doctest::Approx(sum / 3.0));
+}
+
+TEST_CASE("a mean begins no earlier than the run, and one since the start at 0") {
+    const FigureRun run =
+        run_of(scene_of("  - {name: a, kind: speed-histogram, over: {window: 100}, at: 2}\n"
+                        "  - {name: b, kind: speed-histogram, over: start, at: 2}\n"
+                        "  - {name: c, kind: speed-histogram, at: 2}\n"));
+    const auto alt = [&](std::size_t k) { return words_of(run, run.figures()[k]).alt; };
+    CHECK(alt(0).starts_with("Speed histogram from time 0 to 2"));
+    CHECK(alt(1).starts_with("Speed histogram from time 0 to 2"));
+    CHECK(alt(2).starts_with("Speed histogram at time 2"));
+}

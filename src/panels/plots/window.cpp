@@ -32,7 +32,8 @@ std::string time_words(Language language, const PanelSpec& spec) {
     const std::string at = plain_number(language, *spec.at);
     if (!back) return say(language, "until time {}", at);
     if (*back == 0.0) return say(language, "at time {}", at);
-    return say(language, "time {} to {}", plain_number(language, std::max(0.0, *spec.at - *back)), at);
+    return say(language, "time {} to {}", plain_number(language, std::max(0.0, *spec.at - *back)),
+               at);
 }
 
 }  // namespace carom

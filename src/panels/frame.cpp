@@ -164,8 +164,8 @@ std::vector<std::string> FramePainter::cut_words() {
     const std::vector<Rect> boxes = panels_.boxes(grid_);
     for (const Mark& mark : scene_.marks)
         add(fmt::format("the mark “{}”", mark.words), [&] {
-            draw_ghost_words(scratch, context_at(scene_.film.layout.gas), {},
-                             boxes.front().width - 0.6 * unit_, {mark.words, 0, {}}, 1.0);
+            draw_ghost_words(scratch, context_at(scene_.film.layout.gas), {}, boxes.front().width,
+                             {mark.words, 0, {}}, 1.0);
         });
     if (const auto& beside = scene_.film.beside)
         for (std::size_t run = 0; run < boxes.size(); ++run) {

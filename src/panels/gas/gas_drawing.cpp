@@ -150,8 +150,8 @@ void GasPanel::Drawing::draw_contents() const {
     surfaces.draw_around(canvas, dc, map, gas.surfaces);
     draw_arrows();
     if (gas.ghosts)
-        draw_ghost_words(canvas, dc, {frame.x + 0.3 * dc.unit, frame.y + 1.6 * dc.unit},
-                         frame.width - 0.6 * dc.unit, *gas.ghosts, gas.ghost_words);
+        draw_ghost_words(canvas, dc, {frame.x, frame.y + 1.6 * dc.unit}, frame.width, *gas.ghosts,
+                         gas.ghost_words);
 }
 
 void GasPanel::Drawing::draw_field() const {

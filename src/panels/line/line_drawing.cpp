@@ -188,8 +188,8 @@ void LinePanel::Drawing::draw() const {
     draw_arrows();
     draw_words();
     if (now.ghosts)
-        draw_ghost_words(canvas, dc, {v.plot.x + 0.3 * u, dc.area.y + 0.9 * u},
-                         v.plot.width - 0.6 * u, *now.ghosts, now.ghost_words);
+        draw_ghost_words(canvas, dc, {v.plot.x, dc.area.y + 0.9 * u}, v.plot.width, *now.ghosts,
+                         now.ghost_words);
     if (now.view) draw_where_it_is();
     draw_callouts();
 }

@@ -75,7 +75,8 @@ void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
     const bool turned =
         input.tick.phase == Phase::reversing && (reversals_.empty() || reversals_.back() < now);
     if (turned) reversals_.push_back(now);
-    // Where heat changes velocities at once, between frames too; what falls bends all the time.
+    // Where heat or a reversal changes all velocities, between frames too; what falls bends all the
+    // time.
     const auto change = std::ranges::upper_bound(changes_, now);
     const double changed = change == changes_.begin() ? 0.0 : *std::prev(change);
     const bool falls = context_.scene.gas.box.surfaces.gravity[0] != 0.0;
@@ -84,7 +85,7 @@ void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
         if (bends_[line].back().time < changed && !falls)
             bend(line, changed, places[i] - (now - changed) * input.sample.velocity(i, 0),
                  mean_speed);
-        if (turned || falls) bend(line, now, places[i], mean_speed);
+        if (falls) bend(line, now, places[i], mean_speed);
         while (bends_[line].size() > 1 && bends_[line][1].time < now - memory_)
             bends_[line].pop_front();
     }

@@ -31,9 +31,9 @@ std::string time_words(Language language, const PanelSpec& spec) {
     }
     const std::string at = plain_number(language, *spec.at);
     if (!back) return say(language, "until time {}", at);
-    if (*back == 0.0) return say(language, "at time {}", at);
-    return say(language, "time {} to {}", plain_number(language, std::max(0.0, *spec.at - *back)),
-               at);
+    const auto start = start_of_mean(*spec.over, *spec.at);
+    return *back > 0.0 ? say(language, "time {} to {}", plain_number(language, *start), at)
+                       : say(language, "at time {}", at);
 }
 
 }  // namespace carom

@@ -31,10 +31,12 @@ double GhostKeeper::words_alpha(const Tick& tick) const {
 
 double ghost_line(const DrawContext& dc) { return std::max(1.0, 0.07 * dc.unit); }
 
-void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point at, double width,
+void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point left, double width,
                       const Ghosts& ghosts, double alpha) {
     if (alpha <= 0.0) return;
-    const double u = dc.unit;
+    const double u = dc.unit, margin = 0.3 * u;
+    const Point at{left.x + margin, left.y};
+    width -= 2.0 * margin;
     TextStyle style = title_style(dc);
     style.color = with_alpha(dc.theme.ink, alpha);
     style.max_width = width - 2.3 * u;

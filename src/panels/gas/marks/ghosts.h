@@ -43,8 +43,9 @@ class GhostKeeper {
     std::shared_ptr<const Ghosts> present_;
 };
 
-/// Their words with an outline before them, from `at` (the left end of the baseline) on.
-void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point at, double width,
+/// Their words with an outline before them, on a baseline from `left` on that is as wide as the
+/// box.
+void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point left, double width,
                       const Ghosts& ghosts, double alpha);
 
 /// The line of an outline, in pixels.

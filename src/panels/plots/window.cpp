@@ -24,14 +24,15 @@ std::string words_of_window(Language language, const Over& over, Phrase alone) {
 }
 
 std::string time_words(Language language, const PanelSpec& spec) {
-    const std::optional<double> back = window_of(spec.over.value_or(Over{}));
+    const Over over = spec.over.value_or(Over{});
+    const std::optional<double> back = window_of(over);
     if (!spec.at) {
         if (!back) return say(language, "so far");
         return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
     }
     const std::string at = plain_number(language, *spec.at);
     if (!back) return say(language, "until time {}", at);
-    const auto start = start_of_mean(*spec.over, *spec.at);
+    const auto start = start_of_mean(over, *spec.at);
     return *back > 0.0 ? say(language, "time {} to {}", plain_number(language, *start), at)
                        : say(language, "at time {}", at);
 }

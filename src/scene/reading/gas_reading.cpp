@@ -295,7 +295,8 @@ std::vector<Refused> inelastic_keys() {
 Notation<BoxDraft> box_notation(int dimension) {
     return parsed(mapping(box_table(dimension)),
                   [dimension](BoxDraft box, const Node& node, Reading&) -> std::optional<BoxDraft> {
-                      if (!(box.size[0] > 0.0)) return std::nullopt;
+                      // Not known; or a length where a plane is asked for.
+                      if (!(box.size.head(dimension) > 0.0).all()) return std::nullopt;
                       box.dimension = dimension;
                       const auto both = [&](std::size_t first) {
                           return box.sides[first].wall == box.sides[first + 1].wall

@@ -22,6 +22,8 @@ void Residence::add(const MotionStretch& stretch) {
 // Edges that it passes part it; the time to one is 2 s / (v0 + v), where both speeds have one sign.
 void Residence::add_monotone(const MotionStretch& stretch) {
     const double end = stretch.place_after(stretch.duration);
+    make_room(stretch.place);
+    make_room(end);
     const double direction = end >= stretch.place ? 1.0 : -1.0;
     double last = stretch.place, reached = 0.0;
     double edge = direction > 0.0 ? std::floor(stretch.place / width_) + 1.0
@@ -38,6 +40,22 @@ void Residence::add_monotone(const MotionStretch& stretch) {
         reached = time;
     }
     add(0.5 * (last + end), stretch.duration - reached);
+}
+
+// Two bins become one, those of -2 and -1 that of -1, until the place is in one of them.
+void Residence::make_room(double place) {
+    while (std::abs(place) >= most_bins * width_) {
+        width_ *= 2.0;
+        if (first_ % 2 != 0) {
+            times_.insert(times_.begin(), 0.0);
+            --first_;
+        }
+        if (times_.size() % 2 != 0) times_.push_back(0.0);
+        first_ /= 2;
+        for (std::size_t k = 0; 2 * k < times_.size(); ++k)
+            times_[k] = times_[2 * k] + times_[2 * k + 1];
+        times_.resize(times_.size() / 2);
+    }
 }
 
 void Residence::add(double place, double time) {

@@ -15,24 +15,28 @@ struct MotionStretch {
     }
 };
 
-/// Times in bins of equal width, whose edges are multiples of it.
+/// Times in bins of equal width, whose edges are multiples of it. The width doubles as often as
+/// what moves goes so far that there would be more than `most_bins` on either side of 0.
 class Residence {
   public:
+    static constexpr int most_bins = 8192;
+
     explicit Residence(double width) : width_(width) {}
 
     void add(const MotionStretch& stretch);
 
+    /// At present.
     double width() const { return width_; }
     /// Of each bin, from the one at 0 or the lowest that was reached, up to the last.
     const std::vector<double>& times() const { return times_; }
     /// The number of the first of them: 0 for the one that begins at 0, or less.
     int first() const { return first_; }
 
-    /// Writes or reads the times; the width is not part of it.
-    void archive(auto& archive) { archive(first_, times_); }
+    void archive(auto& archive) { archive(width_, first_, times_); }
 
   private:
     void add_monotone(const MotionStretch& stretch);
+    void make_room(double place);
     void add(double place, double time);
 
     double width_;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "util/random.h"
@@ -30,6 +31,32 @@ TEST_CASE("places below 0 have bins of their own") {
     for (const auto& [bin, time] :
          {std::pair<std::size_t, double>{0, 0.25}, {1, 0.5}, {2, 0.5}, {3, 3.25}})
         CHECK(residence.times()[bin] == doctest::Approx(time).epsilon(1e-14));
+}
+
+TEST_CASE("bins become wider where a place is far away, and keep all times") {
+    constexpr double width = 0.5;
+    for (const double far : {1e4, -1e4, 1e9, -1e12, 1e100}) {
+        CAPTURE(far);
+        Residence residence(width);
+        residence.add({-3.25, 0.0, 0.0, 3.0});
+        residence.add({0.25, far, 0.0, 1.0});
+        CHECK(residence.times().size() <= Residence::most_bins + 16);
+        int doubled = 0;
+        CHECK(std::frexp(residence.width() / width, &doubled) == 0.5);
+        CHECK(Residence::most_bins * residence.width() <= 2.0 * std::abs(far));
+        double sum = 0.0;
+        for (const double time : residence.times()) sum += time;
+        CHECK(sum == doctest::Approx(4.0).epsilon(1e-10));
+        const auto bin_of = [&](double place) {
+            return static_cast<std::size_t>(std::floor(place / residence.width()) -
+                                            double(residence.first()));
+        };
+        const double in_one = std::abs(residence.width() / far);
+        for (const double share : {0.2, 0.5, 0.9})
+            CHECK(residence.times().at(bin_of(share * far)) ==
+                  doctest::Approx(in_one).epsilon(1e-9));
+        CHECK(residence.times().at(bin_of(-3.25)) >= 3.0);
+    }
 }
 
 TEST_CASE("a thrown ball is in each bin as long as its height by steps says") {

@@ -60,11 +60,26 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     return sheet;
 }
 
-void draw_times(Canvas& canvas, const DrawContext& dc, Language language, double time) {
-    TextStyle style = label_style(dc);
+// Under the pictures of a strip, which are so far apart. Where they are narrow only the numbers
+// stand there, and where these do not fit either, those of every second picture or of fewer.
+void draw_times(Canvas& canvas, const DrawContext& first, Language language, double apart,
+                const std::vector<double>& times) {
+    TextStyle style = label_style(first);
     style.align = Align::center;
-    draw_text(canvas, {dc.area.x + dc.area.width / 2, dc.area.bottom() + 1.6 * dc.unit},
-              "<i>t</i> = " + plain_number(language, time), style);
+    const double gap = 0.6 * first.unit;
+    const auto widest = [&](const std::string& name) {
+        double width = 0.0;
+        for (const double time : times)
+            width = std::max(width, measure_text(name + plain_number(language, time), style).width);
+        return width + gap;
+    };
+    const std::string name = widest("<i>t</i> = ") <= apart ? "<i>t</i> = " : "";
+    const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil(widest(name) / apart)));
+    for (std::size_t k = 0; k < times.size(); k += every)
+        draw_text(canvas,
+                  {first.area.x + static_cast<double>(k) * apart + first.area.width / 2,
+                   first.area.bottom() + 1.6 * first.unit},
+                  name + plain_number(language, times[k]), style);
 }
 
 void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, const Figure& figure,
@@ -80,12 +95,12 @@ void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, cons
     for (const FigureMoment& moment : figure.moments) {
         figure.panel->draw_ground(canvas, dc);
         figure.panel->draw(canvas, dc, *moment.state);
-        if (several)
-            draw_times(canvas, {figure.panel->frame_in(dc.area, u), u, dc.theme, dc.disks},
-                       language, moment.time);
         dc.area.x += dc.area.width + strip_gap * u;
     }
     const Rect box = figure.panel->frame_in(first.area, u);
+    if (several)
+        draw_times(canvas, {box, u, dc.theme, dc.disks}, language, first.area.width + strip_gap * u,
+                   figure.spec->times);
     const double right = first.area.x + (sheet.width - 2.0 * margin - key_width) * u;
     // Beside a low box it begins higher, and ends lower.
     const double end = (sheet.height - margin) * u;

@@ -45,6 +45,17 @@ bool fits_across(const Frame& frame, const Place& place) {
     return left >= frame.area.x && place.rect.right() <= frame.area.right();
 }
 
+// Words about a point near the left or the right side, as far from it as keeps them within the
+// plot.
+void keep_inside(const Frame& frame, Place& place) {
+    const double air = frame.pixels(0.3), least = frame.area.x + air;
+    const double most = frame.area.right() - air - place.rect.width;
+    if (place.align != Align::center || most < least) return;
+    const double x = std::clamp(place.rect.x, least, most);
+    place.baseline.x += x - place.rect.x;
+    place.rect.x = x;
+}
+
 // The first that is free, of all anchors and their steps; where shorter words are left to try, one
 // that holds these.
 std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& anchors,
@@ -54,6 +65,7 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
         Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
         for (;;) {
             place.rect = rect_of(frame, place.baseline, anchor.align, width);
+            keep_inside(frame, place);
             if (steps && !frame.placer.is_inside(place.rect)) break;
             if (lies_on_x_axis(frame, place.rect)) break;
             if (!fits_across(frame, place)) {

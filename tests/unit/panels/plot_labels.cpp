@@ -91,6 +91,36 @@ TEST_CASE("words that are named far from their level have a sample of its line b
     CHECK(darkest_left_of_words(false) > 0xE0);
 }
 
+TEST_CASE("words about a point near a side stay within the plot") {
+    const auto ink_at = [](double x) {
+        Plot plot{.titles = {"Centred"}};
+        Label label;
+        label.words = {"contact at 0.00"};
+        label.anchors = {{.at = {x, 0.5}, .y_is_share = true, .align = Align::center}};
+        label.still = true;
+        plot.layers.emplace_back(label);
+        DiskPainter disks;
+        const DrawContext dc{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
+        Canvas canvas({600, 400});
+        TextLog log;
+        draw_plot(canvas, dc, plot, Part::still);
+        const auto words = std::ranges::find(log.lines, "contact at 0.00", &DrawnLine::markup);
+        REQUIRE(words != log.lines.end());
+        return std::pair{words->ink.x, words->ink.right()};
+    };
+    const auto [left, left_end] = ink_at(0.0);
+    const auto [middle, middle_end] = ink_at(0.5);
+    const auto [right, right_end] = ink_at(1.0);
+    const double half = 0.5 * (middle_end - middle);
+    const double whole = right_end - left;  // of the plot
+    CHECK(left_end - left == doctest::Approx(2.0 * half));
+    CHECK(0.5 * (middle + middle_end) == doctest::Approx(left + 0.5 * whole).epsilon(0.01));
+    CHECK(whole < 560.0);
+    CHECK(whole > 440.0);  // with half of the words outside on either side it would be more
+    CHECK(right_end <= 580.0);
+    CHECK(left >= 20.0);
+}
+
 // Those of a level are as long as half of a narrow plot.
 TEST_CASE("words lie beside the lines of reversals and events, or over them on a plate") {
     const test::Shot film(test::scene_from(

@@ -32,6 +32,14 @@ std::vector<Tick> ticks_of(const Scene& scene) {
     return ticks;
 }
 
+// Whether runs that a figure compares are shown at different times.
+bool end_apart(const FigureSpec& spec) {
+    const auto end = [](const ComparedRun& run) { return run.scene->figures.front().times.back(); };
+    return std::ranges::any_of(spec.compare, [&](const ComparedRun& run) {
+        return end(run) != end(spec.compare.front());
+    });
+}
+
 // Nothing stands beside a figure.
 Scene alone(Scene scene, int later) {
     scene.film.layout.panels.clear();
@@ -58,10 +66,12 @@ bool shows(const Figure& figure, double time) {
 }  // namespace
 
 // One run of the physics, and the figures that show it: those of a scene that show more than
-// `later` seeds.
+// `later` seeds. Beside runs that end at other times titles speak of the end.
 class FigureRun::OneRun {
   public:
-    OneRun(const Scene& scene, int later) : scene_(alone(scene, later)), ticks_(ticks_of(scene_)) {
+    OneRun(const Scene& scene, int later, bool at_ends = false)
+        : scene_(alone(scene, later)), ticks_(ticks_of(scene_)) {
+        for (FigureSpec& spec : scene_.figures) spec.panel.at_ends = at_ends;
         for (const FigureSpec& spec : scene_.figures)
             if (spec.panel.seeds > later && spec.compare.empty() && !is_sweep(spec))
                 figures.push_back({&spec});
@@ -159,7 +169,7 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     for (const FigureSpec& spec : scene_.figures) {
         Parts& its = parts.emplace_back();
         for (const ComparedRun& run : spec.compare) {
-            runs_.push_back(std::make_unique<OneRun>(*run.scene, 0));
+            runs_.push_back(std::make_unique<OneRun>(*run.scene, 0, end_apart(spec)));
             its.push_back({runs_.back().get(), &runs_.back()->figures.front()});
         }
         const auto seeds_shown = static_cast<std::size_t>(spec.panel.seeds);

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
 
 #include "panels/plots/window.h"
 #include "panels/registry.h"
@@ -62,17 +65,18 @@ std::string collisions_counted(Language language, long long count) {
                    Phrase{"{} collisions between them"});
 }
 
-// "gas.0.radius=0.35" as "radius of disks: 0.35".
-std::string words_of_value(Language language, const std::string& value, const Gas& gas) {
-    const std::size_t sign = value.find('=');
-    const std::string path = value.substr(0, sign), number = value.substr(sign + 1);
-    const std::size_t dot = path.rfind('.');
-    std::string words = dot == std::string::npos ? path : path.substr(dot + 1);
-    std::ranges::replace(words, '_', ' ');
-    for (std::size_t k = 0; k < gas.species.size(); ++k)
-        if (gas.species.size() > 1 && path.starts_with(fmt::format("gas.{}.", k)))
-            words = say(language, "{} of {}", words, gas.species[k].name);
-    return words + " " + number;
+// Whether words have a number, or a word, of this text: "10 of b" has no 1.
+bool have_word(std::string_view words, std::string_view text) {
+    const auto goes_on = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.';
+    };
+    for (std::size_t at = words.find(text); at != std::string_view::npos && !text.empty();
+         at = words.find(text, at + 1)) {
+        const std::size_t end = at + text.size();
+        const bool begins = at == 0 || !goes_on(words[at - 1]);
+        if (begins && (end == words.size() || !goes_on(words[end]))) return true;
+    }
+    return false;
 }
 
 // How a run that is compared differs from the scene, or from the others by its scene; empty where
@@ -84,10 +88,12 @@ std::string difference(Language language, const FigureSpec& spec, const Compared
     });
     if (!have_one_scene && run.label != run.scene->title)
         differences.push_back(say(language, "“{}”", run.scene->title));
-    for (const std::string& value : run.values)
-        if (run.label.find(value.substr(value.find('=') + 1)) == std::string::npos &&
-            !value.starts_with("seed="))
-            differences.push_back(words_of_value(language, value, run.scene->gas));
+    for (const std::string& change : run.values) {
+        const std::size_t sign = change.find('=');
+        const std::string key = change.substr(0, sign), value = change.substr(sign + 1);
+        if (key != "seed" && !have_word(run.label, value))
+            differences.push_back(words_of_value(language, key, value, run.scene->gas));
+    }
     return differences.empty() ? "" : fmt::format("{}; ", fmt::join(differences, ", "));
 }
 
@@ -176,6 +182,35 @@ std::string shown_times(Language language, const FigureSpec& spec) {
     std::vector<std::string> times;
     for (const double time : spec.times) times.push_back(plain_number(language, time));
     return listed(language, times);
+}
+
+std::string words_of_key(Language language, const std::string& key, const Gas& gas) {
+    static constexpr std::array translated{Phrase{"radius"}, Phrase{"number of particles"},
+                                           Phrase{"mass"},   Phrase{"temperature"},
+                                           Phrase{"speed"},  Phrase{"length"}};
+    std::string path = key;
+    for (const char* form : {".exact", ".each"})
+        if (path.ends_with(form)) path.resize(path.size() - std::string_view(form).size());
+    std::string words = path.substr(path.rfind('.') + 1);
+    std::ranges::replace(words, '_', ' ');
+    if (words == "count") words = "number of particles";
+    if (const auto found = std::ranges::find(translated, words, &Phrase::english);
+        found != translated.end())
+        words = say(language, *found);
+    for (std::size_t k = 0; k < gas.species.size(); ++k) {
+        const std::string& name = gas.species[k].name;
+        if (gas.species.size() > 1 && (path.starts_with(fmt::format("gas.{}.", k)) ||
+                                       path.starts_with(fmt::format("gas.{}.", name))))
+            words = say(language, "{} of {}", words, name);
+    }
+    return words;
+}
+
+std::string words_of_value(Language language, const std::string& key, const std::string& value,
+                           const Gas& gas) {
+    const bool is_number = value.find_first_not_of("+-.0123456789eE") == std::string::npos;
+    return words_of_key(language, key, gas) + " " +
+           (is_number ? localised(language, value) : value);
 }
 
 FigureWords words_of(const FigureRun& run, const Figure& figure) {

@@ -16,6 +16,14 @@ struct FigureWords {
 /// The simulated times that a figure shows: 12, 6 to 12, "0, 1 and 4".
 std::string shown_times(Language language, const FigureSpec& spec);
 
+/// What a key of a scene holds: "gas.0.temperature.exact" as "temperature", with the name of one of
+/// several species.
+std::string words_of_key(Language language, const std::string& key, const Gas& gas);
+
+/// The same with a value, as it is written in a scene: "radius 0.35".
+std::string words_of_value(Language language, const std::string& key, const std::string& value,
+                           const Gas& gas);
+
 FigureWords words_of(const FigureRun& run, const Figure& figure);
 
 }  // namespace carom

@@ -1,9 +1,9 @@
 #include "figures/sweep_figure.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "figures/figure_words.h"
 #include "figures/sweep_theory.h"
 #include "panels/sweep/sweep_keys.h"
 #include "runs/sweep_summary.h"
@@ -32,26 +33,6 @@ std::optional<double> number_from(const std::string& text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
     return number;
-}
-
-// "gas.0.temperature.exact" as "temperature", with the name of one of several species.
-std::string words_of_key(const std::string& key, const Gas& gas, Language language) {
-    static constexpr std::array translated{Phrase{"radius"}, Phrase{"number of particles"},
-                                           Phrase{"mass"},   Phrase{"temperature"},
-                                           Phrase{"speed"},  Phrase{"length"}};
-    std::string path = key;
-    for (const char* form : {".exact", ".each"})
-        if (path.ends_with(form)) path.resize(path.size() - std::string_view(form).size());
-    std::string words = path.substr(path.rfind('.') + 1);
-    std::ranges::replace(words, '_', ' ');
-    if (words == "count") words = "number of particles";
-    if (const auto found = std::ranges::find(translated, words, &Phrase::english);
-        found != translated.end())
-        words = say(language, *found);
-    for (std::size_t k = 0; k < gas.species.size(); ++k)
-        if (gas.species.size() > 1 && path.starts_with(fmt::format("gas.{}.", k)))
-            words = say(language, "{} of {}", words, gas.species[k].name);
-    return words;
 }
 
 SweepSummary read_joined(const Scene& scene, const FigureSpec& spec) {
@@ -113,9 +94,12 @@ class SweptFigure {
 
     SweptNumbers numbers() {
         const RunNumber& number = summary_.numbers[number_];
-        SweptNumbers numbers{.number = number.name, .unit = number.unit, .across = words_across()};
-        for (const auto& [name, points] : points_of_lines())
-            numbers.lines.push_back(line(name, points));
+        SweptNumbers numbers{.number = number.name,
+                             .unit = number.unit,
+                             .across = words_across(),
+                             .column = column_across(Language::english)};
+        for (const std::vector<std::int64_t>& points : points_of_lines())
+            numbers.lines.push_back(line(points));
         if (numbers.lines.size() > 1)
             for (SweptLine& line : numbers.lines) line.ideal = {};
         return numbers;
@@ -164,33 +148,41 @@ class SweptFigure {
     }
 
     std::string words_across() const {
-        if (!shown_.across.empty()) return shown_.across;
-        const Language language = scene_.film.language;
-        if (shown_.against == across_packing) return say(language, "packing fraction");
-        if (shown_.against == across_density) return say(language, "density");
-        return words_of_key(summary_.sweep.axes[across_].key, scene_.gas, language);
+        return shown_.across.empty() ? column_across(scene_.film.language) : shown_.across;
     }
 
-    // By the values of the other keys, those of one value left out, in the order of the points.
-    std::vector<std::pair<std::string, std::vector<std::int64_t>>> points_of_lines() const {
+    std::string column_across(Language language) const {
+        if (shown_.against == across_packing) return say(language, "packing fraction");
+        if (shown_.against == across_density) return say(language, "density");
+        return words_of_key(language, summary_.sweep.axes[across_].key, scene_.gas);
+    }
+
+    // The values of the other keys, those of one value left out.
+    std::string name_of_line(Language language, std::int64_t point) const {
+        std::vector<std::string> names;
+        const Changes values = summary_.sweep.values_at(point);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            if (const SweepAxis& axis = summary_.sweep.axes[k];
+                k != across_ && axis.values.size() > 1)
+                names.push_back(words_of_value(language, axis.key, values[k], scene_.gas));
+        return fmt::format("{}", fmt::join(names, between_numbers(language)));
+    }
+
+    // In the order of the points.
+    std::vector<std::vector<std::int64_t>> points_of_lines() const {
         std::vector<std::pair<std::string, std::vector<std::int64_t>>> lines;
         for (std::int64_t point = 0; point < summary_.sweep.points(); ++point) {
-            std::string name;
-            const Changes values = summary_.sweep.values_at(point);
-            for (std::size_t k = 0; k < values.size(); ++k)
-                if (k != across_ && summary_.sweep.axes[k].values.size() > 1)
-                    name += fmt::format(
-                        "{}{} {}", name.empty() ? "" : ", ",
-                        words_of_key(summary_.sweep.axes[k].key, scene_.gas, scene_.film.language),
-                        values[k]);
-            const auto found = std::ranges::find(
-                lines, name, [](const auto& one) -> const auto& { return one.first; });
+            const std::string name = name_of_line(Language::english, point);
+            const auto found =
+                std::ranges::find(lines, name, [](const auto& one) { return one.first; });
             if (found == lines.end())
                 lines.push_back({name, {point}});
             else
                 found->second.push_back(point);
         }
-        return lines;
+        std::vector<std::vector<std::int64_t>> points;
+        for (auto& line : lines) points.push_back(std::move(line.second));
+        return points;
     }
 
     double key_at(std::int64_t point) const {
@@ -210,9 +202,10 @@ class SweptFigure {
         return key;
     }
 
-    SweptLine line(const std::string& name, std::vector<std::int64_t> points) const {
+    SweptLine line(std::vector<std::int64_t> points) const {
         std::ranges::sort(points, {}, [&](std::int64_t point) { return key_at(point); });
-        SweptLine line{.name = name};
+        SweptLine line{.name = name_of_line(scene_.film.language, points.front()),
+                       .column = name_of_line(Language::english, points.front())};
         for (const std::int64_t point : points) {
             const NumberStatistics& its =
                 summary_.points[static_cast<std::size_t>(point)].numbers[number_];

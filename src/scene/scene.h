@@ -206,6 +206,7 @@ struct PanelSpec {
     SweepShown sweep = {};          ///< of a figure
     bool test = false;              ///< of a figure: whether the bars are tested against the theory
     std::optional<double> at = {};  ///< of a figure: the time that it shows; none in films
+    bool at_ends = false;           ///< of a figure of several runs: each at its end, not one time
     bool reference_initial = false;  ///< classes of speed by the mean at the start, not the present
     double from = 0.0;               ///< displacements: the time that they are since
     std::optional<double> fit_from = {};  ///< displacements: of their line; none: by kind

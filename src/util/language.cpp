@@ -62,6 +62,10 @@ std::string three_digits_of_power(Language language, double exponent) {
     return localised(language, three_digits_of_power(exponent));
 }
 
+std::string with_error(Language language, double value, double error) {
+    return localised(language, with_error(value, error));
+}
+
 std::string steady_number(Language language, double value, std::pair<double, double> range) {
     return localised(language, steady_number(value, range));
 }

@@ -40,6 +40,7 @@ std::string localised(Language language, std::string number);
 /// As the functions of util/text.h without a language.
 std::string three_digits(Language language, double value);
 std::string three_digits_of_power(Language language, double exponent);
+std::string with_error(Language language, double value, double error);
 std::string steady_number(Language language, double value, std::pair<double, double> range);
 std::string plain_number(Language language, double value);
 std::string listed(Language language, std::span<const std::string> words);

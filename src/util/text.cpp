@@ -222,6 +222,19 @@ std::string three_digits(double value) {
     return value < 0 ? "\u2212" + text : text;
 }
 
+std::string with_error(double value, double error) {
+    if (!(error > 0.0) || !std::isfinite(error)) return three_digits(value);
+    constexpr int most_decimals = 5;
+    constexpr double most_plain = 1e5;
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(error))));
+    if (decimals > most_decimals || std::abs(value) >= most_plain || error >= most_plain)
+        return three_digits(value) + " ± " + three_digits(error);
+    std::string number = fmt::format("{:.{}f} ± {:.{}f}", off_the_tie(std::abs(value)), decimals,
+                                     off_the_tie(error), decimals);
+    const bool is_zero = number.find_first_of("123456789") > number.find(' ');
+    return value < 0.0 && !is_zero ? "\u2212" + number : number;
+}
+
 std::string steady_number(double value, std::pair<double, double> range) {
     if (!std::isfinite(value)) return "–";
     const double largest = std::max(std::abs(range.first), std::abs(range.second));

@@ -75,6 +75,10 @@ std::string superscript(int value);
 /// minus.
 std::string three_digits(double value);
 
+/// "0.123 ± 0.004": as many decimals as show two digits of a standard error; the number alone where
+/// the error is not positive and finite.
+std::string with_error(double value, double error);
+
 /// A number with as many decimals as show three digits of the one farther from 0 of a range, and
 /// room for a sign where some of the range are negative: a readout in which only digits change.
 std::string steady_number(double value, std::pair<double, double> range);

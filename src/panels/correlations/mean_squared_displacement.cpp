@@ -29,16 +29,8 @@ const plot::Stroke of_ballistic{.role = {.of = plot::Role::Of::accent},
 // What is known of a line beyond its points, by these numbers.
 enum : std::size_t { of_diffusion, of_square_speed };
 
-// "0.123 ± 0.004": as many decimals as the error gives a sense to.
 std::string with_error(Language language, const MeanError& number) {
-    if (!(number.error > 0.0) || !std::isfinite(number.error))
-        return three_digits(language, number.mean);
-    constexpr int most_decimals = 5;
-    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(number.error))));
-    if (decimals > most_decimals || number.mean >= 1e5)
-        return three_digits(language, number.mean) + " ± " + three_digits(language, number.error);
-    return localised(
-        language, fmt::format("{:.{}f} ± {:.{}f}", number.mean, decimals, number.error, decimals));
+    return carom::with_error(language, number.mean, number.error);
 }
 
 // Before the run turns back.

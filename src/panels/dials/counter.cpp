@@ -73,7 +73,7 @@ void CounterPanel::draw_value(Canvas& canvas, const DrawContext& dc, const Rect&
     const double right = plate.x + 0.5 * (plate.width + widest_number(style));
     draw_text(canvas,
               {right, plate.y + 0.5 * plate.height + 0.5 * CounterSize::digit_height * style.size},
-              number(reading.said), style);
+              number(reading.said, reading.error), style);
 }
 
 std::vector<bool> flags(const PanelContext& context, const Chosen& chosen) {

@@ -19,7 +19,7 @@ struct DialSize {
     static constexpr double digits = 1.35, digits_in_line = 1.2;  // under faces
     static constexpr double one_line = 1.8, two_lines = 3.0, after_name = 0.5;
     static constexpr double largest_digits = 2.6, digit_height = 0.73;  // beside a face
-    static constexpr double least_beside = 5.5, line = 1.35;
+    static constexpr double least_beside = 5.5, least_beside_of_mean = 9.5, line = 1.35;
     static constexpr std::size_t most_note_lines = 4;
 };
 
@@ -188,13 +188,16 @@ std::vector<DialPanel::Reading> DialPanel::readings(const PanelState& state) con
     const std::vector<DialSubject::Line> all = lines();
     std::vector<Reading> readings;
     for (std::size_t k = 0; k < record_.runs.size(); ++k)
-        for (const std::vector<double>& line : record_.runs[k].lines) {
-            const auto of = [&](std::size_t frame) {
+        for (std::size_t i = 0; i < record_.runs[k].lines.size(); ++i) {
+            const auto at = [](const std::vector<double>& line, std::size_t frame) {
                 return line.at(std::min(frame, line.size() - 1));
             };
             // A mean is of states that all have the same frame.
             const DialState::Moment& moment = now.runs.at(std::min(k, now.runs.size() - 1));
-            readings.push_back({all.at(readings.size()), of(moment.now), of(moment.said)});
+            const DialRun& run = record_.runs[k];
+            readings.push_back({all.at(readings.size()), at(run.lines[i], moment.now),
+                                at(run.lines[i], moment.said)});
+            if (!run.errors.empty()) readings.back().error = at(run.errors[i], moment.said);
         }
     return readings;
 }
@@ -202,21 +205,35 @@ std::vector<DialPanel::Reading> DialPanel::readings(const PanelState& state) con
 // The mean of several runs' counts is none.
 bool DialPanel::is_whole() const { return subject_.counts && record_.runs_in_mean == 1; }
 
-std::string DialPanel::number(double value) const {
+std::string DialPanel::number(double value, const std::optional<double>& error) const {
     if (std::isnan(value)) return "–";
     if (is_whole()) return grouped(std::llround(value));
+    if (error) return with_error(context_.language(), value, *error);
     return steady_number(context_.language(), value, {scale_.low, scale_.high});
 }
 
 double DialPanel::widest_number(const TextStyle& style) const {
-    return std::max(measure_text(number(scale_.low), style).width,
-                    measure_text(number(scale_.high), style).width);
+    const DialRun& run = record_.runs.front();
+    if (run.errors.empty())
+        return std::max(measure_text(number(scale_.low, {}), style).width,
+                        measure_text(number(scale_.high, {}), style).width);
+    std::string longest;
+    for (std::size_t i = 0; i < run.lines.size(); ++i)
+        for (std::size_t frame = 0; frame < run.lines[i].size(); ++frame) {
+            std::string words = number(run.lines[i][frame], run.errors[i][frame]);
+            if (words.size() > longest.size()) longest = std::move(words);
+        }
+    for (char& letter : longest)
+        if (letter >= '1' && letter <= '9') letter = '0';
+    return measure_text(longest, style).width;
 }
 
 std::string DialPanel::note() const {
     if (record_.runs_in_mean == 1) return subject_.note;
-    const std::string mean = counted(context_.language(), record_.runs_in_mean,
-                                     Phrase{"mean of {} run"}, Phrase{"mean of {} runs"});
+    const Language language = context_.language();
+    const std::string mean = say(language, "{} ± standard error",
+                                 counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
+                                         Phrase{"mean of {} runs"}));
     return subject_.note.empty() ? mean : mean + "; " + subject_.note;
 }
 
@@ -278,7 +295,9 @@ DialPanel::Layout DialPanel::layout(const DrawContext& dc) const {
     area.y += DialSize::title_space * u;
     area.height -= DialSize::title_space * u;
     if (has_words() && lines().size() == 1) {
-        const double most = area.width - (DialSize::least_beside + DialSize::gap) * u;
+        const double beside =
+            record_.runs_in_mean > 1 ? DialSize::least_beside_of_mean : DialSize::least_beside;
+        const double most = area.width - (beside + DialSize::gap) * u;
         const double height =
             std::min(area.height, (most - width().units * u) / std::max(width().heights, 1e-9));
         const double face_width = width().units * u + width().heights * height;
@@ -358,7 +377,8 @@ void DialPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& st
     for (std::size_t k = 0; k < now.size(); ++k) {
         if (has_room_for(layout.faces[k], dc)) draw_value(canvas, dc, layout.faces[k], now[k]);
         if (k < layout.places.size())
-            draw_text(canvas, layout.places[k].at, number(now[k].said), layout.places[k].number);
+            draw_text(canvas, layout.places[k].at, number(now[k].said, now[k].error),
+                      layout.places[k].number);
     }
 }
 
@@ -366,6 +386,8 @@ Table DialPanel::table(const PanelState& state, const Theme&) const {
     Table table{{"part", "of", "value", "unit"}};
     const bool compares = record_.compares();
     if (compares) table.columns.insert(table.columns.begin() + 1, "run");
+    const bool is_mean = record_.runs_in_mean > 1;
+    if (is_mean) table.columns.insert(table.columns.end() - 1, "standard error");
     const std::vector<Reading> now = readings(state);
     const std::size_t lines = std::max<std::size_t>(1, subject_.lines.size());
     for (std::size_t k = 0; k < now.size(); ++k) {
@@ -373,6 +395,7 @@ Table DialPanel::table(const PanelState& state, const Theme&) const {
         if (is_whole()) value = static_cast<std::int64_t>(std::llround(now[k].value));
         std::vector<Cell> row{subject_.part, now[k].line.column, value, subject_.unit};
         if (compares) row.insert(row.begin() + 1, record_.runs[k / lines].name);
+        if (is_mean) row.insert(row.end() - 1, now[k].error.value());
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -382,11 +405,12 @@ Table DialPanel::table(const PanelState& state, const Theme&) const {
 std::string DialPanel::account_of(const std::vector<Reading>& readings) const {
     const Language language = context_.language();
     const std::string quantity = say(language, subject_.quantity);
-    if (readings.size() == 1) return quantity + " " + number(readings.front().value);
+    if (readings.size() == 1)
+        return quantity + " " + number(readings.front().value, readings.front().error);
     std::vector<std::string> each;
     for (std::size_t k = 0; k < readings.size(); ++k)
         each.push_back(subject_.lines.at(k % subject_.lines.size()).name + " " +
-                       number(readings[k].value));
+                       number(readings[k].value, readings[k].error));
     return quantity + ": " + listed(language, each);
 }
 

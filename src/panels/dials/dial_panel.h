@@ -73,11 +73,13 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
         DialSubject::Line line;
         double value = 0.0;  ///< of this frame; NaN: none
         double said = 0.0;   ///< as the number in words says it, which changes less often
+        std::optional<double> error = {};  ///< of a mean over runs: its standard error; NaN: none
     };
     std::vector<Reading> readings(const PanelState& state) const;
 
-    /// A reading in words, with the decimals that the film's numbers need; a dash for none.
-    std::string number(double value) const;
+    /// A number in words, with the decimals that the film's numbers need; a dash for none. A mean
+    /// with its standard error.
+    std::string number(double value, const std::optional<double>& error) const;
 
   protected:
     void make_axes() override;
@@ -103,7 +105,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     const PanelContext& context() const { return context_; }
     const DialScale& scale() const { return scale_; }
 
-    /// The width of the widest number in words.
+    /// The width of the widest number in words, of all frames.
     double widest_number(const TextStyle& style) const;
 
   private:

@@ -1,16 +1,22 @@
 #include "panels/dials/dial_record.h"
 
+#include "stats/mean_error.h"
+
 namespace carom {
 
 DialRecord mean_of(const std::vector<DialRecord>& records) {
     DialRecord mean = records.front();
     mean.runs_in_mean = static_cast<int>(records.size());
-    std::vector<std::vector<double>>& lines = mean.runs.front().lines;
-    for (std::size_t k = 0; k < lines.size(); ++k)
-        for (std::size_t i = 0; i < lines[k].size(); ++i) {
-            double sum = 0.0;
-            for (const DialRecord& record : records) sum += record.runs.front().lines[k][i];
-            lines[k][i] = sum / static_cast<double>(records.size());
+    DialRun& run = mean.runs.front();
+    run.errors = run.lines;
+    std::vector<double> of_each(records.size());
+    for (std::size_t k = 0; k < run.lines.size(); ++k)
+        for (std::size_t i = 0; i < run.lines[k].size(); ++i) {
+            for (std::size_t r = 0; r < records.size(); ++r)
+                of_each[r] = records[r].runs.front().lines[k][i];
+            const MeanError all = mean_error(of_each);
+            run.lines[k][i] = all.mean;
+            run.errors[k][i] = all.error;
         }
     return mean;
 }

@@ -13,8 +13,10 @@ namespace carom {
 struct DialRun {
     std::string name = {};                        ///< beside others
     std::vector<std::vector<double>> lines = {};  ///< reading x frame; NaN: none
+    std::vector<std::vector<double>> errors =
+        {};  ///< of means, as lines: standard errors; or empty
 
-    void archive(Archive& archive) { archive(name, lines); }
+    void archive(Archive& archive) { archive(name, lines, errors); }
 };
 
 struct DialRecord {
@@ -25,7 +27,7 @@ struct DialRecord {
     void archive(Archive& archive) { archive(runs, runs_in_mean); }
 };
 
-/// Of runs with the same frames.
+/// Of runs with the same frames; of those that have a number at a frame.
 DialRecord mean_of(const std::vector<DialRecord>& records);
 
 /// All readings of each, named.

@@ -159,7 +159,7 @@ std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const Panel
     const Language language = context.language();
     const Over over = spec.over.value_or(usual_window(context.scene.run));
     DialSubject subject{.title = say(language, "Temperature"),
-                        .note = words_of_window(language, over, Phrase{"now"}),
+                        .note = words_of_moments(language, spec, over),
                         .quantity = Phrase{"temperature"},
                         .part = "thermometer",
                         .unit = reduced::energy,

@@ -280,8 +280,7 @@ plot::Line ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
 plot::Note ProfilePanel::note() const {
     const Language language = context_.language();
     plot::Note note{.wraps = true};
-    note.entries.push_back(
-        {.words = {plot::Text(words_of_window(language, over_, Phrase{"now"}))}});
+    note.entries.push_back({.words = {plot::Text(words_of_moments(language, spec_, over_))}});
     if (std::ranges::any_of(record_.runs, [](const ProfileRun& run) { return !run.laws.empty(); }))
         note.entries.push_back({.sample = stroke_of_law(), .words = {say(language, "ideal gas")}});
     if (record_.runs_in_mean > 1)
@@ -394,7 +393,7 @@ std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t c
     return say(language, "{} of {} along {}, {}: between {} and {}.",
                name_of_quantity(language, context_.scene, spec_.quantity, {}),
                name_of(context_.scene, choices_[choice]), is_up() ? "y" : "x",
-               words_of_window(language, over_, Phrase{"now"}), low, high);
+               words_of_moments(language, spec_, over_), low, high);
 }
 
 plot::Plot ProfilePanel::plot(const PanelState* state) const {

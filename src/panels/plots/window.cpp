@@ -23,12 +23,26 @@ std::string words_of_window(Language language, const Over& over, Phrase alone) {
     return say(language, "mean over the last {}", plain_number(language, over.window));
 }
 
+std::string words_of_moments(Language language, const PanelSpec& spec, const Over& over) {
+    if (!spec.at) return words_of_window(language, over, Phrase{"now"});
+    if (over.since == Over::Since::now)
+        return spec.at_ends ? say(language, "at the end")
+                            : say(language, "at time {}", plain_number(language, *spec.at));
+    const bool is_whole = !spec.at_ends && start_of_mean(over, *spec.at) == 0.0;
+    return words_of_window(language, is_whole ? Over{.since = Over::Since::start} : over,
+                           Phrase{"now"});
+}
+
 std::string time_words(Language language, const PanelSpec& spec) {
     const Over over = spec.over.value_or(Over{});
     const std::optional<double> back = window_of(over);
     if (!spec.at) {
         if (!back) return say(language, "so far");
         return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
+    }
+    if (spec.at_ends) {
+        if (!back) return say(language, "until the end");
+        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "at the end");
     }
     const std::string at = plain_number(language, *spec.at);
     if (!back) return say(language, "until time {}", at);

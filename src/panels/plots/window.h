@@ -19,7 +19,11 @@ std::optional<double> start_of_mean(const Over& over, double at);
 /// "mean since the start", "mean over the last 5"; `alone` for what is of the present alone.
 std::string words_of_window(Language language, const Over& over, Phrase alone);
 
-/// In a title, of a film or of a figure at its time: "now", "at time 20", "time 18 to 20".
+/// The same of what is of a moment where it is no mean: "now", of a figure "at time 20".
+std::string words_of_moments(Language language, const PanelSpec& spec, const Over& over);
+
+/// In a title, of a film or of a figure at its time: "now", "at time 20", "time 18 to 20". Of runs
+/// that end at different times: "at the end".
 std::string time_words(Language language, const PanelSpec& spec);
 
 }  // namespace carom

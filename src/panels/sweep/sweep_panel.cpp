@@ -156,10 +156,10 @@ void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t li
     if (lines > 1) {
         const SweptCurve joined{.x = line.x, .y = line.mean};
         return add_curve(line.theory.y.size() > 1 ? line.theory : joined, plot::stroke_of_run(k),
-                         line.name);
+                         line.column);
     }
-    add_curve(line.theory, stroke_of(ink, dashes_of_theory), line.name);
-    add_curve(line.ideal, stroke_of(ink, dashes_of_ideal), line.name);
+    add_curve(line.theory, stroke_of(ink, dashes_of_theory), line.column);
+    add_curve(line.ideal, stroke_of(ink, dashes_of_ideal), line.column);
 }
 
 // A bar of an error is a piece of one line, from its lower end to its upper.
@@ -188,7 +188,7 @@ void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
     plot_.layers.emplace_back(std::move(bars));
     plot::Points points;
     points.part = "mean";
-    points.of = line.name;
+    points.of = line.column;
     points.still = true;
     points.x = plot::column(plot_.columns[0], line.x);
     points.y = plot::column(plot_.columns[1], line.mean);
@@ -201,7 +201,7 @@ void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
 void SweepPanel::show(const SweptNumbers& numbers) {
     plot_ = {.language = language_};
     const std::string up = column_name(numbers.number, numbers.unit);
-    plot_.columns = {numbers.across, up, "standard error of " + up, "runs"};
+    plot_.columns = {numbers.column, up, "standard error of " + up, "runs"};
     set_axes(numbers);
     set_words(numbers);
     for (std::size_t k = 0; k < numbers.lines.size(); ++k) {

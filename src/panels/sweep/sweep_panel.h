@@ -18,7 +18,8 @@ struct SweptCurve {
 
 /// The points of one line.
 struct SweptLine {
-    std::string name = {};  ///< empty: the only one
+    std::string name = {};    ///< in the film's language; empty: the only one
+    std::string column = {};  ///< the same in a table, in English
     std::vector<double> x = {}, mean = {}, error = {};
     std::vector<std::int64_t> runs = {};  ///< of each point, those that have the number
     SweptCurve theory = {};               ///< without values where none is known
@@ -28,7 +29,8 @@ struct SweptLine {
 /// What a panel of a sweep shows.
 struct SweptNumbers {
     std::string number, unit;  ///< what is up
-    std::string across;        ///< the words of the axis across
+    std::string across;        ///< the words of the axis across, in the film's language
+    std::string column = {};   ///< what is across in a table, in English
     std::vector<SweptLine> lines = {};
 };
 

@@ -11,6 +11,7 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "panels/plot/notes.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/plots/histogram_panel.h"
 #include "panels/plots/series_panel.h"
 #include "scene/limits.h"
@@ -305,12 +306,36 @@ TEST_CASE("each run may end at its own time, and is told to") {
     CHECK(figure.sides[1].account.starts_with("temperature "));
 }
 
+TEST_CASE("titles do not give the first run's time to runs that end at others") {
+    const auto title_of = [](const std::string& kind, const std::string& second) {
+        const FigureRun run =
+            run_of(scene_of("  - {name: b, kind: " + kind +
+                            ", compare: [{label: a}, {label: c, set: " + second + "}]}\n"));
+        const auto& panel = dynamic_cast<const PlotPanel&>(*run.figures()[0].panel);
+        std::string title;
+        const plot::Plot plot = panel.plot(&state_of(run));
+        for (const auto& piece : plot.titles.at(0).pieces) title += piece.markup;
+        return title;
+    };
+    for (const std::string kind : {"speed-histogram", "pair-correlation"}) {
+        CAPTURE(kind);
+        const std::string one = title_of(kind + ", over: start", "run.until=6");
+        CHECK(one.find("until time 6") != std::string::npos);
+        const std::string apart = title_of(kind + ", over: start", "run.until=2");
+        CHECK(apart.find("until the end") != std::string::npos);
+        CHECK(title_of(kind + ", over: {window: 1}", "run.until=2").find("last 1") !=
+              std::string::npos);
+        CHECK(title_of(kind + ", over: now", "run.until=2").find("at the end") !=
+              std::string::npos);
+    }
+}
+
 TEST_CASE("captions and alternative texts have the numbers of every run") {
     const FigureRun together = run_of(scene_of(bars + warmer));
     const FigureWords words = words_of(together, together.figures()[0]);
     for (const FigureSide& side : together.figures()[0].sides) {
         const std::string differs = side.label == "warm"  ? "temperature 4; "
-                                    : side.label == "few" ? "count 20; "
+                                    : side.label == "few" ? "number of particles 20; "
                                                           : "";
         const std::string words_of_it =
             fmt::format("{} ({}{} disks, {} collision", side.label, differs, side.particles,
@@ -323,6 +348,20 @@ TEST_CASE("captions and alternative texts have the numbers of every run") {
     }
     CHECK(words.caption.starts_with("A gas. Speed histogram at time 3 of 3 runs: cold ("));
     CHECK(words.caption.ends_with("; reduced units."));
+}
+
+TEST_CASE("a caption gives a change that its label does not, a number as a whole") {
+    const auto caption = [](const std::string& label, const std::string& set) {
+        const FigureRun run = run_of(scene_of(
+            "  - {name: b, kind: temperature, compare: [{label: as it is}, {label: " + label +
+            ", set: " + set + "}]}\n"));
+        return words_of(run, run.figures()[0]).caption;
+    };
+    CHECK(caption("10 of them", "gas.0.temperature=1").find("(temperature 1; ") !=
+          std::string::npos);
+    CHECK(caption("T 1.5", "gas.0.temperature=5").find("(temperature 5; ") != std::string::npos);
+    CHECK(caption("T = 15", "gas.0.temperature=15").find("temperature 15;") == std::string::npos);
+    CHECK(caption("(15)", "gas.0.temperature=15").find("temperature 15;") == std::string::npos);
 }
 
 TEST_CASE("a comparison changes no other figure, and threads change nothing") {

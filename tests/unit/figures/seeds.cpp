@@ -218,16 +218,21 @@ TEST_CASE("the mean of counts is no whole number") {
     const auto counted = [](const FigureRun& run) {
         return std::get<double>(table_of(run.figures()[0]).rows[0][2]);
     };
-    double sum = 0.0;
+    std::vector<double> counts;
     for (int seed = 5; seed < 8; ++seed) {
         Scene scene = scene_of(counter + "}\n");
         scene.seed = scene.gas.seed = static_cast<std::uint64_t>(seed);
         const FigureRun one = run_of(scene);
-        sum += static_cast<double>(std::get<std::int64_t>(table_of(one.figures()[0]).rows[0][2]));
+        counts.push_back(
+            static_cast<double>(std::get<std::int64_t>(table_of(one.figures()[0]).rows[0][2])));
     }
-    REQUIRE(std::fmod(sum, 3.0) != 0.0);
+    const MeanError expected = mean_error(counts);
+    REQUIRE(std::floor(expected.mean) != expected.mean);
     const FigureRun mean = run_of(scene_of(counter + ", seeds: 3}\n"));
-    CHECK(counted(mean) == doctest::Approx(sum / 3.0));
+    CHECK(counted(mean) == doctest::Approx(expected.mean));
+    const Table table = table_of(mean.figures()[0]);
+    CHECK(table.columns[3] == "standard error");
+    CHECK(std::get<double>(table.rows[0][3]) == doctest::Approx(expected.error));
 }
 
 TEST_CASE("a mean begins no earlier than the run, and one since the start at 0") {

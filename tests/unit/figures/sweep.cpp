@@ -188,6 +188,26 @@ TEST_CASE("numbers that differ by round-off have an axis around them, and one ru
           std::string::npos);
 }
 
+TEST_CASE("a value is named by its key, in the language of the film") {
+    const Gas one = scene_of("number: mean energy, vary: \"gas.0.radius=0.1,0.2\"").gas;
+    const Gas two =
+        scene_of("number: mean energy, vary: \"gas.0.radius=0.1,0.2\"",
+                 "box: {size: [30, 20]}\ngas: [{name: a, count: 4}, {name: b2, count: 4}]\n"
+                 "run: {until: 2}\n")
+            .gas;
+    const auto words = [](const char* key, const char* value, const Gas& gas,
+                          Language language = Language::english) {
+        return words_of_value(language, key, value, gas);
+    };
+    CHECK(words("gas.0.radius", "0.35", one) == "radius 0.35");
+    CHECK(words("gas.1.radius", "0.35", two) == "radius of b2 0.35");
+    CHECK(words("gas.b2.radius", "0.35", two) == "radius of b2 0.35");
+    CHECK(words("gas.a.temperature.exact", "1.5", two) == "temperature of a 1.5");
+    CHECK(words("run.until", "2", two) == "until 2");
+    CHECK(words("gas.0.radius", "0.35", one, Language::german) == "Radius 0,35");
+    CHECK(words("gas.0.color", "'#12.5'", one, Language::german) == "color '#12.5'");
+}
+
 TEST_CASE("keys that are not across make lines with names") {
     const SweptNumbers swept =
         numbers_of(scene_of("number: mean energy, vary: [\"gas.0.temperature.exact=1,2\", "
@@ -212,6 +232,11 @@ TEST_CASE("the key of several lines shows how each is drawn, in the language of 
         const plot::Plot plot =
             dynamic_cast<const PlotPanel&>(*run.figures().front().panel).plot(nullptr);
         CHECK(plot.x.title.pieces.front().markup == "Teilchenzahl");
+        const Table table = table_of(run.figures().front());
+        CHECK(std::ranges::count(table.columns, "number of particles") == 1);
+        const auto of = static_cast<std::size_t>(std::ranges::find(table.columns, "of") -
+                                                 table.columns.begin());
+        CHECK(std::get<std::string>(table.rows.at(0).at(of)) == "temperature 1");
         const std::vector<plot::KeyEntry>& entries = plot.notes.front().entries;
         REQUIRE(entries.size() == (theory ? 3 : 2));  // the last says what the lines are
         std::vector<plot::Line> lines;
@@ -224,7 +249,9 @@ TEST_CASE("the key of several lines shows how each is drawn, in the language of 
         REQUIRE(lines.size() == 2);
         REQUIRE(points.size() == 2);
         for (const std::size_t k : {0U, 1U}) {
-            CHECK(points[k].of == (k == 0 ? "Temperatur 1" : "Temperatur 2"));
+            CHECK(points[k].of == (k == 0 ? "temperature 1" : "temperature 2"));
+            CHECK(entries[k].words.front().pieces.front().markup ==
+                  (k == 0 ? "Temperatur 1" : "Temperatur 2"));
             REQUIRE(entries[k].sample);
             CHECK(entries[k].sample->dashes == lines[k].stroke.dashes);
             REQUIRE(entries[k].mark);

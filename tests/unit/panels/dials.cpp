@@ -317,4 +317,13 @@ TEST_CASE("dials of several runs stand side by side, and of several seeds there 
     DialSeen first(run(2));
     dynamic_cast<SharedPanel&>(*first.panel).fix_axes_of_runs({other.panel.get()}, {});
     CHECK(first.last() == 5.0);
+    // Of 2 and 8: the root of the variance, 18, over 2.
+    const DialPanel::Reading mean = first.dial().readings(*first.states.back()).at(0);
+    CHECK(mean.error == 3.0);
+    CHECK(first.dial().number(mean.value, mean.error) == "5.0 ± 3.0");
+    CHECK(first.dial().account(*first.states.back()) ==
+          "Temperature 5.0 ± 3.0 (mean of 2 runs ± standard error; mean over the last 0.2).");
+    const Table table = first.dial().table(*first.states.back(), theme(ThemeKind::light));
+    CHECK(table.columns[3] == "standard error");
+    CHECK(std::get<double>(table.rows.at(0)[3]) == 3.0);
 }

@@ -41,6 +41,18 @@ TEST_CASE("three significant digits read as on an axis") {
     CHECK(three_digits(0.9996) == "1.00");
 }
 
+TEST_CASE("a number with its standard error has the decimals that show two digits of the error") {
+    CHECK(with_error(0.12346, 0.0041) == "0.1235 ± 0.0041");
+    CHECK(with_error(12.34, 3.0) == "12.3 ± 3.0");
+    CHECK(with_error(1234.4, 61.7) == "1234 ± 62");
+    CHECK(with_error(-1.5, 0.25) == "\u22121.50 ± 0.25");
+    CHECK(with_error(-0.004, 0.25) == "0.00 ± 0.25");
+    CHECK(with_error(1.5, 0.0) == "1.50");
+    CHECK(with_error(1.5, std::nan("")) == "1.50");
+    CHECK(with_error(2.5e7, 1e6) == "2.50×10⁷ ± 1.00×10⁶");
+    CHECK(with_error(1e-8, 1e-10) == "1.00×10⁻⁸ ± 1.00×10⁻¹⁰");
+}
+
 TEST_CASE("three digits of powers that no double holds") {
     CHECK(three_digits_of_power(-2.0) == three_digits(0.01));
     CHECK(three_digits_of_power(std::log10(2.5e-51)) == "2.50×10\u207B\u2075\u00B9");

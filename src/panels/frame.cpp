@@ -189,6 +189,9 @@ std::vector<std::string> FramePainter::cut_words() {
             add(fmt::format("the title “{}” of a panel", *specs[i].title),
                 [&] { draw_panel_title(scratch, dc, escape_markup(*specs[i].title)); });
     }
+    for (const PanelSet::Placed& placed : panels_.panels())
+        for (std::string& what : placed.panel->left_out(context_at(placed.slot)))
+            cut.push_back(std::move(what));
     for (const std::string& kind : scene_.film.panels_left_out)
         cut.push_back(fmt::format("the panel `{}` (template {} has places for {})", kind,
                                   scene_.film.template_name, specs.size()));

@@ -125,6 +125,10 @@ class Panel {
     /// The least room in which what it shows can be read.
     virtual Room least_room() const { return {}; }
 
+    /// What the scene asks for by name and an area has no room for: "the monitor `fast`". Mostly
+    /// nothing.
+    virtual std::vector<std::string> left_out(const DrawContext&) const { return {}; }
+
     /// What the panel fills of an area; `unit` as in DrawContext.
     virtual Rect frame_in(const Rect& area, double unit) const {
         (void)unit;

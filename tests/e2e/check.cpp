@@ -126,16 +126,18 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
     places.write("small.yaml",
                  "layout:\n  grid: [60, 33.75]\n  title: [1, 1, 57, 3]\n  gas: [1, 5, 35, 25]\n"
                  "  color_bar: [36, 5, 5, 25]\n"
-                 "  panels: [[42, 4, 16, 7], [42, 14, 16, 6.9], [42, 24, 7, 9], [50, 24, 4, 3]]\n");
+                 "  panels: [[42, 4, 16, 7], [42, 14, 16, 6.9], [42, 24, 7, 9], [50, 24, 4, 3], "
+                 "[50, 28, 8, 3]]\n");
     places.write("scene.yaml",
                  "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 2}]\n"
                  "run: {until: 12}\nfilm: {seconds: 8, template: small, panels: "
                  "[speed-histogram, entropy, {kind: temperature, title: T}, "
-                 "{kind: text, words: a}]}\n");
+                 "{kind: text, words: a}, {kind: monitors, numbers: [time, fast, slow]}]}\n");
     const Outcome small = run({program, "check", "--json", "scene.yaml"}, places.path());
     CHECK(json::parse(small.out).at(0).at("cut") ==
           json{"the panel `entropy` (its place is 16 by 6.9 units, it needs 8 by 7)",
-               "the panel `temperature` (its place is 7 by 9 units, it needs 8 by 7)"});
+               "the panel `temperature` (its place is 7 by 9 units, it needs 8 by 7)",
+               "the monitor `fast`", "the monitor `slow`"});
     places.write("words.yaml",
                  "title: T" + std::string(120, 'w') +
                      "\nbox: {size: [10, 10]}\ngas: [{count: 9, radius: 0.3, speed: 2}]\n"

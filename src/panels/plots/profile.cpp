@@ -390,10 +390,12 @@ std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t c
         return known.any() ? say(language, "between {} and {}", low, high)
                            : say(language, "unknown");
     if (!known.any()) return "";
-    return say(language, "{} of {} along {}, {}: between {} and {}.",
-               name_of_quantity(language, context_.scene, spec_.quantity, {}),
-               name_of(context_.scene, choices_[choice]), is_up() ? "y" : "x",
-               words_of_moments(language, spec_, over_), low, high);
+    const std::string what = name_of_quantity(language, context_.scene, spec_.quantity, {});
+    const std::string axis = is_up() ? "y" : "x", time = words_of_moments(language, spec_, over_);
+    if (spec_.of.empty())
+        return say(language, "{} along {}, {}: between {} and {}.", what, axis, time, low, high);
+    return say(language, "{} of {} along {}, {}: between {} and {}.", what,
+               name_of(context_.scene, choices_[choice]), axis, time, low, high);
 }
 
 plot::Plot ProfilePanel::plot(const PanelState* state) const {

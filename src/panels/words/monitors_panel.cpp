@@ -12,6 +12,7 @@
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
+#include "scene/words.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
 #include "util/text.h"
@@ -131,8 +132,13 @@ class MonitorsPanel : public Panel {
     Table table(const PanelState& state, const Theme& theme) const override;
     bool shows_time() const override;
     std::optional<double> enough_height() const override;
+    std::vector<std::string> left_out(const DrawContext& dc) const override {
+        return names_after(row(dc).shown);
+    }
 
   protected:
+    // Of the numbers that the scene names, from this one on.
+    std::vector<std::string> names_after(std::size_t shown) const;
     std::string text(Monitor number, double value) const;
     double widest_value(Monitor number) const;
     std::string label(Monitor number) const {
@@ -140,6 +146,7 @@ class MonitorsPanel : public Panel {
     }
 
     PanelContext context_;
+    bool are_asked_;  // by the scene; else they are the usual ones
     std::vector<Monitor> numbers_;
     Numbers largest_{}, smallest_;  // in the film: fix the number of decimals
 
@@ -266,7 +273,10 @@ double MonitorsPanel::column_width(double unit) const {
 
 // No numbers stand for those that any gas has, without classes of its own.
 MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
-    : context_(context), numbers_(spec.numbers), title_(spec.title) {
+    : context_(context),
+      are_asked_(!spec.numbers.empty()),
+      numbers_(spec.numbers),
+      title_(spec.title) {
     smallest_.fill(infinity);
     largest_[index_of(Monitor::time)] = context.scene.run.until;
     if (numbers_.empty())
@@ -357,6 +367,13 @@ bool MonitorsPanel::shows_time() const {
     return std::ranges::find(numbers_, Monitor::time) != numbers_.end();
 }
 
+std::vector<std::string> MonitorsPanel::names_after(std::size_t shown) const {
+    std::vector<std::string> names;
+    for (std::size_t i = shown; are_asked_ && i < numbers_.size(); ++i)
+        names.push_back(fmt::format("the monitor `{}`", word_of(numbers_[i])));
+    return names;
+}
+
 // Beside the word "time".
 void MonitorsPanel::draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
                                   const Slowness& slow) const {
@@ -420,6 +437,9 @@ class RunLinePanel : public MonitorsPanel {
 
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
+    std::vector<std::string> left_out(const DrawContext& dc) const override {
+        return names_after(line(dc).x.size());
+    }
 
   private:
     // Where the numbers begin that have room, and the line.

@@ -150,6 +150,16 @@ TEST_CASE("a phrase has the same places and markup in all languages") {
         }
 }
 
+TEST_CASE("French signs do not part from their words at the end of a line") {
+    const std::regex breakable(" [:;!?%]| »|« ");
+    for (const phrases::Row& row : phrases::all()) {
+        const std::string french(row[static_cast<std::size_t>(Language::french)]);
+        CAPTURE(french);
+        CHECK_FALSE(std::regex_search(french, breakable));
+    }
+    CHECK(say(Language::french, "{}: {}", "a", "b") == "a\u00A0: b");
+}
+
 TEST_CASE("numbers and lists are those of the language") {
     CHECK(three_digits(Language::english, 1.234) == "1.23");
     CHECK(three_digits(Language::german, 1.234) == "1,23");

@@ -17,12 +17,14 @@ namespace carom {
 namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder() {
+    const char* const asked = std::getenv("TMPDIR");
+    const bool is_asked = asked != nullptr && *asked != '\0';
+    const fs::path folder = is_asked ? asked : "/tmp";
     std::error_code error;
-    const fs::path folder = fs::temp_directory_path(error);
-    if (error) {
-        const char* asked = std::getenv("TMPDIR");
+    if (!fs::is_directory(folder, error)) {
+        if (!error) error = std::make_error_code(std::errc::not_a_directory);
         throw SystemError(fmt::format("cannot write to the folder for temporary files{}: {}",
-                                      asked ? fmt::format(" (TMPDIR is {})", asked) : "",
+                                      is_asked ? fmt::format(" (TMPDIR is {})", asked) : "",
                                       error.message()));
     }
     std::string name = (folder / "carom.XXXXXX").string();

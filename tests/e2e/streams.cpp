@@ -146,6 +146,21 @@ TEST_CASE("a standard stream that is closed cannot be written, nor read, which i
     CHECK(contents(folder.path() / "a.mp4") == contents(folder.path() / "b.mp4"));
 }
 
+TEST_CASE("an empty TMPDIR is none") {
+    const TemporaryFolder folder;
+    const Outcome made =
+        shell("TMPDIR= '" + program + "' render '" + scene + "'" + short_film + "-o film.mp4",
+              folder.path());
+    CAPTURE(made.err);
+    CHECK(made.exit_code == 0);
+    CHECK(fs::exists(folder.path() / "film.mp4"));
+    const Outcome streamed =
+        shell("TMPDIR= '" + program + "' render '" + scene + "'" + short_film + "-o - > film2.mp4",
+              folder.path());
+    CHECK(streamed.exit_code == 0);
+    CHECK(fs::file_size(folder.path() / "film2.mp4") > 1000);
+}
+
 TEST_CASE("a film for standard output needs a folder for temporary files, which is named") {
     const TemporaryFolder folder;
     const Outcome outcome =

@@ -64,8 +64,8 @@ void make_still(const StillArguments& arguments) {
         if (Output::is_stream(arguments.output))
             throw UsageError(
                 "--depfile: the picture has no file that a rule could be about; name one with -o");
-        depfile.emplace(arguments.depfile)
-            .write(depfile_rule(std::vector{output.string()}, files_of(scene)));
+        const std::string rule = depfile_rule(std::vector{output.string()}, files_of(scene));
+        depfile.emplace(arguments.depfile).write(rule);
     }
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     const OutputFormat& format = output_format(output.extension().string().substr(1));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 #include <unsupported/Eigen/SpecialFunctions>
 
 namespace carom {
@@ -80,36 +79,36 @@ Expected pooled(const Expected& expected, std::vector<double>& observed) {
         join(counts);
         for (Conserved& one : some.conserved) join(one.moment);
     }
-    for (std::size_t c = 0; c < some.conserved.size(); ++c)
+    for (std::size_t c = 0; c < some.conserved.size(); ++c) {
         some.conserved[c].share = expected.conserved[c].share;
+        some.conserved[c].values = expected.conserved[c].values;
+    }
     observed = std::move(counts);
     return some;
 }
 
 // With conserved sums given, the statistic is a sum of squares of independent normal numbers with
-// these variances, and with 1 for all others: 1 less the parts of the sums that the classes see.
+// these variances, from the least on, and with 1 for all others: 1 less the parts of the sums that
+// the classes see.
 std::vector<double> lesser_weights(const Expected& expected) {
-    constexpr Eigen::Index most_sums = 2;
     const auto sums = static_cast<Eigen::Index>(expected.conserved.size());
-    if (sums > most_sums) throw std::invalid_argument("carom: more than two conserved sums");
     const auto classes = static_cast<Eigen::Index>(expected.count.size());
-    double values = 0.0;
-    for (const double count : expected.count) values += count;
-    Eigen::Matrix<double, Eigen::Dynamic, most_sums> seen(classes, most_sums);
-    seen.setZero();
+    if (sums == 0) return {};
+    Eigen::MatrixXd seen(classes, sums);
     for (Eigen::Index c = 0; c < sums; ++c) {
         const Conserved& one = expected.conserved[static_cast<std::size_t>(c)];
         for (Eigen::Index k = 0; k < classes; ++k) {
             const auto at = static_cast<std::size_t>(k);
             seen(k, c) = one.moment[at] *
-                         std::sqrt(std::min(1.0, one.share) / (expected.count[at] * values));
+                         std::sqrt(std::min(1.0, one.share) / (expected.count[at] * one.values));
         }
     }
+    // There are as many parts as sums or, if these are fewer, as classes.
+    const Eigen::MatrixXd products =
+        sums <= classes ? Eigen::MatrixXd(seen.transpose() * seen) : seen * seen.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(products, Eigen::EigenvaluesOnly);
     std::vector<double> weights;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> parts;
-    parts.computeDirect(seen.transpose() * seen, Eigen::EigenvaluesOnly);
-    // From the least to the largest; the columns of sums that there are not give zeros.
-    for (const double part : parts.eigenvalues().tail(sums))
+    for (const double part : parts.eigenvalues().reverse())
         weights.push_back(std::clamp(1.0 - part, 0.0, 1.0));
     return weights;
 }
@@ -153,9 +152,10 @@ Expected expected_counts(const EquilibriumGas& gas, TestedQuantity quantity,
     const bool is_velocity = quantity == TestedQuantity::velocity;
     const double part = is_velocity ? 0.5 : gas.alpha;
     Expected expected;
-    expected.conserved.push_back({{}, values * part / (gas.alpha + gas.beta)});
+    expected.conserved.push_back({{}, values * part / (gas.alpha + gas.beta), values});
     if (is_velocity)
-        expected.conserved.push_back({{}, particles * (1.0 - gas.groups.front().largest_share)});
+        expected.conserved.push_back(
+            {{}, particles * (1.0 - gas.groups.front().largest_share), values});
     Below last{0.0, 0.0, 0.0};
     for (std::size_t k = 0; k <= edges.size(); ++k) {
         const Below next = k < edges.size() ? below(gas, quantity, edges[k]) : Below{1.0, 0.0, 0.0};
@@ -166,6 +166,15 @@ Expected expected_counts(const EquilibriumGas& gas, TestedQuantity quantity,
         last = next;
     }
     return expected;
+}
+
+Expected together(const std::vector<Expected>& runs) {
+    Expected all{std::vector<double>(runs.front().count.size(), 0.0), {}};
+    for (const Expected& run : runs) {
+        for (std::size_t k = 0; k < all.count.size(); ++k) all.count[k] += run.count[k];
+        all.conserved.insert(all.conserved.end(), run.conserved.begin(), run.conserved.end());
+    }
+    return all;
 }
 
 std::optional<ChiSquared> pearson(const std::vector<double>& observed, const Expected& expected) {
@@ -179,10 +188,13 @@ std::optional<ChiSquared> pearson(const std::vector<double>& observed, const Exp
         const double off = counts[k] - classes.count[k];
         test.statistic += off * off / classes.count[k];
     }
+    constexpr std::size_t taken_alone = 2;
     const std::vector<double> weights = lesser_weights(classes);
-    const double others = test.classes - 1.0 - static_cast<double>(weights.size());
-    test.freedom = std::accumulate(weights.begin(), weights.end(), others);
-    test.p = weighted_tail(test.statistic, others, weights);
+    const std::span least = std::span(weights).first(std::min(taken_alone, weights.size()));
+    test.freedom = std::accumulate(weights.begin(), weights.end(),
+                                   test.classes - 1.0 - static_cast<double>(weights.size()));
+    const double others = test.freedom - std::accumulate(least.begin(), least.end(), 0.0);
+    test.p = weighted_tail(test.statistic, std::max(0.0, others), least);
     return test;
 }
 

@@ -23,13 +23,20 @@ struct Conserved {
     std::vector<double> moment;  ///< for each class: the expected sum, over the values in it, of
                                  ///< the conserved thing, brought to mean 0 and variance 1
     double share = 0.0;          ///< of these values in the variance of the whole sum
+    double values = 0.0;         ///< how many there are
 };
 
 /// What is expected of counts in classes.
 struct Expected {
     std::vector<double> count;
-    std::vector<Conserved> conserved;  ///< at most two
+    std::vector<Conserved> conserved;
 };
+
+/// Of the sums of counts in the same classes of independent runs, each with conserved sums of its
+/// own. That their distributions differ is left out: of N particles it changes the variances by
+/// their Nth part, as do the energies' correlations of higher order, which are left out too, and
+/// with energies drawn by Boltzmann's distribution the two have opposite signs.
+Expected together(const std::vector<Expected>& runs);
 
 enum class TestedQuantity { speed, energy, velocity };
 
@@ -54,8 +61,9 @@ inline constexpr int fewest_classes = 3;
 /// expected in each. The number of values is given, and so are the conserved sums: instead of a
 /// chi-squared distribution of (classes - 1) degrees the statistic has that of a sum of squares of
 /// which as many as there are sums weigh less than 1, by the part of each that the classes see
-/// (compare Chernoff and Lehmann 1954, doi:10.1214/aoms/1177728726). Degrees of freedom are the
-/// mean of this distribution, the sum of the weights; p is its tail. Nothing where fewer than three
+/// (compare Chernoff and Lehmann 1954, doi:10.1214/aoms/1177728726). Of more than two such weights
+/// the two least are taken as they are, the others by their sum. Degrees of freedom are the mean of
+/// this distribution, the sum of the weights; p is its tail. Nothing where fewer than three
 /// classes are left.
 std::optional<ChiSquared> pearson(const std::vector<double>& observed, const Expected& expected);
 

@@ -36,26 +36,15 @@ void check_velocity_test(PanelSpec& panel, const Node& node, Reading& reading) {
     check_test_of(panel, both ? reading.gas.box.dimension : 1, node, reading);
 }
 
-// In all runs together: each has its own conserved sums, which have the same part in its counts.
+// In all runs together.
 Expected HistogramPanel::expected(const HistogramSeries& series) const {
-    const auto add = [](std::vector<double>& sum, const std::vector<double>& more) {
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
-    };
     std::vector<double> edges;
     for (int i = 0; i <= axes_.bins.count; ++i) edges.push_back(axes_.bins.edge(i));
-    std::optional<Expected> all;
-    for (const EquilibriumGas& gas : series.equilibria) {
-        const Expected one =
-            expected_counts(gas, *subject_.tested, edges, series.particles, series.values_each);
-        if (!all) {
-            all = one;
-            continue;
-        }
-        add(all->count, one.count);
-        for (std::size_t c = 0; c < all->conserved.size(); ++c)
-            add(all->conserved[c].moment, one.conserved[c].moment);
-    }
-    return all.value();
+    std::vector<Expected> runs;
+    for (const EquilibriumGas& gas : series.equilibria)
+        runs.push_back(
+            expected_counts(gas, *subject_.tested, edges, series.particles, series.values_each));
+    return runs.size() == 1 ? std::move(runs.front()) : together(runs);
 }
 
 // Particles of several masses, with so many of each, do not make counts of one distribution; and

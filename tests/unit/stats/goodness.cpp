@@ -168,6 +168,69 @@ TEST_CASE("p is spread evenly over gases in equilibrium") {
     }
 }
 
+// Runs of the same draw whose energies differ, as those of several seeds.
+double p_of_runs(const Draw& draw, int runs, Random& random) {
+    constexpr double mass = 3.0;
+    std::vector<double> edges, observed(static_cast<std::size_t>(draw.bins.count) + 2);
+    for (int i = 0; i <= draw.bins.count; ++i) edges.push_back(draw.bins.edge(i));
+    std::vector<Expected> expected;
+    for (int run = 0; run < runs; ++run) {
+        Eigen::ArrayXXd v = velocities(draw, mass, random);
+        EquilibriumGas gas = gas_of(draw, mass);
+        // Of Boltzmann's distribution at the temperature of 1.
+        double energy = 0.0;
+        for (int i = 0; i < draw.dimension * draw.particles; ++i) {
+            const double one = random.normal();
+            energy += 0.5 * one * one;
+        }
+        v *= std::sqrt(energy / gas.energy);
+        gas.energy = energy;
+        const Histogram found = histogram(values(draw, mass, v), draw.bins);
+        observed.front() += double(found.below);
+        for (std::size_t k = 0; k < found.counts.size(); ++k)
+            observed[k + 1] += double(found.counts[k]);
+        observed.back() += double(found.above);
+        expected.push_back(
+            expected_counts(gas, draw.quantity, edges, draw.chosen, draw.both ? 2.0 : 1.0));
+    }
+    return pearson(observed, together(expected)).value().p;
+}
+
+TEST_CASE("p is spread evenly over runs of few particles with energies of their own") {
+    const std::vector<Draw> draws{
+        {2, 10, 10, false, TestedQuantity::speed, false, {0, 3, 12}},
+        {1, 5, 5, false, TestedQuantity::velocity, false, {-2, 2, 8}},
+    };
+    constexpr double alpha = 1e-3;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+        CAPTURE(k);
+        Random random(9, "p of runs of draw " + std::to_string(k));
+        std::vector<double> found;
+        for (int i = 0; i < 3000; ++i) found.push_back(p_of_runs(draws[k], 60, random));
+        CHECK(test::chance(found, [](double p) { return p; }) > alpha / double(draws.size()));
+    }
+}
+
+TEST_CASE("runs of one distribution together are tested as one of as many values") {
+    const Draw draw{2, 300, 300, true, TestedQuantity::velocity, true, {-3, 3, 6}};
+    std::vector<double> edges, observed;
+    for (int i = 0; i <= draw.bins.count; ++i) edges.push_back(draw.bins.edge(i));
+    const Expected one = expected_counts(gas_of(draw, 3.0), draw.quantity, edges, 300, 2.0);
+    Expected three = one;
+    for (double& count : three.count) count *= 3.0;
+    for (Conserved& sum : three.conserved) {
+        for (double& moment : sum.moment) moment *= 3.0;
+        sum.values *= 3.0;
+    }
+    for (std::size_t k = 0; k < one.count.size(); ++k)
+        observed.push_back(three.count[k] + (k % 2 == 0 ? 9.0 : -8.0));
+    const ChiSquared a = pearson(observed, three).value();
+    const ChiSquared b = pearson(observed, together({one, one, one})).value();
+    CHECK(a.statistic == doctest::Approx(b.statistic));
+    CHECK(a.freedom == doctest::Approx(b.freedom));
+    CHECK(a.p == doctest::Approx(b.p));
+}
+
 TEST_CASE("without what is conserved p would not be spread evenly") {
     Random random(8, "as if independent");
     const Draw draw{1, 400, 400, true, TestedQuantity::velocity, false, {-3, 3, 6}};

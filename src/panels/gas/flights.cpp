@@ -5,60 +5,77 @@
 
 namespace carom {
 
-Flights::Flights(const Box& box, Eigen::Index axis, std::vector<Eigen::Index> particles)
+Flights::Flights(const Box& box, const Run& run, Eigen::Index axis,
+                 std::vector<Eigen::Index> particles)
     : axis_(axis),
       period_(box.is_periodic(axis) ? box.size[axis] : 0.0),
       acceleration_(box.surfaces.gravity[axis]),
-      particles_(std::move(particles)) {}
+      particles_(std::move(particles)),
+      paths_(box, velocity_changes(run)),
+      pieces_(particles_.size()) {}
 
-double Flights::within(double place) const {
-    return period_ > 0.0 ? place - period_ * std::floor(place / period_) : place;
+// At the frame: where a collision or a reversal falls on it.
+bool Flights::ends_in_corner(const Pieces& pieces, Eigen::Index particle,
+                             const Sample& sample) const {
+    const PathPiece& last = pieces.back();
+    const double reached = last.velocity_after(last.span())[axis_];
+    constexpr double rounding = 1e-9;
+    const double gained = std::abs(acceleration_) * last.span();
+    return last.ended_by != nullptr || std::abs(sample.velocity(particle, axis_) - reached) >
+                                           rounding * (std::abs(reached) + gained);
 }
 
-void Flights::meet(Corner& corner, std::int32_t particle, double place, double after) const {
+// Where each particle is then, and its velocities before and after what happens at that time.
+void Flights::turn(Corner& corner, const FrameInput& input) const {
     for (std::size_t k = 0; k < particles_.size(); ++k) {
-        if (particles_[k] != particle) continue;
-        corner.place[k] = within(place);
-        corner.after[k] = after;
+        const auto piece = std::ranges::find_if(
+            pieces_[k], [&](const PathPiece& one) { return one.to >= corner.time; });
+        const double span = corner.time - piece->from, place = piece->place_after(span)[axis_];
+        corner.place.push_back(period_ > 0.0 ? place - period_ * std::floor(place / period_)
+                                             : place);
+        corner.before.push_back(piece->velocity_after(span)[axis_]);
+        corner.after.push_back(corner.before.back());
+        if (piece->to > corner.time) continue;
+        auto next = piece + 1;
+        for (; next != pieces_[k].end() && next->from == corner.time; ++next)
+            corner.after.back() = next->velocity[axis_];
+        if (next == pieces_[k].end() && corner.time == input.sample.time)
+            corner.after.back() = input.sample.velocity(particles_[k], axis_);
     }
 }
 
 std::vector<Flights::Corner> Flights::see(const FrameInput& input) {
-    std::vector<Corner> corners;
-    const auto is_followed = [&](std::int32_t particle) {
-        return std::ranges::find(particles_, particle) != particles_.end();
-    };
-    for (const Collision& collision : input.advanced.collisions) {
-        if (last_.place.empty()) break;  // there is no frame before
-        const bool with_particle = collision.second.is_particle();
-        if (!is_followed(collision.first) &&
-            !(with_particle && is_followed(collision.second.particle())))
-            continue;
-        Corner corner{collision.time, last_.place, last_.after, last_.after};
-        const double elapsed = collision.time - last_.time, gain = elapsed * acceleration_;
-        for (std::size_t k = 0; k < particles_.size(); ++k) {
-            corner.place[k] = within(last_.place[k] + elapsed * (last_.after[k] + 0.5 * gain));
-            corner.before[k] = corner.after[k] = last_.after[k] + gain;
-        }
-        meet(corner, collision.first, collision.first_position[axis_],
-             collision.first_after[axis_]);
-        if (with_particle)
-            meet(corner, collision.second.particle(), collision.second_position[axis_],
-                 collision.second_after[axis_]);
-        last_ = corner;
-        corners.push_back(std::move(corner));
+    for (Pieces& pieces : pieces_) pieces.clear();
+    paths_(input.sample, input.advanced.collisions, [&](const PathPiece& piece) {
+        for (std::size_t k = 0; k < particles_.size(); ++k)
+            if (particles_[k] == piece.particle) pieces_[k].push_back(piece);
+    });
+    std::vector<double> times;
+    for (std::size_t k = 0; k < particles_.size(); ++k) {
+        const Pieces& pieces = pieces_[k];
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            if (i + 1 < pieces.size() || ends_in_corner(pieces, particles_[k], input.sample))
+                times.push_back(pieces[i].to);
     }
-    Corner now{input.tick.time, {}, {}, {}};
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    std::vector<Corner> corners;
+    for (const double time : times) {
+        corners.push_back({.time = time, .place = {}, .before = {}, .after = {}});
+        turn(corners.back(), input);
+    }
+
+    Corner now{input.sample.time, {}, {}, {}};
     for (const Eigen::Index i : particles_) {
         now.place.push_back(input.sample.position(i, axis_));
         now.after.push_back(input.sample.velocity(i, axis_));
     }
     now.before = now.after;
-    if (input.advanced.reversals != reversals_) {
-        if (!last_.place.empty()) now.before = last_.after;
+    // A reversal between two frames of one time.
+    if (now.time == last_.time && now.after != last_.after && !last_.place.empty()) {
+        now.before = last_.after;
         corners.push_back(now);
     }
-    reversals_ = input.advanced.reversals;
     last_ = std::move(now);
     return corners;
 }

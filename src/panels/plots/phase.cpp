@@ -35,7 +35,7 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     std::vector<Flights> flights;  // of the first of each: of several there is no path
     for (const std::vector<Eigen::Index>& list : lists)
-        flights.emplace_back(box, axis, std::vector<Eigen::Index>{list.front()});
+        flights.emplace_back(box, context.scene.run, axis, std::vector<Eigen::Index>{list.front()});
     PointsSubject subject{
         .titles = titles(context, spec, chosen),
         .language = context.language(),

@@ -45,8 +45,8 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
                     {o.sample.position(first, axis), o.sample.position(second, axis)}};
             },
         .corners =
-            [flights = Flights(box, axis, {first, second})](const FrameInput& o,
-                                                            std::size_t) mutable {
+            [flights = Flights(box, context.scene.run, axis, {first, second})](
+                const FrameInput& o, std::size_t) mutable {
                 std::vector<Point> points;
                 for (const Flights::Corner& corner : flights.see(o))
                     points.push_back({corner.place[0], corner.place[1]});

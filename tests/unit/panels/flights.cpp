@@ -77,6 +77,28 @@ TEST_CASE("at a reversal a velocity jumps to its opposite") {
     CHECK(has(path, 4.0, -1.0));
 }
 
+TEST_CASE("a disk that lies on the floor does not fall between two frames") {
+    // Disk 1 bounces beside disk 0, which lies: at each of its bounces disk 0 is looked at.
+    const Pairs path = path_of(
+        "box: {size: [10, 10]}\ngravity: [0, -1]\n"
+        "gas: [{radius: 0.5, position: [[2, 0.5], [7, 3]], velocity: [[0, 0], [0, 0]]}]\n"
+        "run: {until: 9}",
+        "{kind: positions, of: [0, 1], component: y}");
+    CHECK(path.size() > 20);
+    CHECK(has(path, 0.5, 0.5));  // disk 1 on the floor, too
+    for (const auto& [lying, bouncing] : path) CHECK(lying == 0.5);
+}
+
+TEST_CASE("heat between two frames makes a velocity jump") {
+    // The fourth frame is at 0.931: heat at 0.9 doubles the velocity at the place 3.8.
+    const Pairs path = path_of(
+        "box: {length: 10}\ngas: [{position: [2], velocity: [2], mass: 1}]\n"
+        "run: {until: 9, events: [{at: 0.9, heat: {by: 6}}]}",
+        "{kind: phase, of: [0]}");
+    CHECK(has(path, 3.8, 2.0));
+    CHECK(has(path, 3.8, 4.0));
+}
+
 TEST_CASE("in print the paths of two are whole lines") {
     const test::Shot film(test::scene_from(
         "title: T\nbox: {length: 20}\ngas: [{position: [2, 18], velocity: [1, -1]}]\n"

@@ -356,7 +356,7 @@ TEST_CASE("words on events lie on nothing, or are left out") {
 TEST_CASE("a particle that falls has its corners where it collides") {
     Box box{.size = {20.0, 10.0}};
     box.surfaces.gravity = {0.0, -2.0};
-    Flights flights(box, 1, {0});
+    Flights flights(box, Run{}, 1, {0});
     const Eigen::ArrayXd none;
     const auto see = [&](double time, double y, double v,
                          const std::vector<Collision>& collisions) {
@@ -375,6 +375,7 @@ TEST_CASE("a particle that falls has its corners where it collides") {
     bounce.first = 0;
     bounce.second = Side::bottom;
     bounce.first_position = {1.0, 0.0};
+    bounce.first_before = {0.0, -4.0};
     bounce.first_after = {0.0, 4.0};
     const auto corners = see(3.0, 3.0, 2.0, {bounce});
     REQUIRE(corners.size() == 1);

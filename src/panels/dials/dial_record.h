@@ -13,8 +13,8 @@ namespace carom {
 struct DialRun {
     std::string name = {};                        ///< beside others
     std::vector<std::vector<double>> lines = {};  ///< reading x frame; NaN: none
-    std::vector<std::vector<double>> errors =
-        {};  ///< of means, as lines: standard errors; or empty
+    /// Of means: the standard errors of the lines; else empty.
+    std::vector<std::vector<double>> errors = {};
 
     void archive(Archive& archive) { archive(name, lines, errors); }
 };

@@ -1,5 +1,5 @@
-// Numbers in fixed places: time, collisions, mean speed and mean energy, or those that the scene
-// asks for; a row under the gas, or as large as a panel.
+#include "panels/words/monitors_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
-#include "panels/echo/echo_record.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
@@ -45,17 +45,7 @@ constexpr std::array all_columns{
     Column{Phrase{"all collisions"}, 8.968, "count", Format::count},
     Column{Phrase{"return error"}, 8.968, reduced::length, Format::power},
     Column{Phrase{"largest overlap"}, 8.968, "per cent", Format::per_cent}};
-using Numbers = std::array<double, all_columns.size()>;
-
-std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
-
-struct MonitorsState : PanelState {
-    Numbers readouts{};             // those that are shown
-    Numbers numbers{};              // of a distance its decimal logarithm, or none
-    double return_distance = none;  // the same as a double, which may be 0
-    Slowness slow;
-    double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
-};
+static_assert(all_columns.size() == std::tuple_size_v<MonitorNumbers>);
 
 constexpr double widest_column = 8.968;
 constexpr double widest_number = 6.4;
@@ -103,8 +93,10 @@ void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color co
     canvas.fill_polygon(corners, color);
 }
 
+}  // namespace
+
 // Where each number stands, and how large: as large as the area allows, in one row or several.
-struct Row {
+struct MonitorsPanel::Row {
     Rect area;
     std::size_t shown, columns;
     double spacing, size, height;  // of text and rows as multiples of the smallest
@@ -117,57 +109,16 @@ struct Row {
     }
 };
 
-class MonitorsPanel : public Panel {
-  public:
-    MonitorsPanel(const PanelContext& context, const PanelSpec& spec);
+std::string MonitorsPanel::label(Monitor number) const {
+    return escape_markup(say(context_.language(), column(number).label));
+}
 
-    void survey(const FrameInput& input) override;
-    bool surveys_positions() const override { return echo_.has_value(); }
-    bool wants_return_distances() const override { return echo_.has_value(); }
-    void archive(Archive& archive) override;
-    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
-    void archive_progress(Archive& archive) override { archive(readouts_); }
-    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
-    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
-    Table table(const PanelState& state, const Theme& theme) const override;
-    bool shows_time() const override;
-    std::optional<double> enough_height() const override;
-    std::vector<std::string> left_out(const DrawContext& dc) const override {
-        return names_after(row(dc).shown);
-    }
-
-  protected:
-    // Of the numbers that the scene names, from this one on.
-    std::vector<std::string> names_after(std::size_t shown) const;
-    std::string text(Monitor number, double value) const;
-    double widest_value(Monitor number) const;
-    std::string label(Monitor number) const {
-        return escape_markup(say(context_.language(), column(number).label));
-    }
-
-    PanelContext context_;
-    bool are_asked_;  // by the scene; else they are the usual ones
-    std::vector<Monitor> numbers_;
-    Numbers largest_{}, smallest_;  // in the film: fix the number of decimals
-
-  private:
-    Row row(const DrawContext& dc) const;
-    Row row_of(const Rect& area, double unit, std::size_t count) const;
-    Point place(const Row& row, std::size_t index) const;  // its top left corner
-    void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
-                       const Slowness& slow) const;
-    double width(Monitor number, double unit) const;  // of its column
-    double width_for_label(Monitor number, double unit) const;
-    double widest_time(double unit) const;
-    double column_width(double unit) const;
-
-    std::optional<std::string> title_;
-    std::optional<EchoRecord> echo_;  // if its number is shown
-    std::optional<Numbers> readouts_;
-};
+std::vector<std::string> MonitorsPanel::left_out(const DrawContext& dc) const {
+    return names_after(row(dc).shown);
+}
 
 // Of the first `count` numbers.
-Row MonitorsPanel::row_of(const Rect& area, double unit, std::size_t count) const {
+MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::size_t count) const {
     Row best{area, count, count, 0.0, 0.0, 0.0, unit};
     for (std::size_t rows = 1; rows <= count; ++rows) {
         const std::size_t columns = (count + rows - 1) / rows;
@@ -187,7 +138,7 @@ Row MonitorsPanel::row_of(const Rect& area, double unit, std::size_t count) cons
 }
 
 // As many of the numbers as there is room for, from the first on.
-Row MonitorsPanel::row(const DrawContext& dc) const {
+MonitorsPanel::Row MonitorsPanel::row(const DrawContext& dc) const {
     Rect area = dc.area;
     if (title_) {
         area.y += title_height * dc.unit;
@@ -424,85 +375,6 @@ Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
             {"number", std::string(column(which).label.english), value, column(which).unit});
     }
     return table;
-}
-
-// A name, and the numbers after it in one line, each in a place of its own.
-class RunLinePanel : public MonitorsPanel {
-  public:
-    RunLinePanel(const PanelContext& context, const PanelSpec& spec, std::string label,
-                 std::size_t run)
-        : MonitorsPanel(context, spec), label_(std::move(label)), run_(run) {
-        std::erase(numbers_, Monitor::time);
-    }
-
-    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
-    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
-    std::vector<std::string> left_out(const DrawContext& dc) const override {
-        return names_after(line(dc).x.size());
-    }
-
-  private:
-    // Where the numbers begin that have room, and the line.
-    struct Line {
-        std::vector<double> x;
-        double y;
-    };
-    Line line(const DrawContext& dc) const;
-    TextStyle name_style(const DrawContext& dc) const;
-
-    std::string label_;
-    std::size_t run_;
-};
-
-TextStyle RunLinePanel::name_style(const DrawContext& dc) const {
-    TextStyle style = title_style(dc);
-    style.color = plot::color_of(plot::stroke_of_run(run_).role, dc.theme);
-    style.max_width = dc.area.width;
-    return style;
-}
-
-RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
-    constexpr double gap = 1.4, after_words = 0.4, least = 0.2;  // units
-    const TextStyle style = label_style(dc);
-    double x =
-        dc.area.x + measure_text(escape_markup(label_), name_style(dc)).width + gap * dc.unit;
-    Line line{{}, dc.area.y + 1.4 * dc.unit};
-    for (const Monitor number : numbers_) {
-        const double words = measure_text(label(number), style).width;
-        const double end = x + words + after_words * dc.unit +
-                           measure_text(text(number, widest_value(number)), style).width;
-        if (end > dc.area.right() + least * dc.unit) break;
-        line.x.push_back(x + words + after_words * dc.unit);
-        x = end + gap * dc.unit;
-    }
-    return line;
-}
-
-void RunLinePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    const Line line = this->line(dc);
-    draw_text(canvas, {dc.area.x, line.y}, escape_markup(label_), name_style(dc));
-    constexpr double before_number = 0.4;  // units
-    TextStyle style = label_style(dc);
-    style.align = Align::right;
-    for (std::size_t i = 0; i < line.x.size(); ++i)
-        draw_text(canvas, {line.x[i] - before_number * dc.unit, line.y}, label(numbers_[i]), style);
-}
-
-void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    const auto& now = static_cast<const MonitorsState&>(state);
-    const Line line = this->line(dc);
-    TextStyle style = label_style(dc);
-    style.color = dc.theme.ink;
-    for (std::size_t i = 0; i < line.x.size(); ++i)
-        draw_text(canvas, {line.x[i], line.y},
-                  text(numbers_[i], now.readouts.at(index_of(numbers_[i]))), style);
-}
-
-}  // namespace
-
-std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
-                                     const std::string& label, std::size_t run) {
-    return std::make_unique<RunLinePanel>(context, spec, label, run);
 }
 
 std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpec& spec) {

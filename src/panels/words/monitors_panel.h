@@ -1,0 +1,77 @@
+// Numbers in fixed places: time, collisions, mean speed and mean energy, or those that the scene
+// asks for; a row under the gas, or as large as a panel.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "panels/echo/echo_record.h"
+#include "panels/panel.h"
+#include "scene/words.h"
+
+namespace carom {
+
+using MonitorNumbers = std::array<double, enum_words<Monitor>.size()>;
+
+inline std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
+
+struct MonitorsState : PanelState {
+    MonitorNumbers readouts{};  // those that are shown
+    MonitorNumbers numbers{};   // of a distance its decimal logarithm, or none
+    double return_distance =
+        std::numeric_limits<double>::quiet_NaN();  // the same as a double, which may be 0
+    Slowness slow;
+    double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
+};
+
+class MonitorsPanel : public Panel {
+  public:
+    MonitorsPanel(const PanelContext& context, const PanelSpec& spec);
+
+    void survey(const FrameInput& input) override;
+    bool surveys_positions() const override { return echo_.has_value(); }
+    bool wants_return_distances() const override { return echo_.has_value(); }
+    void archive(Archive& archive) override;
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override { archive(readouts_); }
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
+    Table table(const PanelState& state, const Theme& theme) const override;
+    bool shows_time() const override;
+    std::optional<double> enough_height() const override;
+    std::vector<std::string> left_out(const DrawContext& dc) const override;
+
+  protected:
+    // Of the numbers that the scene names, from this one on.
+    std::vector<std::string> names_after(std::size_t shown) const;
+    std::string text(Monitor number, double value) const;
+    double widest_value(Monitor number) const;
+    std::string label(Monitor number) const;  // markup
+
+    PanelContext context_;
+    bool are_asked_;  // by the scene; else they are the usual ones
+    std::vector<Monitor> numbers_;
+    MonitorNumbers largest_{}, smallest_;  // in the film: fix the number of decimals
+
+  private:
+    struct Row;
+    Row row(const DrawContext& dc) const;
+    Row row_of(const Rect& area, double unit, std::size_t count) const;
+    Point place(const Row& row, std::size_t index) const;  // its top left corner
+    void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
+                       const Slowness& slow) const;
+    double width(Monitor number, double unit) const;  // of its column
+    double width_for_label(Monitor number, double unit) const;
+    double widest_time(double unit) const;
+    double column_width(double unit) const;
+
+    std::optional<std::string> title_;
+    std::optional<EchoRecord> echo_;  // if its number is shown
+    std::optional<MonitorNumbers> readouts_;
+};
+
+}  // namespace carom

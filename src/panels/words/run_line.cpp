@@ -1,0 +1,89 @@
+// The line under the box of one of two runs: its name, and its numbers.
+#include "panels/plot/layers.h"
+#include "panels/registry.h"
+#include "panels/words/monitors_panel.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+// A name, and the numbers after it in one line, each in a place of its own.
+class RunLinePanel : public MonitorsPanel {
+  public:
+    RunLinePanel(const PanelContext& context, const PanelSpec& spec, std::string label,
+                 std::size_t run)
+        : MonitorsPanel(context, spec), label_(std::move(label)), run_(run) {
+        std::erase(numbers_, Monitor::time);
+    }
+
+    void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
+    std::vector<std::string> left_out(const DrawContext& dc) const override {
+        return names_after(line(dc).x.size());
+    }
+
+  private:
+    // Where the numbers begin that have room, and the line.
+    struct Line {
+        std::vector<double> x;
+        double y;
+    };
+    Line line(const DrawContext& dc) const;
+    TextStyle name_style(const DrawContext& dc) const;
+
+    std::string label_;
+    std::size_t run_;
+};
+
+TextStyle RunLinePanel::name_style(const DrawContext& dc) const {
+    TextStyle style = title_style(dc);
+    style.color = plot::color_of(plot::stroke_of_run(run_).role, dc.theme);
+    style.max_width = dc.area.width;
+    return style;
+}
+
+RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
+    constexpr double gap = 1.4, after_words = 0.4, least = 0.2;  // units
+    const TextStyle style = label_style(dc);
+    double x =
+        dc.area.x + measure_text(escape_markup(label_), name_style(dc)).width + gap * dc.unit;
+    Line line{{}, dc.area.y + 1.4 * dc.unit};
+    for (const Monitor number : numbers_) {
+        const double words = measure_text(label(number), style).width;
+        const double end = x + words + after_words * dc.unit +
+                           measure_text(text(number, widest_value(number)), style).width;
+        if (end > dc.area.right() + least * dc.unit) break;
+        line.x.push_back(x + words + after_words * dc.unit);
+        x = end + gap * dc.unit;
+    }
+    return line;
+}
+
+void RunLinePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
+    const Line line = this->line(dc);
+    draw_text(canvas, {dc.area.x, line.y}, escape_markup(label_), name_style(dc));
+    constexpr double before_number = 0.4;  // units
+    TextStyle style = label_style(dc);
+    style.align = Align::right;
+    for (std::size_t i = 0; i < line.x.size(); ++i)
+        draw_text(canvas, {line.x[i] - before_number * dc.unit, line.y}, label(numbers_[i]), style);
+}
+
+void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    const Line line = this->line(dc);
+    TextStyle style = label_style(dc);
+    style.color = dc.theme.ink;
+    for (std::size_t i = 0; i < line.x.size(); ++i)
+        draw_text(canvas, {line.x[i], line.y},
+                  text(numbers_[i], now.readouts.at(index_of(numbers_[i]))), style);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
+                                     const std::string& label, std::size_t run) {
+    return std::make_unique<RunLinePanel>(context, spec, label, run);
+}
+
+}  // namespace carom

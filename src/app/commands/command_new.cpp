@@ -12,8 +12,8 @@
 #include "app/report/schema_json.h"
 #include "app/resources.h"
 #include "panels/registry.h"
+#include "scene/manual/starter.h"
 #include "scene/reading/set_reading.h"
-#include "scene/starter.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 

@@ -14,7 +14,6 @@
 #include "physics/mechanics.h"
 #include "scene/words.h"
 #include "stats/speed_classes.h"
-#include "util/archive.h"
 #include "util/text.h"
 
 namespace carom {

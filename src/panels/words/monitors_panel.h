@@ -12,6 +12,7 @@
 #include "panels/echo/echo_record.h"
 #include "panels/panel.h"
 #include "scene/words.h"
+#include "util/archive.h"
 
 namespace carom {
 

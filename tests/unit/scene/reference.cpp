@@ -1,5 +1,5 @@
 // What is made from the key table: the reference page, and the scene to start from.
-#include "scene/reference.h"
+#include "scene/manual/reference.h"
 
 #include <doctest/doctest.h>
 
@@ -16,12 +16,12 @@
 
 #include "media/formats.h"
 #include "panels/registry.h"
-#include "scene/color_chart.h"
 #include "scene/keys/colors.h"
 #include "scene/keys/key_text.h"
 #include "scene/load.h"
+#include "scene/manual/color_chart.h"
+#include "scene/manual/starter.h"
 #include "scene/reading/scene_reading.h"
-#include "scene/starter.h"
 #include "support/files.h"
 #include "support/test_root.h"
 

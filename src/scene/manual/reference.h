@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/panel_gallery.h"
+#include "scene/manual/panel_gallery.h"
 #include "scene/panel_kind.h"
 
 namespace carom {

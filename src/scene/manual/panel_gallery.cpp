@@ -1,4 +1,4 @@
-#include "scene/panel_gallery.h"
+#include "scene/manual/panel_gallery.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

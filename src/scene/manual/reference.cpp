@@ -1,12 +1,12 @@
-#include "scene/reference.h"
+#include "scene/manual/reference.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "scene/color_chart.h"
 #include "scene/keys/key_text.h"
+#include "scene/manual/color_chart.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/set_reading.h"

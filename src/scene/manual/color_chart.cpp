@@ -1,4 +1,4 @@
-#include "scene/color_chart.h"
+#include "scene/manual/color_chart.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

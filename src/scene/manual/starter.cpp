@@ -1,4 +1,4 @@
-#include "scene/starter.h"
+#include "scene/manual/starter.h"
 
 #include <fmt/format.h>
 

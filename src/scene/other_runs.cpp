@@ -1,0 +1,189 @@
+#include "scene/other_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "physics/surfaces/surface_problem.h"
+#include "scene/limits.h"
+#include "util/diagnostics.h"
+
+namespace carom {
+namespace {
+
+// The scene of a compared run, as `reload` makes it of overrides, with that figure alone.
+Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides overrides,
+                     const ReloadCompared& reload) {
+    overrides.insert(overrides.end(), run.values.begin(), run.values.end());
+    Diagnostic error = run.place;
+    try {
+        Scene scene = reload(figure.name, overrides);
+        for (FigureSpec& one : scene.figures) one.compare.clear();
+        if (!scene.figures.empty() && scene.figures.front().panel.kind == figure.panel.kind)
+            return scene;
+        error.message = fmt::format("with this change the scene has no figure `{}` of kind `{}`",
+                                    figure.name, figure.panel.kind);
+    } catch (const SceneError& refused) {
+        error.message =
+            "with this change the scene is not valid: " + refused.diagnostics().front().message;
+        error.hint = refused.diagnostics().front().hint;
+    }
+    throw SceneError({std::move(error)});
+}
+
+// Of a sweep at least the first and the last point.
+std::size_t scenes_of(const FigureSpec& figure) {
+    if (figure.panel.kind != "sweep") return figure.compare.size();
+    return figure.panel.sweep.from ? 0 : 2;
+}
+
+// Of the figures only the one of this name: what is asked of the others is not of this run.
+void keep_figure(Node& root, const std::string& name) {
+    Node* list = find(root, "figures");
+    if (list == nullptr || !list->is_list()) return;
+    std::erase_if(list->items, [&](const Node& figure) {
+        const Node* its = find(figure, "name");
+        return its == nullptr || its->text != name;
+    });
+}
+
+Node without(Node mapping, const std::string& key) {
+    for (std::size_t i = mapping.keys.size(); i-- > 0;)
+        if (mapping.keys[i].text == key) {
+            mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(i));
+            mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+    return mapping;
+}
+
+// A film ends with its own scene's run, and its callouts are about that.
+void take_film(Node& root, const ScenePart& part) {
+    const auto put = [](Node& mapping, const char* key, const Node& value) {
+        if (Node* own = find(mapping, key)) {
+            *own = value;
+            return;
+        }
+        mapping.keys.push_back({.kind = Node::Kind::scalar,
+                                .source = value.source,
+                                .offset = value.offset,
+                                .text = key});
+        mapping.items.push_back(value);
+    };
+    put(root, "film", without(*part.film, "callouts"));
+    Node* run = find(root, "run");
+    if (run != nullptr && run->is_mapping() && part.until != nullptr)
+        put(*run, "until", *part.until);
+}
+
+// What the two runs of a film must share.
+std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other) {
+    const Box &box = scene.gas.box, &its = other.gas.box;
+    if (box.dimension != its.dimension || (box.size != its.size).any())
+        return ProblemText{"the box of the other run has another size",
+                           "side by side both boxes have one size"};
+    const auto kinds = [](const Film& film) {
+        std::vector<std::string> names;
+        for (const PanelSpec& panel : film.panels) names.push_back(panel.kind);
+        return names;
+    };
+    if (kinds(scene.film) != kinds(other.film))
+        return ProblemText{"for the gas of the other run the film would have other panels",
+                           "name the film's `panels`"};
+    const std::vector<double> turns = reversal_times(scene.run);
+    for (const double time : reversal_times(other.run))
+        if (std::ranges::find(turns, time) == turns.end())
+            return ProblemText{
+                fmt::format("the other run is reversed at {}, and the scene's own is not", time),
+                "the film stops where its own run is reversed: exchange the two runs"};
+    return std::nullopt;
+}
+
+// The film's times, words and callouts are those of the scene itself; what refers to particles is
+// the other's own.
+void take_shared(Scene& other, const Film& film) {
+    Film its = film;
+    its.panels = std::move(other.film.panels);
+    its.spotlights = std::move(other.film.spotlights);
+    its.camera = std::move(other.film.camera);
+    its.trails = std::move(other.film.trails);
+    its.callouts.clear();
+    its.beside.reset();
+    other.film = std::move(its);
+    other.captions.clear();
+}
+
+}  // namespace
+
+void keep_part(Node& root, const ScenePart& part) {
+    if (part.figure) keep_figure(root, *part.figure);
+    if (part.film != nullptr) take_film(root, part);
+}
+
+// Each such run is a scene of its own, in time and memory.
+void refuse_many_scenes(const Scene& scene) {
+    const FigureSpec* last = nullptr;
+    std::size_t runs = 0;
+    for (const FigureSpec& figure : scene.figures) {
+        runs += scenes_of(figure);
+        if (scenes_of(figure) > 0) last = &figure;
+    }
+    const std::size_t bytes = runs * read_bytes(scene.source);
+    if (bytes <= most_read_again.count()) return;
+    Diagnostic error = last->panel.place;
+    error.message = fmt::format(
+        "for {} runs that the figures compare or vary, the scene and its template of {} bytes are "
+        "read as often: {} bytes",
+        runs, read_bytes(scene.source), bytes);
+    error.hint = to_text(most_read_again);
+    throw SceneError({std::move(error)});
+}
+
+// Of all figures; their mistakes are reported together.
+void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompared& reload) {
+    std::vector<Diagnostic> errors;
+    for (FigureSpec& figure : scene.figures)
+        for (ComparedRun& run : figure.compare) try {
+                run.scene = std::make_shared<Scene>(compared_scene(figure, run, overrides, reload));
+            } catch (const SceneError& error) {
+                errors.insert(errors.end(), error.diagnostics().begin(), error.diagnostics().end());
+            }
+    if (!errors.empty()) throw SceneError(std::move(errors));
+}
+
+// Loads the run beside the film's, as `reload` makes it of a part and overrides; the film's times,
+// words and callouts are those of the scene itself.
+void load_beside(Scene& scene, const Node& root, const Overrides& overrides,
+                 const ReloadBeside& reload) {
+    if (!scene.film.beside) return;
+    Beside& beside = *scene.film.beside;
+    const Node &film = *find(root, "film"), &run = *find(root, "run");
+    const Node* file = find(*find(film, "beside"), "scene");
+    Overrides changes = file == nullptr ? overrides : Overrides{};
+    changes.insert(changes.end(), beside.values.begin(), beside.values.end());
+    std::optional<Scene> other;
+    Diagnostic error = beside.place;
+    try {
+        other =
+            reload(file != nullptr ? file->text : "",
+                   ScenePart{.figure = "", .film = &film, .until = find(run, "until")}, changes);
+    } catch (const SceneError& refused) {
+        if (file != nullptr) throw;
+        const Diagnostic& first = refused.diagnostics().front();
+        error.message = "with this change the scene is not valid: " + first.message;
+        error.hint = first.hint;
+        throw SceneError({std::move(error)});
+    }
+    if (const auto problem = problem_beside(scene, *other)) {
+        error.message = problem->message;
+        error.hint = problem->hint;
+        throw SceneError({std::move(error)});
+    }
+    if (file != nullptr) scene.source.files[other->source.path] = other->source.text;
+    scene.source.files.insert(other->source.files.begin(), other->source.files.end());
+    take_shared(*other, scene.film);
+    beside.scene = std::make_shared<Scene>(std::move(*other));
+}
+
+}  // namespace carom

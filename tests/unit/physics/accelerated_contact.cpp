@@ -86,6 +86,16 @@ TEST_CASE("simple contacts of a falling point are exact") {
     CHECK(fall(-1.0, 2.0, 0.5) == relative(2.0 - std::sqrt(3.0), 1e-14));
 }
 
+TEST_CASE("an acceleration whose square is no number more changes nothing, and ends") {
+    const double flight =
+        accelerated_contact_time<double>({4.0, 0.0, -2.0, 0.0, 1e-300, 0.0}, 1.0, 0.0);
+    CHECK(flight == relative(1.5, 1e-14));
+    CHECK(accelerated_contact_time<double>({4.0, 0.0, 2.0, 0.0, 1e-300, 0.0}, 1.0, 0.0) ==
+          never<double>);
+    CHECK(accelerated_contact_time<double>({4.0, 3.0, -2.0, 0.0, 1e-300, 0.0}, 1.0, 0.0) ==
+          never<double>);
+}
+
 // In one case of four the distance comes so near to that of contact, from either side, that a
 // contact is short, or there is none; in one of five the point begins at rest.
 TEST_CASE("the first contact of a falling point is found, and none that is not there") {

@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include "util/diagnostics.h"
+#include "util/files/scratch_file.h"
 #include "util/pending/temporary.h"
 
 namespace carom {
@@ -17,14 +17,13 @@ namespace carom {
 namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder() {
-    const char* const asked = std::getenv("TMPDIR");
-    const bool is_asked = asked != nullptr && *asked != '\0';
-    const fs::path folder = is_asked ? asked : "/tmp";
+    const auto asked = asked_folder_for_scratch();
+    const fs::path folder = asked.value_or("/tmp");
     std::error_code error;
     if (!fs::is_directory(folder, error)) {
         if (!error) error = std::make_error_code(std::errc::not_a_directory);
         throw SystemError(fmt::format("cannot write to the folder for temporary files{}: {}",
-                                      is_asked ? fmt::format(" (TMPDIR is {})", asked) : "",
+                                      asked ? fmt::format(" (TMPDIR is {})", asked->string()) : "",
                                       error.message()));
     }
     std::string name = (folder / "carom.XXXXXX").string();

@@ -11,6 +11,7 @@
 #include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "scene/describe.h"
+#include "scene/yaml/scalar.h"
 #include "util/formula/formula.h"
 #include "util/text.h"
 
@@ -208,9 +209,8 @@ std::string words_of_key(Language language, const std::string& key, const Gas& g
 
 std::string words_of_value(Language language, const std::string& key, const std::string& value,
                            const Gas& gas) {
-    const bool is_number = value.find_first_not_of("+-.0123456789eE") == std::string::npos;
     return words_of_key(language, key, gas) + " " +
-           (is_number ? localised(language, value) : value);
+           (parse_number(value) ? localised(language, value) : value);
 }
 
 FigureWords words_of(const FigureRun& run, const Figure& figure) {

@@ -121,7 +121,6 @@ void keep_part(Node& root, const ScenePart& part) {
     if (part.film != nullptr) take_film(root, part);
 }
 
-// Each such run is a scene of its own, in time and memory.
 void refuse_many_scenes(const Scene& scene) {
     const FigureSpec* last = nullptr;
     std::size_t runs = 0;
@@ -140,7 +139,6 @@ void refuse_many_scenes(const Scene& scene) {
     throw SceneError({std::move(error)});
 }
 
-// Of all figures; their mistakes are reported together.
 void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompared& reload) {
     std::vector<Diagnostic> errors;
     for (FigureSpec& figure : scene.figures)
@@ -152,8 +150,6 @@ void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompare
     if (!errors.empty()) throw SceneError(std::move(errors));
 }
 
-// Loads the run beside the film's, as `reload` makes it of a part and overrides; the film's times,
-// words and callouts are those of the scene itself.
 void load_beside(Scene& scene, const Node& root, const Overrides& overrides,
                  const ReloadBeside& reload) {
     if (!scene.film.beside) return;

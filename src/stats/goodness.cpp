@@ -54,7 +54,8 @@ Below below(const EquilibriumGas& gas, TestedQuantity quantity, double edge) {
 
 Expected pooled(const Expected& expected, std::vector<double>& observed) {
     Expected some;
-    some.conserved.resize(expected.conserved.size());
+    some.conserved = expected.conserved;
+    for (Conserved& one : some.conserved) one.moment.clear();
     std::vector<double> counts;
     bool opens = true;
     for (std::size_t k = 0; k < expected.count.size(); ++k) {
@@ -78,10 +79,6 @@ Expected pooled(const Expected& expected, std::vector<double>& observed) {
         join(some.count);
         join(counts);
         for (Conserved& one : some.conserved) join(one.moment);
-    }
-    for (std::size_t c = 0; c < some.conserved.size(); ++c) {
-        some.conserved[c].share = expected.conserved[c].share;
-        some.conserved[c].values = expected.conserved[c].values;
     }
     observed = std::move(counts);
     return some;

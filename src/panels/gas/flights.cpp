@@ -7,9 +7,8 @@ namespace carom {
 
 Flights::Flights(const Box& box, const Run& run, Eigen::Index axis,
                  std::vector<Eigen::Index> particles)
-    : axis_(axis),
-      period_(box.is_periodic(axis) ? box.size[axis] : 0.0),
-      acceleration_(box.surfaces.gravity[axis]),
+    : box_(box),
+      axis_(axis),
       particles_(std::move(particles)),
       paths_(box, velocity_changes(run)),
       pieces_(particles_.size()) {}
@@ -20,7 +19,7 @@ bool Flights::ends_in_corner(const Pieces& pieces, Eigen::Index particle,
     const PathPiece& last = pieces.back();
     const double reached = last.velocity_after(last.span())[axis_];
     constexpr double rounding = 1e-9;
-    const double gained = std::abs(acceleration_) * last.span();
+    const double gained = std::abs(box_.surfaces.gravity[axis_]) * last.span();
     return last.ended_by != nullptr || std::abs(sample.velocity(particle, axis_) - reached) >
                                            rounding * (std::abs(reached) + gained);
 }
@@ -30,9 +29,8 @@ void Flights::turn(Corner& corner, const FrameInput& input) const {
     for (std::size_t k = 0; k < particles_.size(); ++k) {
         const auto piece = std::ranges::find_if(
             pieces_[k], [&](const PathPiece& one) { return one.to >= corner.time; });
-        const double span = corner.time - piece->from, place = piece->place_after(span)[axis_];
-        corner.place.push_back(period_ > 0.0 ? place - period_ * std::floor(place / period_)
-                                             : place);
+        const double span = corner.time - piece->from;
+        corner.place.push_back(box_.wrapped(axis_, piece->place_after(span)[axis_]));
         corner.before.push_back(piece->velocity_after(span)[axis_]);
         corner.after.push_back(corner.before.back());
         if (piece->to > corner.time) continue;

@@ -30,9 +30,8 @@ class Flights {
     void turn(Corner& corner, const FrameInput& input) const;
     bool ends_in_corner(const Pieces& pieces, Eigen::Index particle, const Sample& sample) const;
 
+    Box box_;
     Eigen::Index axis_;
-    double period_;        ///< length; 0 between walls
-    double acceleration_;  ///< of gravity
     std::vector<Eigen::Index> particles_;
     Paths paths_;
     std::vector<Pieces> pieces_;  ///< of each particle, since the frame before

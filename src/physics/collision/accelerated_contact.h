@@ -49,7 +49,7 @@ Scalar bracketed_root(Scalar low, Scalar high, int steps, const Function& value_
     return low;
 }
 
-/// The roots after 0 of a + b t + c t^2 with c > 0, in ascending order.
+/// The roots after 0 of a + b t + c t^2 with c >= 0, in ascending order.
 template <typename Scalar>
 struct PositiveRoots {
     std::array<Scalar, 2> root{};
@@ -100,19 +100,13 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
     bool falls = falls_at_first && !touches;  // the distance, from `start` to the next root of h
     Scalar start = zero, low = zero;
     for (int piece = 0; piece <= turns.count; ++piece) {
-        Scalar high = low, from = low;
+        Scalar high = low;
         if (piece < turns.count) {
             high = turns.root[static_cast<std::size_t>(piece)];
         } else {  // h grows without end
             Scalar step = sqrt((m.x * m.x + m.y * m.y) / aa) + abs(va) / aa;
-            if (!(step > 0)) step = zero + 1.0;
-            // An acceleration that changes next to nothing: about the time without it.
-            constexpr double far = 1e12;
-            const Scalar straight = bend > 0 ? Scalar(abs(now) / bend) : zero;
-            if (!(step < far * straight) && straight > 0) step = straight;
-            if (!(step < never<double>)) step = zero + 1.0;
+            if (!(step > 0 && step < never<double>)) step = zero + 1.0;  // the square underflows
             for (; !(approach(high) > 0); step = 2 * step) {
-                from = high;
                 high = high + step;
                 if (!(high < never<double>)) return zero + never<double>;
             }
@@ -121,7 +115,7 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
         if (falls_at_end != falls) {
             const bool falls_at_low = piece == 0 ? falls_at_first : approach(low) < 0;
             const bool turns_here = falls != falls_at_low;
-            Scalar turn = turns_here ? low : bracketed_root(from, high, steps, approach_and_slope);
+            Scalar turn = turns_here ? low : bracketed_root(low, high, steps, approach_and_slope);
             if (falls && !(gap(turn) > 0) && !(is_inside && (start == zero || !(gap(start) > 0))))
                 return gap(start) > 0 ? bracketed_root(start, turn, steps, gap_and_slope) : start;
             start = std::move(turn);

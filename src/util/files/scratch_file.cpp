@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 
 // /tmp may be memory; /var/tmp is on a disk.
 fs::path folder_for_scratch() {
-    const char* const asked = std::getenv("TMPDIR");
-    if (asked != nullptr && *asked != '\0') return asked;
+    if (const auto asked = asked_folder_for_scratch()) return *asked;
     return access("/var/tmp", W_OK) == 0 ? "/var/tmp" : "/tmp";
 }
 
@@ -34,6 +33,12 @@ std::int64_t half_of_free(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::optional<fs::path> asked_folder_for_scratch() {
+    const char* const asked = std::getenv("TMPDIR");
+    if (asked == nullptr || *asked == '\0') return std::nullopt;
+    return asked;
+}
 
 ScratchFile::ScratchFile(std::int64_t most) : most_(std::min(most, room())) {
     if (most_ <= 0) return;

@@ -4,10 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 
 namespace carom {
+
+/// $TMPDIR, where it is set and not empty.
+std::optional<std::filesystem::path> asked_folder_for_scratch();
 
 class ScratchFile {
   public:

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 
 #include "stats/histogram.h"
@@ -50,17 +51,69 @@ Eigen::ArrayXd values(const Draw& draw, double mass, const Eigen::ArrayXXd& v) {
     return some.col(0);
 }
 
-double p_of(const Draw& draw, double mass, Random& random) {
-    const Histogram found =
-        histogram(values(draw, mass, velocities(draw, mass, random)), draw.bins);
-    std::vector<double> observed{double(found.below)}, edges;
-    for (const std::int64_t count : found.counts) observed.push_back(double(count));
-    observed.push_back(double(found.above));
-    for (int i = 0; i <= draw.bins.count; ++i) edges.push_back(draw.bins.edge(i));
-    return pearson(observed, expected_counts(gas_of(draw, mass), draw.quantity, edges, draw.chosen,
-                                             draw.both ? 2.0 : 1.0))
+std::vector<double> edges_of(const Bins& bins) {
+    std::vector<double> edges;
+    for (int i = 0; i <= bins.count; ++i) edges.push_back(bins.edge(i));
+    return edges;
+}
+
+std::vector<double> counts_of(const Histogram& found) {
+    std::vector<double> counts{double(found.below)};
+    for (const std::int64_t count : found.counts) counts.push_back(double(count));
+    counts.push_back(double(found.above));
+    return counts;
+}
+
+std::vector<double> observed_in(const Draw& draw, double mass, const Eigen::ArrayXXd& v) {
+    return counts_of(histogram(values(draw, mass, v), draw.bins));
+}
+
+Expected expected_of(const Draw& draw, const EquilibriumGas& gas) {
+    return expected_counts(gas, draw.quantity, edges_of(draw.bins), draw.chosen,
+                           draw.both ? 2.0 : 1.0);
+}
+
+constexpr double mass = 3.0;
+
+double p_of(const Draw& draw, Random& random) {
+    return pearson(observed_in(draw, mass, velocities(draw, mass, random)),
+                   expected_of(draw, gas_of(draw, mass)))
         .value()
         .p;
+}
+
+// Of runs whose energies differ, as those of several seeds: drawn by Boltzmann's distribution at
+// the temperature of 1.
+double p_of_runs(const Draw& draw, int runs, Random& random) {
+    std::vector<double> observed(static_cast<std::size_t>(draw.bins.count) + 2);
+    std::vector<Expected> expected;
+    for (int run = 0; run < runs; ++run) {
+        EquilibriumGas gas = gas_of(draw, mass);
+        double energy = 0.0;
+        for (int i = 0; i < draw.dimension * draw.particles; ++i) {
+            const double one = random.normal();
+            energy += 0.5 * one * one;
+        }
+        const Eigen::ArrayXXd v = velocities(draw, mass, random) * std::sqrt(energy / gas.energy);
+        gas.energy = energy;
+        const std::vector<double> found = observed_in(draw, mass, v);
+        for (std::size_t k = 0; k < found.size(); ++k) observed[k] += found[k];
+        expected.push_back(expected_of(draw, gas));
+    }
+    return pearson(observed, together(expected)).value().p;
+}
+
+// By 3000 values of p of each draw; `alpha`: that one of them all fails by chance.
+void check_spread_of_p(const std::vector<Draw>& draws, std::uint64_t seed, const std::string& name,
+                       const std::function<double(const Draw&, Random&)>& p_of) {
+    constexpr double alpha = 1e-3;
+    for (std::size_t k = 0; k < draws.size(); ++k) {
+        CAPTURE(k);
+        Random random(seed, name + " " + std::to_string(k));
+        std::vector<double> found;
+        for (int i = 0; i < 3000; ++i) found.push_back(p_of(draws[k], random));
+        CHECK(test::chance(found, [](double p) { return p; }) > alpha / double(draws.size()));
+    }
 }
 
 }  // namespace
@@ -158,42 +211,7 @@ TEST_CASE("p is spread evenly over gases in equilibrium") {
         {2, 300, 150, false, TestedQuantity::speed, false, {0, 4, 8}},
         {1, 400, 400, true, TestedQuantity::speed, false, {0, 2, 4}},
     };
-    constexpr double alpha = 1e-3;
-    for (std::size_t k = 0; k < draws.size(); ++k) {
-        CAPTURE(k);
-        Random random(7, "p of draw " + std::to_string(k));
-        std::vector<double> found;
-        for (int i = 0; i < 3000; ++i) found.push_back(p_of(draws[k], 3.0, random));
-        CHECK(test::chance(found, [](double p) { return p; }) > alpha / double(draws.size()));
-    }
-}
-
-// Runs of the same draw whose energies differ, as those of several seeds.
-double p_of_runs(const Draw& draw, int runs, Random& random) {
-    constexpr double mass = 3.0;
-    std::vector<double> edges, observed(static_cast<std::size_t>(draw.bins.count) + 2);
-    for (int i = 0; i <= draw.bins.count; ++i) edges.push_back(draw.bins.edge(i));
-    std::vector<Expected> expected;
-    for (int run = 0; run < runs; ++run) {
-        Eigen::ArrayXXd v = velocities(draw, mass, random);
-        EquilibriumGas gas = gas_of(draw, mass);
-        // Of Boltzmann's distribution at the temperature of 1.
-        double energy = 0.0;
-        for (int i = 0; i < draw.dimension * draw.particles; ++i) {
-            const double one = random.normal();
-            energy += 0.5 * one * one;
-        }
-        v *= std::sqrt(energy / gas.energy);
-        gas.energy = energy;
-        const Histogram found = histogram(values(draw, mass, v), draw.bins);
-        observed.front() += double(found.below);
-        for (std::size_t k = 0; k < found.counts.size(); ++k)
-            observed[k + 1] += double(found.counts[k]);
-        observed.back() += double(found.above);
-        expected.push_back(
-            expected_counts(gas, draw.quantity, edges, draw.chosen, draw.both ? 2.0 : 1.0));
-    }
-    return pearson(observed, together(expected)).value().p;
+    check_spread_of_p(draws, 7, "p of draw", p_of);
 }
 
 TEST_CASE("p is spread evenly over runs of few particles with energies of their own") {
@@ -201,21 +219,16 @@ TEST_CASE("p is spread evenly over runs of few particles with energies of their 
         {2, 10, 10, false, TestedQuantity::speed, false, {0, 3, 12}},
         {1, 5, 5, false, TestedQuantity::velocity, false, {-2, 2, 8}},
     };
-    constexpr double alpha = 1e-3;
-    for (std::size_t k = 0; k < draws.size(); ++k) {
-        CAPTURE(k);
-        Random random(9, "p of runs of draw " + std::to_string(k));
-        std::vector<double> found;
-        for (int i = 0; i < 3000; ++i) found.push_back(p_of_runs(draws[k], 60, random));
-        CHECK(test::chance(found, [](double p) { return p; }) > alpha / double(draws.size()));
-    }
+    constexpr int runs = 60;
+    check_spread_of_p(draws, 9, "p of runs of draw", [](const Draw& draw, Random& random) {
+        return p_of_runs(draw, runs, random);
+    });
 }
 
 TEST_CASE("runs of one distribution together are tested as one of as many values") {
     const Draw draw{2, 300, 300, true, TestedQuantity::velocity, true, {-3, 3, 6}};
-    std::vector<double> edges, observed;
-    for (int i = 0; i <= draw.bins.count; ++i) edges.push_back(draw.bins.edge(i));
-    const Expected one = expected_counts(gas_of(draw, 3.0), draw.quantity, edges, 300, 2.0);
+    std::vector<double> observed;
+    const Expected one = expected_of(draw, gas_of(draw, mass));
     Expected three = one;
     for (double& count : three.count) count *= 3.0;
     for (Conserved& sum : three.conserved) {
@@ -236,12 +249,9 @@ TEST_CASE("without what is conserved p would not be spread evenly") {
     const Draw draw{1, 400, 400, true, TestedQuantity::velocity, false, {-3, 3, 6}};
     std::vector<double> found;
     for (int i = 0; i < 3000; ++i) {
-        const Histogram h = histogram(values(draw, 3.0, velocities(draw, 3.0, random)), draw.bins);
-        std::vector<double> observed{double(h.below)}, edges;
-        for (const std::int64_t count : h.counts) observed.push_back(double(count));
-        observed.push_back(double(h.above));
-        for (int e = 0; e <= draw.bins.count; ++e) edges.push_back(draw.bins.edge(e));
-        Expected expected = expected_counts(gas_of(draw, 3.0), draw.quantity, edges, 400, 1);
+        const std::vector<double> observed =
+            observed_in(draw, mass, velocities(draw, mass, random));
+        Expected expected = expected_of(draw, gas_of(draw, mass));
         expected.conserved.clear();
         found.push_back(pearson(observed, expected).value().p);
     }

@@ -44,14 +44,18 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
     std::array<int, 2> low{}, high{};
     for (int a = 0; a < 2; ++a) {
         const auto s = static_cast<std::size_t>(a);
-        const bool periodic = box_.is_periodic(s);
-        low[s] = static_cast<int>(std::floor((centre[a] - radius) / cell_size_[a]));
-        high[s] = static_cast<int>(std::floor((centre[a] + radius) / cell_size_[a]));
-        if (!periodic) {
-            low[s] = std::clamp(low[s], 0, cells_[a] - 1);
-            high[s] = std::clamp(high[s], 0, cells_[a] - 1);
+        const int last = cells_[a] - 1;
+        double first = std::floor((centre[a] - radius) / cell_size_[a]);
+        double final = std::floor((centre[a] + radius) / cell_size_[a]);
+        if (!box_.is_periodic(s)) {
+            first = std::clamp(first, 0.0, double(last));
+            final = std::clamp(final, 0.0, double(last));
+        } else if (final - first >= last) {  // all of them, each once
+            first = 0.0;
+            final = last;
         }
-        high[s] = std::min(high[s], low[s] + cells_[a] - 1);
+        low[s] = static_cast<int>(first);
+        high[s] = static_cast<int>(final);
     }
     for (int y = low[1]; y <= high[1]; ++y)
         for (int x = low[0]; x <= high[0]; ++x) f(list_of(x, y));

@@ -58,6 +58,20 @@ TEST_CASE("overlaps are found in boxes of any size, where disks are close togeth
         }
 }
 
+TEST_CASE("a disk much larger than a periodic box overlaps all others") {
+    for (const Wall wall : {Wall::periodic, Wall::solid}) {
+        Box box;
+        box.size = {10.0, 10.0};
+        box.walls = {wall, Wall::periodic};
+        PlacedDisks placed(box, Eigen::ArrayXd::Constant(20, 0.1));
+        placed.add(7, {5.0, 5.0}, 0.1);
+        for (const double radius : {6.0, 1e10, 1e200}) {  // beyond the integers too
+            CAPTURE(radius);
+            CHECK(placed.overlapped({1.0, 1.0}, radius) == 7);
+        }
+    }
+}
+
 TEST_CASE("disks in one corner of a huge box are compared with those beside them only") {
     constexpr std::int32_t count = 20'000;
     for (const bool in_a_row : {true, false}) {

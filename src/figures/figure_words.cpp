@@ -160,13 +160,17 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
     if (figure.spec->panel.kind == "sweep") return account;
     const std::string kind = kind_words(scene, *figure.spec);
     if (figure.spec->panel.given) return fmt::format("{} {}", sentence(kind), account);
-    const std::string what = kind_and_time(scene, *figure.spec);
+    const Language language = scene.film.language;
+    const bool is_mean = figure.spec->panel.seeds > 1;
+    std::string what = kind_and_time(scene, *figure.spec);
+    if (is_mean)
+        what = say(language, "{}, mean of {} independent runs", what, figure.spec->panel.seeds);
     if (!account.empty()) return what + ". " + account;
     const auto first = std::ranges::find_if(run.figures(), [](const Figure& one) {
         return one.sides.empty() && account_of(one).empty();
     });
     if (&*first == &figure) return what + ". " + scene.description;
-    const Language language = scene.film.language;
+    if (is_mean) return say(language, "{} of “{}”.", what, scene.title);
     return say(language, "{} of “{}”, {}.", what, scene.title,
                counted(language, figure.moments.back().collisions.particle,
                        Phrase{"after {} collision"}, Phrase{"after {} collisions"}));

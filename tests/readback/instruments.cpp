@@ -74,6 +74,24 @@ std::vector<Tick> level_ticks(const DrawnFigure& figure, double from, double to)
     return ticks;
 }
 
+// The bar right of a column, of a mean: its ends are a standard error from it.
+Problems error_bar_problems(const DrawnFigure& figure, const Edges& column, const LinearMap& up,
+                            const Row& row) {
+    constexpr double beside = 25.0;  // pixels
+    const double value = number(row, "value"), error = number(row, "standard error");
+    for (const Shape& shape : figure.picture.shapes) {
+        const std::vector<Spot> ends = shape.is_stroke ? shape.corners() : std::vector<Spot>{};
+        if (ends.size() != 2 || ends[0].x != ends[1].x || ends[0].x < column.right ||
+            ends[0].x > column.right + beside)
+            continue;
+        const double low = std::max(ends[0].y, ends[1].y) - up(value - error);
+        const double high = std::min(ends[0].y, ends[1].y) - up(value + error);
+        if (std::abs(low) <= half_a_pixel && std::abs(high) <= half_a_pixel) return {};
+        return {off_by("the bar of an error", std::max(std::abs(low), std::abs(high)))};
+    }
+    return {"a mean without a bar"};
+}
+
 }  // namespace
 
 Problems thermometer_problems(const DrawnFigure& figure) {
@@ -97,6 +115,9 @@ Problems thermometer_problems(const DrawnFigure& figure) {
         const double off = columns[k].top - up(number(rows[k], "value"));
         if (!(std::abs(off) <= half_a_pixel))
             problems.push_back(off_by("the column of " + rows[k].at("of"), off));
+        if (rows[k].contains("standard error"))
+            for (std::string& problem : error_bar_problems(figure, columns[k], up, rows[k]))
+                problems.push_back(std::move(problem));
         left = columns[k].right;
     }
     return problems;
@@ -143,6 +164,31 @@ std::vector<Tick> ticks_around(const DrawnFigure& figure, Spot middle, double ra
     return ticks;
 }
 
+// The arc between ticks and rim, of a mean: its ends are a standard error from it.
+Problems error_arc_problems(const DrawnFigure& figure, Spot hub, double length,
+                            const LinearMap& around, const Row& row) {
+    constexpr double inner = 1.05, outer = 1.14;  // lengths of the needle
+    const double value = number(row, "value"), error = number(row, "standard error");
+    for (const Shape& shape : figure.picture.shapes) {
+        const std::vector<Spot> corners = shape.is_stroke ? shape.corners() : std::vector<Spot>{};
+        if (corners.size() < 10 || !std::ranges::all_of(corners, [&](Spot corner) {
+                const double apart = distance(corner, hub) / length;
+                return apart > inner && apart < outer;
+            }))
+            continue;
+        double most = 0.0;
+        for (const auto& [end, wanted] : {std::pair{corners.front(), value - error},
+                                          std::pair{corners.back(), value + error}}) {
+            const double turned = angle_of(hub, end) - around(wanted);
+            most =
+                std::max(most, length * std::abs(std::remainder(turned, 2.0 * std::numbers::pi)));
+        }
+        if (most <= half_a_pixel) return {};
+        return {off_by("the arc of an error", most)};
+    }
+    return {"a mean without an arc"};
+}
+
 }  // namespace
 
 Problems needle_problems(const DrawnFigure& figure) {
@@ -166,6 +212,9 @@ Problems needle_problems(const DrawnFigure& figure) {
         const double off = length * std::remainder(turned, 2.0 * std::numbers::pi);
         if (!(std::abs(off) <= half_a_pixel))
             problems.push_back(off_by("the needle of " + row.at("of"), off));
+        if (!row.contains("standard error")) continue;
+        for (std::string& problem : error_arc_problems(figure, hub.middle, length, around, row))
+            problems.push_back(std::move(problem));
     }
     if (needles != figure.table.size() || needles == 0)
         problems.push_back("not as many needles as numbers");

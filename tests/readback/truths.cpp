@@ -163,3 +163,20 @@ TEST_CASE("bars of errors reach as far as the table says") {
     }
     CHECK(plot_problems(figure, columns).size() == 3);
 }
+
+TEST_CASE("bars beside thermometers and arcs on gauges reach as far as the table's errors") {
+    using Check = Problems (*)(const DrawnFigure&);
+    const std::map<std::string, Check> checks{{"warm", thermometer_problems},
+                                              {"pressed", needle_problems}};
+    for (const auto& [name, problems_of] : checks) {
+        CAPTURE(name);
+        DrawnFigure figure = drawn(name);
+        check_none(problems_of(figure));
+        REQUIRE(!figure.table.empty());
+        for (Row& row : figure.table) {
+            std::string& error = row.at("standard error");
+            error = std::to_string(0.5 * std::stod(error));
+        }
+        CHECK(problems_of(figure).size() == figure.table.size());
+    }
+}

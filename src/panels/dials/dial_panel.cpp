@@ -140,8 +140,14 @@ void DialPanel::survey(const FrameInput& input) {
 
 void DialPanel::make_axes() {
     std::vector<std::vector<double>> all;
-    for (const DialRun& run : record_.runs)
+    for (const DialRun& run : record_.runs) {
         all.insert(all.end(), run.lines.begin(), run.lines.end());
+        for (std::size_t i = 0; i < run.errors.size(); ++i) {
+            std::vector<double>& ends = all.emplace_back(run.lines[i]);
+            for (std::size_t frame = 0; frame < ends.size(); ++frame)
+                ends[frame] += run.errors[i][frame];
+        }
+    }
     scale_ = scale_of_readings(all);
     if (!subject_.counts) return;
     for (const std::vector<double>& line : all)
@@ -200,6 +206,12 @@ std::vector<DialPanel::Reading> DialPanel::readings(const PanelState& state) con
             if (!run.errors.empty()) readings.back().error = at(run.errors[i], moment.said);
         }
     return readings;
+}
+
+std::optional<std::array<double, 2>> DialPanel::error_band(const Reading& reading) const {
+    const double error = reading.error.value_or(0.0);
+    if (!(error > 0.0)) return std::nullopt;
+    return std::array{scale_.share(reading.value - error), scale_.share(reading.value + error)};
 }
 
 // The mean of several runs' counts is none.
@@ -417,7 +429,7 @@ std::string DialPanel::account_of(const std::vector<Reading>& readings) const {
 std::string DialPanel::account(const PanelState& state) const {
     if (record_.compares()) return "";
     std::string words = account_of(readings(state));
-    if (const std::string why = note(); !why.empty()) words += " (" + why + ")";
+    if (!subject_.note.empty()) words += " (" + subject_.note + ")";
     return sentence(capitalised(words));
 }
 

@@ -2,6 +2,7 @@
 // numbers is given by the panel's own file, the look of a face by what derives from it.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -104,6 +105,10 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
 
     const PanelContext& context() const { return context_; }
     const DialScale& scale() const { return scale_; }
+
+    /// The part of the scale within a standard error of a mean, as shares of the scale; none of a
+    /// single run, and where no error is known.
+    std::optional<std::array<double, 2>> error_band(const Reading& reading) const;
 
     /// The width of the widest number in words, of all frames.
     double widest_number(const TextStyle& style) const;

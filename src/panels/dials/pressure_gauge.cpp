@@ -30,8 +30,10 @@ class GaugePanel : public DialPanel {
     void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
                     const Reading& reading) const override {
         const double value = std::isnan(reading.value) ? 0.0 : reading.value;
-        RoundDial(dc, face, gauge_shape)
-            .draw_needle(canvas, scale().share(value), plot::color_of(reading.line.role, dc.theme));
+        const Color color = plot::color_of(reading.line.role, dc.theme);
+        const RoundDial dial(dc, face, gauge_shape);
+        if (const auto band = error_band(reading)) dial.draw_band(canvas, *band, color);
+        dial.draw_needle(canvas, scale().share(value), color);
     }
 };
 

@@ -12,7 +12,8 @@ namespace {
 struct RoundDialSize {
     static constexpr double tick_outer = 0.93, long_tick = 0.15, short_tick = 0.08;
     static constexpr double needle_length = 0.86, needle_width = 0.055, hub = 0.1;
-    static constexpr double rim = 0.1, long_width = 0.12, short_width = 0.07;
+    static constexpr double rim = 0.1, band = 0.965, band_width = 0.2, long_width = 0.12,
+                            short_width = 0.07;
     static constexpr int steps_between = 5;  // short ticks divide the distance of long ones by this
 };
 
@@ -109,6 +110,14 @@ void RoundDial::draw_face(Canvas& canvas, const DialScale& scale, Language langu
         const Rect rect = rect_of(mark, scale);
         draw_text(canvas, {rect.x + 0.5 * rect.width, rect.bottom()}, mark.label, style);
     }
+}
+
+void RoundDial::draw_band(Canvas& canvas, const std::array<double, 2>& shares, Color color) const {
+    constexpr int steps = 60;
+    std::vector<Point> arc;
+    for (int i = 0; i <= steps; ++i)
+        arc.push_back(at(shares[0] + (shares[1] - shares[0]) * i / steps, RoundDialSize::band));
+    canvas.stroke_path(arc, RoundDialSize::band_width * dc_.unit, edge_of(color, dc_.theme));
 }
 
 void RoundDial::draw_needle(Canvas& canvas, double share, Color color) const {

@@ -1,6 +1,7 @@
 // A round dial with ticks, numbers and a needle: values from its start to its end clockwise.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ class RoundDial {
 
     /// Plate, ticks and numbers of a scale.
     void draw_face(Canvas& canvas, const DialScale& scale, Language language) const;
+
+    /// An arc outside of the ticks, between two shares of the scale.
+    void draw_band(Canvas& canvas, const std::array<double, 2>& shares, Color color) const;
 
     /// The needle at a share of the scale.
     void draw_needle(Canvas& canvas, double share, Color color) const;

@@ -22,7 +22,8 @@ namespace {
 struct ThermometerSize {
     static constexpr double tube = 0.5, bulb = 0.85, tick_gap = 0.3, tick = 0.45, line_width = 0.09;
     static constexpr double width = 5.8, numbers = 4.1;  // of all, and left of the glass
-    static constexpr double least_height = 5.5;          // with two ticks
+    static constexpr double error_gap = 0.5, error_half_end = 0.2, error_width = 0.14;
+    static constexpr double least_height = 5.5;  // with two ticks
 };
 
 class ThermometerPanel : public DialPanel {
@@ -45,6 +46,8 @@ class ThermometerPanel : public DialPanel {
         Scale scale;
     };
     Glass glass(const DrawContext& dc, const Rect& face) const;
+    static void draw_error(Canvas& canvas, const DrawContext& dc, const Glass& glass,
+                           const std::array<double, 2>& band, Color color);
 };
 
 ThermometerPanel::Glass ThermometerPanel::glass(const DrawContext& dc, const Rect& face) const {
@@ -112,6 +115,21 @@ void ThermometerPanel::draw_value(Canvas& canvas, const DrawContext& dc, const R
     canvas.fill(
         {glass.x - glass.tube + inner, level, 2.0 * (glass.tube - inner), glass.middle.y - level},
         color);
+    if (const auto band = error_band(reading)) draw_error(canvas, dc, glass, *band, color);
+}
+
+// A bar with ends, right of the glass.
+void ThermometerPanel::draw_error(Canvas& canvas, const DrawContext& dc, const Glass& glass,
+                                  const std::array<double, 2>& band, Color color) {
+    const double u = dc.unit, width = ThermometerSize::error_width * u;
+    const double x = glass.x + glass.tube + ThermometerSize::error_gap * u;
+    const double half = ThermometerSize::error_half_end * u;
+    std::array<double, 2> ends{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        ends[k] = glass.scale.from + band[k] * (glass.scale.to - glass.scale.from);
+        canvas.stroke_line({x - half, ends[k]}, {x + half, ends[k]}, width, color);
+    }
+    canvas.stroke_line({x, ends[0]}, {x, ends[1]}, width, color);
 }
 
 // Over the time that the panel looks back; of the moment where none has passed.

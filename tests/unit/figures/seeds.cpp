@@ -121,6 +121,24 @@ TEST_CASE("tables have the errors, captions say of how many runs") {
               .caption.find("mean of 3 independent runs of 60 disks each") != std::string::npos);
 }
 
+TEST_CASE("captions and alternative texts say once that a figure is a mean") {
+    const FigureRun run =
+        run_of(scene_of(bars + ", seeds: 3}\n  - {name: b, kind: entropy, at: 3, seeds: 3}\n"
+                               "  - {name: c, kind: thermometer, at: 3, seeds: 3}\n"));
+    const FigureWords histogram = words_of(run, run.figures()[0]),
+                      entropy = words_of(run, run.figures()[1]),
+                      dial = words_of(run, run.figures()[2]);
+    CHECK(histogram.alt.starts_with("Speed histogram at time 3, mean of 3 independent runs. "));
+    CHECK(entropy.alt == "Entropy at time 3, mean of 3 independent runs of “A gas”.");
+    CHECK(dial.alt.starts_with("Thermometer at time 3, mean of 3 independent runs. Temperature "));
+    for (const std::string& words : {dial.alt, dial.caption}) {
+        const std::size_t first = words.find("mean of 3");
+        REQUIRE(first != std::string::npos);
+        CHECK(words.find("mean of 3", first + 1) == std::string::npos);
+        CHECK(words.find(" ± ") != std::string::npos);
+    }
+}
+
 TEST_CASE("seeds do not change the other figures, and threads change nothing") {
     const std::string other = "  - {name: z, kind: energy-histogram}\n";
     const std::string both = bars + ", seeds: 6, fit: true}\n" + other;

@@ -322,7 +322,7 @@ TEST_CASE("dials of several runs stand side by side, and of several seeds there 
     CHECK(mean.error == 3.0);
     CHECK(first.dial().number(mean.value, mean.error) == "5.0 ± 3.0");
     CHECK(first.dial().account(*first.states.back()) ==
-          "Temperature 5.0 ± 3.0 (mean of 2 runs ± standard error; mean over the last 0.2).");
+          "Temperature 5.0 ± 3.0 (mean over the last 0.2).");
     const Table table = first.dial().table(*first.states.back(), theme(ThemeKind::light));
     CHECK(table.columns[3] == "standard error");
     CHECK(std::get<double>(table.rows.at(0)[3]) == 3.0);

@@ -226,10 +226,10 @@ struct Simulation::Implementation {
         if (!is_done)
             throw RunEventError(
                 event,
-                fmt::format("heat cannot be taken at time {:g}: the particles do not have "
-                            "so much, or stand still",
+                fmt::format("`heat` fails at time {:g}: the particles stand still, or have less "
+                            "than it takes",
                             present.time),
-                "take less, or take it later");
+                "take less, or heat particles that move");
     }
 
     std::vector<SurfaceState> surfaces() const {

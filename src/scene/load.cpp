@@ -43,7 +43,7 @@ void refuse_newer_format(const Node& root) {
     errors.add(*version,
                fmt::format("the scene is written for format {}, this carom reads format {}",
                            version->text, scene_format),
-               "a newer carom reads it");
+               "install a newer carom");
     errors.throw_if_any();
 }
 

@@ -96,7 +96,7 @@ std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other
         if (std::ranges::find(turns, time) == turns.end())
             return ProblemText{
                 fmt::format("the other run is reversed at {}, and the scene's own is not", time),
-                "the film stops where its own run is reversed: exchange the two runs"};
+                "reverse the scene's own run then too, or exchange the two runs"};
     return std::nullopt;
 }
 

@@ -166,8 +166,7 @@ void check_sweep(const Sweep& sweep) {
                          to_text(largest_seed));
     std::set<std::string> keys;
     for (const SweepAxis& axis : sweep.axes) {
-        if (axis.key == "seed")
-            throw SweepError("seed is no key to vary", "give the seeds by themselves");
+        if (axis.key == "seed") throw SweepError("`seed` cannot be varied", "use `seeds` instead");
         if (axis.values.empty()) throw SweepError(fmt::format("{} has no values", axis.key));
         if (!keys.insert(axis.key).second)
             throw SweepError(fmt::format("{} is varied twice", axis.key));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "scene/limits.h"
+#include "scene/yaml/scalar.h"
 
 namespace carom {
 namespace {
@@ -20,7 +21,10 @@ Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& c
     Diagnostic diagnostic = figure.panel.place;
     diagnostic.message =
         fmt::format("with {} the scene is not valid: {}", fmt::join(changes, ", "), first.message);
-    diagnostic.hint = first.hint.empty() ? range_hint : first.hint;
+    const bool is_number = std::ranges::all_of(changes, [](const std::string& change) {
+        return parse_number(change.substr(change.find('=') + 1)).has_value();
+    });
+    diagnostic.hint = first.hint.empty() && !is_number ? range_hint : first.hint;
     return diagnostic;
 }
 

@@ -349,8 +349,8 @@ TEST_CASE("carom check tells the mistakes of a set, of its scenes and of its pag
         CHECK(has(outcome.out, "set.yaml: not valid, 1 error\n"));
         return outcome.err;
     };
-    CHECK(
-        has(message("scenes: [one.yaml, two.yaml]\n"), "two.yaml:7:30: error: the run ends at 10"));
+    CHECK(has(message("scenes: [one.yaml, two.yaml]\n"),
+              "two.yaml:7:30: error: expected a time from 0 to 10"));
     CHECK(has(message("scenes: [one.yaml, same.yaml]\n"), "both have a figure `a`"));
     CHECK(has(message("scenes: [one.yaml]\ntemplate: page.html\n"),
               "`titel` is no placeholder of a page"));

@@ -153,7 +153,7 @@ TEST_CASE("a plan is made once, of several scenes each in its folder, and tells 
     CHECK(has(refusal("join missing"), "missing holds no plan (plan.json)"));
     CHECK(has(refusal("join " + a + " --csv runs.csv"), "--csv applies to the plan of a sweep"));
     CHECK(has(refusal("plan '" + scene + "' --chunks 2 --chunk-seconds 2 -o x"),
-              "exclude each other"));
+              "cannot be combined"));
     CHECK(has(refusal("plan '" + scene + "' --from 9 --to 3 -o x"), "expected an end after"));
     folder.write("mine/notes.txt", "mine");
     CHECK(has(refusal("plan '" + scene + "'" + small + " -o mine"), "is not a file of a plan"));

@@ -68,6 +68,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_field", several_places},        // a name against the gas
     {"film_field_share", several_places},  // `of` against `species`
     {"film_field_species", several_places},
+    {"film_pauses_paced", several_places},
     {"film_pauses", several_places},        // their sum against the film's length
     {"film_slow_between", several_places},  // spans against one another and the film's length
     {"film_slow_in", several_places},
@@ -78,6 +79,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_too_short", several_places},
     {"open_partition_leaves", several_places},  // a motion against the box
     {"open_piston", several_places},
+    {"open_piston_start", several_places},
     {"beside_missing", "the fault is in what lies beside the scene"},
     {"range_narrow", several_places},
     {"dials_closed", several_places},  // what lets particles through

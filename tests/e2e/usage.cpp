@@ -111,8 +111,8 @@ TEST_CASE("a value that a newcomer would write is told with the right one") {
         {"box: {size: [20, 15}\n" + gas("speed: 1"),
          "scene.yaml:2:13: error: not valid YAML: this `[` is not closed before the `}` of line 2, "
          "column 20"},
-        {box + gas("velocity: 0"), "hint: write [0, 0], or leave it out"},
-        {box + gas("velocity: 2"), "hint: for instance [2, 0]: one number for each direction"},
+        {box + gas("velocity: 0"), "hint: one number for each direction: [x, y]"},
+        {box + gas("velocity: 2"), "hint: one number for each direction: [x, y]"},
         {box + gas("speed: 5mm"), "quantities have no units in carom: write `5`"},
         {box + gas("speed: 2.5 m/s"), "quantities have no units in carom: write `2.5`"},
         {box + gas("speed: 1") + "film: {panels: [sped-histogram]}\n",
@@ -151,7 +151,7 @@ TEST_CASE("mistakes in what carom figure is asked for are shown at the option th
                     "--kind text: error: a panel of kind `text` needs `words`\n"
                     "      | --kind text\n      |        ^^^^\n"},
           {"sped", "--kind sped: error: expected one of"},
-          {"gas --at 1000", "--at 1000: error: the run ends at"},
+          {"gas --at 1000", "--at 1000: error: expected a time from 0 to "},
           {"gas --width 900cm", "      | --width 900cm\n      |         ^^^^^\n"},
           {"gas --width 8 --at [1", "--at: expected a number, found `[1`"},
           {"Speed-histogram", "--kind Speed-histogram: expected a name such as speed-histogram"},

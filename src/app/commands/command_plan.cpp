@@ -56,7 +56,7 @@ void refuse_options_of_scenes(const PlanArguments& arguments) {
 void list_chunks(const PlanArguments& arguments) {
     refuse_options_of_scenes(arguments);
     if (arguments.list && arguments.missing)
-        throw UsageError("--list and --missing exclude each other");
+        throw UsageError("--list and --missing cannot be combined");
     const PlanFolder plan(arguments.scenes.front());
     std::string text;
     if (arguments.missing)
@@ -121,7 +121,7 @@ void plan_seeds(const PlanArguments& arguments) {
                          .is_seed_of_scene = arguments.seeds.empty()};
     const auto is_seed = [](const std::string& change) { return change.starts_with("seed="); };
     if (!arguments.seeds.empty() && std::ranges::any_of(request.overrides, is_seed))
-        throw UsageError("--seeds and a value for `seed` exclude each other");
+        throw UsageError("--seeds and a value for `seed` cannot be combined");
     if (arguments.film.chunks > 0) request.chunks = arguments.film.chunks;
     const fs::path folder = folder_of_plan(arguments);
     Progress progress(Progress::fitting_form(arguments.quiet),

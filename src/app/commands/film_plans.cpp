@@ -56,7 +56,7 @@ void refuse_same_folders(const std::vector<std::string>& scenes) {
 
 FilmDivision division_of(const FilmPlanArguments& arguments) {
     if (arguments.chunks > 0 && arguments.chunk_seconds)
-        throw UsageError("--chunks and --chunk-seconds exclude each other");
+        throw UsageError("--chunks and --chunk-seconds cannot be combined");
     if (arguments.chunk_seconds && !(*arguments.chunk_seconds > 0.0))
         throw UsageError(
             fmt::format("--chunk-seconds {}: expected more than 0", *arguments.chunk_seconds));

@@ -24,8 +24,8 @@ Binding<PanelSpec> lags_key() {
 bool is_late(const Node* key, double time, Reading& reading) {
     const double until = reading.run.until;
     if (key == nullptr || time < until) return false;
-    reading.errors.add(*key, fmt::format("the run ends at {}", until),
-                       fmt::format("expected a time below {}", until));
+    reading.errors.add(*key, fmt::format("expected a time below {}", until),
+                       fmt::format("the run ends at {}", until));
     return true;
 }
 
@@ -33,8 +33,8 @@ void check_lags(const PanelSpec& panel, const Node& node, Reading& reading) {
     const Node* lags = given(node, "lags");
     const double span = reading.run.until - panel.from;
     if (lags == nullptr || *panel.lags <= span) return;
-    reading.errors.add(*lags, fmt::format("only a time of {} is measured", span),
-                       fmt::format("give at most {}, a small part of it for a good mean", span));
+    reading.errors.add(*lags, fmt::format("`lags` is longer than the measured time of {}", span),
+                       fmt::format("give at most {}, much less for a good mean", span));
 }
 
 }  // namespace
@@ -81,8 +81,8 @@ void check_displacements(PanelSpec& panel, const Node& node, Reading& reading) {
         check_lags(panel, node, reading);
         const double lags = usual_lags(panel, reading.run);
         if (fit_from != nullptr && *panel.fit_from >= lags)
-            reading.errors.add(*fit_from, fmt::format("times since a start go up to {}", lags),
-                               fmt::format("expected a time below {}", lags));
+            reading.errors.add(*fit_from, fmt::format("expected a time below {}", lags),
+                               fmt::format("times since a start go up to {}", lags));
         return;
     }
     if (const Node* lags = given(node, "lags"))
@@ -108,15 +108,14 @@ void check_pair_correlation(PanelSpec& panel, const Node& node, Reading& reading
     const Box& box = reading.gas.box;
     const Node& place = node.is_mapping() ? *given(node, "kind") : node;
     if (!box.surfaces.partitions.empty() || !box.surfaces.obstacles.empty())
-        reading.errors.add(
-            place, "`pair-correlation` needs a box without partitions and obstacles",
-            "in others the number of pairs that points would have is not known exactly");
+        reading.errors.add(place, "`pair-correlation` needs a box without partitions and obstacles",
+                           "with these its normalization is not known exactly");
     if (panel.of.size() > 2)
-        reading.errors.add(*given(node, "of"), "expected at most two: pairs of one with the other",
+        reading.errors.add(*given(node, "of"), "`of` takes at most two choices, for pairs",
                            "for more, add a panel for each pair");
     const Node* to = given(node, "to");
     if (to == nullptr || !(box.size[0] > 0.0) || *panel.to <= most_distance(box)) return;
-    reading.errors.add(*to, "so far apart, pairs have several nearest images or no room",
+    reading.errors.add(*to, "`to` is too large for this box",
                        fmt::format("give at most {}: half of a periodic side, or the longest side",
                                    most_distance(box)));
 }
@@ -129,7 +128,7 @@ void check_autocorrelation(PanelSpec& panel, const Node& node, Reading& reading)
 void check_free_flights(PanelSpec& panel, const Node& node, Reading& reading) {
     const Node* over = given(node, "over");
     if (over == nullptr || !panel.over || panel.over->since != Over::Since::now) return;
-    reading.errors.add(*over, "a single moment has no free flights that end",
+    reading.errors.add(*over, "no free flight ends at a single moment",
                        "give `start`, or a time: {window: 5}");
 }
 
@@ -137,7 +136,7 @@ void check_orientational_order(PanelSpec&, const Node& node, Reading& reading) {
     if (reading.gas.box.dimension == 2) return;
     reading.errors.add(node.is_mapping() ? *given(node, "kind") : node,
                        "beads on a line have no hexagonal order",
-                       "give a box of two sizes, or another panel");
+                       "give a box with a `size`, or another panel");
 }
 
 }  // namespace carom

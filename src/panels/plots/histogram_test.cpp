@@ -21,7 +21,7 @@ void check_test_of(const PanelSpec& panel, int values_each, const Node& node, Re
     for (const Chosen& chosen : panel.of) fewest = std::min(fewest, count_of(chosen, reading.gas));
     if (static_cast<double>(*fewest * panel.seeds * values_each) < fewest_classes * least_expected)
         reading.errors.add(*asked,
-                           "too few particles for `test`: three bars must have 5 expected in each",
+                           "too few particles for `test`: three bars need 5 expected counts each",
                            "leave it out, show more particles, or take more `seeds`");
 }
 
@@ -60,7 +60,7 @@ void HistogramPanel::require_testable(const HistogramSeries& series) const {
     const Expected classes = expected(series);
     if (!pearson(classes.count, classes))
         refuse(spec_.place,
-               "too few particles for the test: not three bars have 5 expected in each",
+               "too few particles for the test: fewer than three bars have 5 expected counts",
                "leave out `test`, or give the gas more particles");
 }
 

@@ -29,10 +29,11 @@ void check_vary(const Sweep& sweep, const Node& node, Reading& reading) {
         return;
     }
     if (sweep.runs() > most_in_figure)
-        reading.errors.add(node, fmt::format("the figure runs {} gases", sweep.runs()),
-                           fmt::format("a figure runs up to {} by itself; plan more with `carom "
-                                       "plan`, and name the folder in `seeds: {{from: FOLDER}}`",
-                                       most_in_figure));
+        reading.errors.add(
+            node, fmt::format("the figure needs {} runs", sweep.runs()),
+            fmt::format("a figure does up to {}; do more with `carom plan`, `run` and "
+                        "`join`, then give `seeds: {{from: FOLDER}}` instead of `vary`",
+                        most_in_figure));
 }
 
 // A key that is varied, or what is known of each gas.

@@ -96,8 +96,8 @@ ProblemText in_region(const Problem& p, const Gas& gas, std::string_view region)
         return {fmt::format("{} beads, {:.6g} long together, do not fit into {}, {:.6g} long",
                             species.count, p.value * size[0], region, size[0]),
                 "fewer or shorter beads or more room"};
-    return {fmt::format("{} disks cover {} {:.4g} times (packing fraction), more than the {:.4f} "
-                        "of the densest packing",
+    return {fmt::format("{} disks in {} have packing fraction {:.4g}, more than the {:.4f} of "
+                        "the densest packing",
                         species.count, region, p.value, densest_packing),
             "fewer or smaller disks or more room"};
 }
@@ -108,10 +108,12 @@ ProblemText on_lattice(const Problem& p, const Gas& gas) {
                             "of radius up to {:.6g}",
                             p.fitting, p.count, p.value),
                 "fewer or smaller disks, or a larger box"};
-    return {fmt::format("no hexagonal lattice holds {} disks of radius {}{:.6g} in a box of {}",
-                        p.count, p.bound < p.value ? "up to " : "", p.value, size_of(gas.box.size)),
-            fmt::format("{} of them would fit; otherwise use smaller disks or a larger box",
-                        p.fitting)};
+    return {
+        fmt::format("no hexagonal lattice holds {} disks of radius {}{:.6g} in a box of {}",
+                    p.count, p.bound < p.value ? "up to " : "", p.value, size_of(gas.box.size)),
+        fmt::format("use fewer disks ({} fit, with room to move or without), smaller ones, or a "
+                    "larger box",
+                    p.fitting)};
 }
 
 ProblemText outside(const Problem& p, const Gas& gas) {
@@ -153,10 +155,10 @@ ProblemText jam(const Problem& p, const Gas& gas) {
     const auto& [particle, room, smaller, larger] = nouns(gas);
     const std::string where =
         p.kind == Kind::jam_alone
-            ? "between two walls that it touches,"
-            : fmt::format("along a row of {}s that touch from end to end,", particle);
-    return {fmt::format("{} moves {} without any gap: it would collide without end",
-                        called(gas, p.particle), where),
+            ? "between two walls that it touches"
+            : fmt::format("along a row of touching {}s without any gap", particle);
+    return {fmt::format("{} moves {}: it would collide infinitely often", called(gas, p.particle),
+                        where),
             fmt::format("smaller {}s or a {} {} give them room", particle, larger, room)};
 }
 

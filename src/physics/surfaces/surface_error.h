@@ -32,7 +32,7 @@ class SurfaceError : public std::runtime_error {
 /// What it presses on, the gas or a piston, has nowhere to go.
 inline SurfaceError crushes(std::int32_t surface, const char* what = "the gas") {
     return {surface, std::string("crushes ") + what, "",
-            "stop it before (`until`, or an event), let it press less, or end the run"};
+            "stop it earlier by an event, let it press less, or shorten the run"};
 }
 
 }  // namespace carom

@@ -218,13 +218,13 @@ ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const
                     fmt::format("gaps of {} lie between {} = {}", name, along,
                                 fmt::format("0 and {}", box.length(1 - line.axis)))};
         case Kind::gaps_unordered:
-            if (line.gaps[p.item].first > line.gaps[p.item].second)
-                return {fmt::format("the gap from {} to {} ends before it begins",
+            if (line.gaps[p.item].first >= line.gaps[p.item].second)
+                return {fmt::format("the gap from {} to {} ends where it begins, or before",
                                     line.gaps[p.item].first, line.gaps[p.item].second),
                         "give gaps as [from, to], the smaller first"};
-            return {fmt::format("the gap from {} to {} does not come after what is before it",
+            return {fmt::format("the gap from {} to {} begins before the end of the one before",
                                 line.gaps[p.item].first, line.gaps[p.item].second),
-                    "give gaps as [from, to] in rising order, none over another"};
+                    "give gaps as [from, to] in rising order, without overlap"};
         case Kind::piston_gaps:
             return {fmt::format("{} is a piston, which has no gaps", name),
                     "leave out `gaps`, or the mass"};
@@ -282,7 +282,7 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
                 fmt::format("{} is wider than the periodic box, and would overlap itself", name),
                 "make it smaller, or the box solid"};
         case Kind::same_corner:
-            return {fmt::format("two corners of {} in a row are at one place", name),
+            return {fmt::format("two successive corners of {} coincide", name),
                     "leave one of them out"};
         case Kind::not_on_line:
             return {fmt::format("{} has no meaning on a line", name),
@@ -294,7 +294,8 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
                     "give the name of a partition"};
         case Kind::open_piston:
             return {fmt::format("{} is a piston, and open it would go on out of the box", name),
-                    "`hold` it before it opens, or make it `solid` by a `wall` event"};
+                    p.event ? "`hold` it before it opens, or make it `solid` by a `wall` event"
+                            : "leave out `open`, or its mass"};
         case Kind::not_movable:
             return {fmt::format("{} is an obstacle, which stands still", name),
                     "give a side of the box or a partition"};
@@ -307,18 +308,17 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
         case Kind::reaches:
             return {fmt::format("{} reaches `{}` at time {:.4g}", name,
                                 names.at(static_cast<std::size_t>(p.other)), p.value),
-                    "stop it before (`until`, or an event), or end the run"};
+                    "stop it earlier by an event, or shorten the run"};
         case Kind::leaves_no_room:
             return {fmt::format("{} crushes the gas at time {:.4g}, when there are {:.3g} left "
                                 "between the walls",
                                 name, p.value, p.room),
-                    "stop it before (`until`, or an event), or end the run"};
+                    "stop it earlier by an event, or shorten the run"};
         case Kind::forgets_heat:
         case Kind::forgets_passing:
-            return {fmt::format("{} has forgotten {}", name,
-                                p.kind == Kind::forgets_heat ? "where the heat came from"
-                                                             : "what it let through"),
-                    "what a heat bath or a demon has done cannot be reversed"};
+            return {fmt::format("{} is a {}, which a reversal cannot undo", name,
+                                p.kind == Kind::forgets_heat ? "heat bath" : "demon"),
+                    "leave out the reversal, or give it another behaviour"};
     }
     return {};
 }

@@ -172,7 +172,7 @@ std::string to_text(const NoEquilibrium& reason, const Gas& gas) {
                    " moves, so that energy is not conserved";
         }
         case Why::surfaces:
-            return "surfaces that act, obstacles and gravity change it";
+            return "walls that act, obstacles or gravity change it";
         case Why::momentum_along_x:
         case Why::momentum_along_y:
             return fmt::format(
@@ -194,11 +194,11 @@ std::string to_text(const NoEquilibrium& reason, const Gas& gas) {
         case Why::equal_masses:
             return "on a wire particles of equal mass only exchange their velocities";
         case Why::few_between_ends:
-            return "between walls fewer than three beads need not come near all their states";
+            return "between walls fewer than three beads need not be ergodic";
         case Why::few_on_ring:
-            return "on a ring fewer than four beads need not come near all their states";
+            return "on a ring fewer than four beads need not be ergodic";
         case Why::parted:
-            return "beads that never move part those that do";
+            return "beads that never move separate those that do";
     }
     return {};
 }

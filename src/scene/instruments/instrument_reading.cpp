@@ -138,16 +138,17 @@ std::optional<WatchStart> event_called(const std::string& word, const Node& node
         if (!name.empty() && std::ranges::find(there, name) == there.end()) there.push_back(name);
     }
     reading.errors.add(node, fmt::format("no event of the run is called {}", in_quotes(word)),
-                       "`since` takes a time, " + listed(there, "or", "`"));
+                       fmt::format("`since` takes a time{}{}", there.size() == 1 ? " or " : ", ",
+                                   listed(there, "or", "`")));
     return std::nullopt;
 }
 
 void check_line(const PanelSpec& panel, const Node& node, Reading& reading) {
     if (node.is_mapping() && find(node, "surfaces") != nullptr)
-        reading.errors.add(place_of_surfaces(node), "`surfaces` and `line` exclude one another",
-                           "leave one of them out");
+        reading.errors.add(place_of_surfaces(node), "`surfaces` and `line` cannot be combined",
+                           "keep one of them");
     if (panel.counted == Counted::hits)
-        reading.errors.add(*given(node, "count"), "nothing hits a `line`: it is not there",
+        reading.errors.add(*given(node, "count"), "nothing hits a `line`: it is no wall",
                            "leave out `count`, or name walls by `surfaces`");
 }
 
@@ -156,8 +157,11 @@ bool is_written(const Node& node, const char* key) {
 }
 
 constexpr const char* passable = "a partition that lets particles through and stands still";
-constexpr const char* how_to_pass =
-    "give a partition `gaps` or `passes`, let an event open it, or count at `line: {x: PLACE}`";
+const char* how_to_pass(const Box& box) {
+    return box.dimension == 1 ? "count at `line: {x: PLACE}`"
+                              : "give a partition `gaps` or `passes`, let an event open it, or "
+                                "count at `line: {x: PLACE}`";
+}
 
 }  // namespace
 
@@ -182,12 +186,12 @@ Notation<CountingLine> counting_line_notation() {
         const Box& box = reading.gas.box;
         CountingLine line{.axis = written.x ? 0 : 1, .at = written.x ? *written.x : *written.y};
         if (line.axis >= box.dimension || (box.dimension == 1 && written.between)) {
-            reading.errors.add(node, "on a wire a `line` is a place: it has an `x` alone");
+            reading.errors.add(node, "on a wire a `line` takes only `x`");
             return std::nullopt;
         }
         if (box.size[line.axis] > 0.0 && line.at > box.size[line.axis]) {
-            reading.errors.add(node, "this line lies outside of the box",
-                               "the box begins at 0 and ends at its `size`");
+            reading.errors.add(node, "this line lies outside the box",
+                               "the box goes from 0 to its size");
             return std::nullopt;
         }
         if (!written.between) return line;
@@ -247,8 +251,7 @@ void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading)
         [&](std::int32_t surface) {
             return Surfaces::is_side(surface) && may_move(reading, surface);
         },
-        "a wall of the box that moves",
-        "give `box.walls` a `velocity`, or a `mass` with a `force`");
+        "a wall of the box that moves", "give a side in `box.walls` a `velocity` or a `mass`");
     require_one(panel, node, reading);
 }
 
@@ -268,16 +271,17 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.regions.empty()) {
         if (!panel.surfaces.empty())
             reading.errors.add(place_of_surfaces(node),
-                               "`surfaces` and `regions` exclude one another",
-                               "leave one of them out");
+                               "`surfaces` and `regions` cannot be combined", "keep one of them");
         return;
     }
     if (node.is_mapping() && find(node, "regions") != nullptr) return;  // reported
     keep_suitable(
         panel, node, reading, [](std::int32_t surface) { return !Surfaces::is_side(surface); },
         "a partition of the box",
-        "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, y0, x1, "
-        "y1]}]`");
+        reading.gas.box.dimension == 1
+            ? "give the panel `regions: [{name: left, within: [x0, x1]}]`"
+            : "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, y0, "
+              "x1, y1]}]`");
     require_one(panel, node, reading);
 }
 
@@ -292,18 +296,18 @@ void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
 
 void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.regions.empty() && is_written(node, "of"))
-        reading.errors.add(*find(node, "of"), "`of` and `regions` exclude one another",
-                           "leave one of them out");
+        reading.errors.add(*find(node, "of"), "`of` and `regions` cannot be combined",
+                           "keep one of them");
 }
 
 void check_flux(PanelSpec& panel, const Node& node, Reading& reading) {
     if (panel.of.size() > 1)
-        reading.errors.add(*find(node, "of"), "a flux shows one choice of particles",
-                           "leave out all but one, or show a panel of each");
+        reading.errors.add(*find(node, "of"), "a flux takes one item in `of`",
+                           "keep one, or give a panel for each");
     if (is_written(node, "line")) return check_line(panel, node, reading);
     keep_suitable(
         panel, node, reading, [&](std::int32_t surface) { return lets_through(reading, surface); },
-        passable, how_to_pass);
+        passable, how_to_pass(reading.gas.box));
     require_one(panel, node, reading);
 }
 
@@ -322,7 +326,7 @@ void check_counter(PanelSpec& panel, const Node& node, Reading& reading) {
         panel.counted = some && (every || !is_named) ? Counted::crossings : Counted::hits;
     }
     if (panel.counted == Counted::crossings) {
-        keep_suitable(panel, node, reading, can_pass, passable, how_to_pass);
+        keep_suitable(panel, node, reading, can_pass, passable, how_to_pass(reading.gas.box));
     } else {
         keep_suitable(
             panel, node, reading,

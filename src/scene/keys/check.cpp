@@ -170,9 +170,7 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
     const Form* list = form_of(forms, Shape::list);
     if (list != nullptr && is_vector(*list) && number_in(node))
-        return *number_in(node) == 0.0
-                   ? "write [0, 0], or leave it out"
-                   : fmt::format("for instance [{}, 0]: one number for each direction", node.text);
+        return "one number for each direction: [x, y]";
     return list != nullptr && forms.size() > 1 ? "or give " + phrase(*list) : "";
 }
 
@@ -296,6 +294,8 @@ std::string hint_for_unknown(const std::string& key, const Section& section, con
 
 void unknown_key(const Node& key, const Section& section, const Section& whole, Errors& errors) {
     if (errors.is_full()) return errors.add(key, "");
+    if (key.text == "<<")
+        return errors.add(key, "YAML's merge keys (`<<`) are not read", "write the keys out");
     const auto refused = std::ranges::find(section.refused, key.text, &Refused::name);
     if (refused != section.refused.end()) return errors.add(key, refused->reason, refused->hint);
     errors.add(key, fmt::format("{} is not a key of {}", in_quotes(key.text), section.name),

@@ -176,8 +176,7 @@ void check_beside(const EventDraft& event, const Node& node, Errors& errors) {
     if (action == nullptr)
         refuse("mirror", "`open`, `close`, `move`, `hold`, `release`, `wall` and `heat`");
     if (event.seconds && find(node, "caption") == nullptr)
-        errors.add(*given(node, "for"), "`for` applies only to a caption",
-                   "it applies to `caption`");
+        errors.add(*given(node, "for"), "`for` applies only to `caption`");
 }
 
 // What a wall becomes; nothing if there is a mistake.

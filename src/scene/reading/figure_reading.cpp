@@ -105,8 +105,8 @@ Notation<std::vector<ComparedRun>> compared_runs() {
 void check_time(const Node& node, double time, Reading& reading) {
     const double until = reading.run.until;
     if (until > 0.0 && time > until)
-        reading.errors.add(node, fmt::format("the run ends at {}", until),
-                           fmt::format("expected a time from 0 to {}", until));
+        reading.errors.add(node, fmt::format("expected a time from 0 to {}", until),
+                           fmt::format("the run ends at {}", until));
 }
 
 // The times that a figure shows: one, the end of an interval, or several.
@@ -118,8 +118,8 @@ void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
         for (const char* key : {"at", "strip"})
             if (const Node* written = given(node, key))
                 reading.errors.add(
-                    *written, fmt::format("`{}` and an interval in `over` exclude each other", key),
-                    "an interval ends at the time that the figure shows");
+                    *written, fmt::format("`{}` and an interval in `over` cannot be combined", key),
+                    "keep one of them: an interval ends at the time that the figure shows");
         const double from = figure.interval[0], to = figure.interval[1];
         check_time(over.items[1], to, reading);
         if (from >= to) reading.errors.add(over, "expected [from, to] with from < to for `over`");
@@ -141,8 +141,10 @@ void check_name(const std::string& name, const Node& node, Reading& reading) {
     const bool plain =
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
     if (!plain || name.starts_with('-'))
-        reading.errors.add(node, "expected lower-case letters, digits and hyphens for `name`",
-                           "it is the name of the figure's files: one-hot-particle-start");
+        reading.errors.add(node,
+                           plain ? "`name` begins with a hyphen"
+                                 : "expected lower-case letters, digits and hyphens for `name`",
+                           "it names the figure's files, for instance one-hot-particle");
 }
 
 void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Reading& reading) {

@@ -254,13 +254,22 @@ Spans spans_of(Spans spans, Reading& reading) {
     return spans;
 }
 
-void check_easing(const Film& film, const Run& run, const Spans& drafts, Errors& errors) {
+// What makes a film longer: with `pace` there are no `seconds`.
+std::string key_of_length(const Node& film) {
+    return given(film, "pace") != nullptr ? "a smaller `film.pace`" : "`film.seconds`";
+}
+
+void check_easing(const Film& film, const Run& run, const Spans& drafts, const Node& node,
+                  Errors& errors) {
     const double seconds = static_cast<double>(moving_steps(film, run)) / film.fps;
     const auto shortage = easing_shortage(film.slow, run.until, seconds);
     if (!shortage) return;
     const SlowSpan& span = film.slow[shortage->span];
     const Node& place = *drafts[shortage->span].node;
-    const std::string longer = "a longer film (`film.seconds`) needs less";
+    constexpr double short_film = 5.0;  // seconds, in which easing takes a share of the film
+    const std::string longer =
+        seconds < short_film ? "let the gas move for more than 5 seconds" : "make the film longer";
+    const std::string lengthen = fmt::format("{} ({})", longer, key_of_length(node));
     if (!std::isfinite(shortage->needed))
         return errors.add(
             place,
@@ -268,18 +277,18 @@ void check_easing(const Film& film, const Run& run, const Spans& drafts, Errors&
                 "the gas moves for {:.3g} seconds of this film, too short to ease in and out "
                 "of slow motion over {:.3g} seconds each time",
                 seconds, easing_seconds(seconds)),
-            "give a longer film (`film.seconds`)");
+            lengthen);
     errors.add(
         place,
-        fmt::format("slow motion from {} to {} eases {} over {:.3g} seconds of film, {:.3g} of "
-                    "simulated time; {} it there is {:.3g}",
-                    span.from, span.to, shortage->before ? "in" : "out", easing_seconds(seconds),
-                    shortage->needed, shortage->before ? "before" : "after",
+        fmt::format("slow motion from {} to {} needs {:.3g} time units {} it to ease {} ({:.3g} "
+                    "seconds of film); there are {:.3g}",
+                    span.from, span.to, shortage->needed, shortage->before ? "before" : "after",
+                    shortage->before ? "in" : "out", easing_seconds(seconds),
                     std::max(0.0, shortage->room)),
-        shortage->before && shortage->span == 0 ? longer + ", one that begins with `from: 0` none"
+        shortage->before && shortage->span == 0 ? lengthen + ", or begin with `from: 0`"
         : !shortage->before && shortage->span + 1 == film.slow.size()
-            ? fmt::format("{}, one that ends with `to: {}` none", longer, run.until)
-            : longer + "; or put the spans farther apart");
+            ? fmt::format("{}, or end with `to: {}`", lengthen, run.until)
+            : lengthen + ", or put the spans farther apart");
 }
 
 // The place to mend a length: where it is given, or where the run's end is.
@@ -317,15 +326,18 @@ bool check_frames(const Film& film, const Node& node, const Node& root, Errors& 
 void check_pauses(const Film& film, const std::vector<Placed<Pause>>& pauses, const Node& node,
                   Errors& errors) {
     const Node* length = given(node, "seconds");
-    const double asked = pause_seconds(film), most = most_pause_seconds(film);
+    const double asked = pause_seconds(film);
+    // Without `seconds` pauses make the film longer.
+    const double most =
+        length != nullptr ? most_pause_seconds(film) : film.seconds - card_seconds(film) - asked;
     if (asked <= most || (length != nullptr && length->source->origin == Origin::command_line))
         return;
     errors.add(*pauses.back().node,
                fmt::format("pauses of {:.3g} seconds in all, in a film of {:.3g} seconds{}", asked,
                            film.seconds, card_seconds(film) > 0.0 ? " with its cards" : ""),
-               fmt::format("pauses take at most half of a film: make it longer (`film.seconds`), "
-                           "or the pauses {:.3g} seconds or less in all",
-                           most));
+               fmt::format("pauses take at most half of a film: make it longer ({}), or the pauses "
+                           "{:.3g} seconds or less in all",
+                           key_of_length(node), most));
 }
 
 void check_sound(const Film& film, const Node& node, Errors& errors) {
@@ -336,7 +348,8 @@ void check_sound(const Film& film, const Node& node, Errors& errors) {
 }
 
 // Each part of the run between reversals needs a frame for its end.
-void check_legs(const Film& film, const Run& run, const Node& root, Errors& errors) {
+void check_legs(const Film& film, const Run& run, const Node& film_node, const Node& root,
+                Errors& errors) {
     const int legs = branch_count(run);
     const int steps = moving_steps(film, run);
     const Node* node = given(root, "run");
@@ -347,13 +360,14 @@ void check_legs(const Film& film, const Run& run, const Node& root, Errors& erro
     const double gas =
         std::max(enough / double(film.fps) + pause_seconds(film), 2.0 * pause_seconds(film));
     const double seconds = std::ceil(10.0 * with_cards * gas) / 10.0;
-    errors.add(
-        *events,
-        fmt::format("{} {} the run into {} parts, but a film of {} can show only {}",
-                    counted(legs - 1, "reversal"), legs == 2 ? "divides" : "divide", legs,
-                    counted(frame_count(film), "frame"), steps),
-        fmt::format("give fewer events, or a longer film: {} seconds are enough (`film.seconds`)",
-                    seconds));
+    errors.add(*events,
+               fmt::format("{} {} the run into {} parts, but a film of {} can show only {}",
+                           counted(legs - 1, "reversal"), legs == 2 ? "divides" : "divide", legs,
+                           counted(frame_count(film), "frame"), steps),
+               given(film_node, "pace") != nullptr
+                   ? "give fewer reversals, or a smaller `film.pace`"
+                   : fmt::format("give fewer reversals, or a film of {} seconds (`film.seconds`)",
+                                 seconds));
 }
 
 Notation<std::int64_t> usual_panels_notation() { return whole(0, most_panels); }
@@ -443,8 +457,8 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     if (film.seconds > 0.0 && check_frames(film, node, nodes.root, reading.errors)) {
         check_pauses(film, pauses, node, reading.errors);
         check_sound(film, node, reading.errors);
-        check_legs(film, run, nodes.root, reading.errors);
-        if (reading.errors.empty()) check_easing(film, run, spans, reading.errors);
+        check_legs(film, run, node, nodes.root, reading.errors);
+        if (reading.errors.empty()) check_easing(film, run, spans, node, reading.errors);
     }
     if (layout) check_slots(node, film, templates, reading.errors);
     check_beside(film, node, kinds, reading.errors);

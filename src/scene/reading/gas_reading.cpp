@@ -64,7 +64,11 @@ KeyTable<PositionDraft> part_table(int dimension) {
                      parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
                             region_in),
                      "A part of the box, with the particles entirely inside it.")}};
-    if (dimension == 1) table.keys.front().key.required = true;
+    if (dimension == 1) {
+        table.keys.front().key.required = true;
+        table.refused = {{"text", "words are patterns of disks, in a box with a `size`", ""},
+                         {"side", "a wire has no partitions", "give `within` instead"}};
+    }
     if (dimension == 2) {
         table.choices = {{{"within", "side"}, true}};
         table.refused = {
@@ -182,8 +186,8 @@ void check_list_length(const Node& item, std::string_view key, std::int64_t coun
     if (vectors && !lists_points(*list, dimension)) {
         if (key == "position" && is_places(*list) && count != 1)
             errors.add(
-                *list, fmt::format("one point for {}", counted(count, "particle")),
-                fmt::format("list a point for each, or give `{{within: {}}}`", corners(dimension)));
+                *list, fmt::format("one position for {}", counted(count, "particle")),
+                fmt::format("list one for each, or give `{{within: {}}}`", corners(dimension)));
         return;
     }
     if (!list->is_list()) return;
@@ -259,7 +263,7 @@ void check_names(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
         if (draft.name == "all" || number)
             errors.add(*node,
                        fmt::format("{} cannot be the name of a species", in_quotes(draft.name)),
-                       "`all` and numbers have a meaning of their own where particles are chosen");
+                       "`all` and numbers are reserved for choosing particles");
         if (!names.insert(draft.name).second)
             errors.add(*node, fmt::format("the name {} is taken by another species",
                                           in_quotes(draft.name)));

@@ -149,7 +149,7 @@ std::optional<CameraMove> camera_move(const CameraDraft& draft, const Node& node
     const Node* follow = given(node, "follow");
     if (follow != nullptr && !draft.width && find(node, "width") == nullptr)
         reading.errors.add(*follow, "`follow` needs `width`: how much of the box is seen",
-                           "for instance half of its width");
+                           "for instance `width: 10`, in units of length");
     if (const Node* width = given(node, "width"); width != nullptr && follow == nullptr)
         reading.errors.add(*width, "`width` applies to `follow` only");
     if (draft.view) return CameraMove{draft.at, *draft.view, draft.seconds};
@@ -244,12 +244,11 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
         if (is_right && (is_inside || !(box.size[0] > 0.0))) return region;
         reading.errors.add(
             node,
-            is_right ? fmt::format("this {} lies outside of the box", is_view ? "view" : "region")
+            is_right ? fmt::format("this {} reaches outside the box", is_view ? "view" : "region")
                      : fmt::format("expected {} for `{}`", form, key),
             !is_right   ? ""
-            : can_widen ? "it is seen from 0 to its `size`, and as far as its walls "
-                          "may move"
-                        : "the box begins at 0 and ends at its `size`");
+            : can_widen ? "the box goes from 0 to its size, or as far as its walls move"
+                        : "the box goes from 0 to its size");
         return std::nullopt;
     };
     return parsed(list_of(number(any_number), 2, {4}, "[x0, y0, x1, y1]"), part);

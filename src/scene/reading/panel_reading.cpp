@@ -34,10 +34,9 @@ std::optional<Chosen> chosen(const std::string&, const Node& node, Reading& read
         names.push_back(species.name);
     }
     const auto near = nearest_spelling(node.text, names);
-    reading.errors.add(
-        node, fmt::format("there is no species {}", in_quotes(node.text)),
-        near ? fmt::format("did you mean `{}`?", *near)
-             : "`of` takes `all`, the name of a species in `gas`, or a particle's number");
+    reading.errors.add(node, fmt::format("there is no species {}", in_quotes(node.text)),
+                       near ? fmt::format("did you mean `{}`?", *near)
+                            : "give the name of a species in `gas`, or a particle's number");
     return std::nullopt;
 }
 
@@ -50,8 +49,8 @@ Notation<Interval> range_notation() {
             reading.errors.add(node, "expected [low, high] with low < high for `range`");
         else if (ends[1] - ends[0] < least_width * ends.abs().maxCoeff())
             reading.errors.add(node,
-                               "the edges of `range` agree in nine digits, and bars would be "
-                               "narrower than their edges are exact",
+                               "the edges of `range` agree in nine digits: bars would be "
+                               "narrower than rounding errors",
                                "take a wider range");
     };
     return mapped(checked(pair_of(any_number, "[low, high]"), rising),
@@ -118,7 +117,7 @@ void check_component(const PanelSpec& panel, const Node& node, const PanelKind& 
     else if (panel.component == Component::both && !kind.can(Ability::both))
         reading.errors.add(
             *written, "expected `x` or `y` for `component` where positions are shown, found `both`",
-            "the two sides of a box can differ");
+            "give a panel for each axis");
 }
 
 void check_range(const PanelSpec& panel, const Node& node, const PanelKind& kind,
@@ -319,10 +318,12 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
 }
 
 void check_reversal(const Node& place, Reading& reading) {
+    const double until = reading.run.until;
     if (branch_count(reading.run) < 2)
         reading.errors.add(place,
                            "`return-distance` is measured after a reversal, and this run has none",
-                           "add one to `run`: events: [{at: TIME, reverse: velocities}]");
+                           fmt::format("add to `run`: events: [{{at: {}, reverse: velocities}}]",
+                                       until > 0.0 ? fmt::format("{}", 0.5 * until) : "TIME"));
     const std::int64_t count = particles_in(reading.gas).value_or(0);
     if (count > static_cast<std::int64_t>(most_returning.count()))
         reading.errors.add(place, fmt::format("`return-distance` of {} particles", count),

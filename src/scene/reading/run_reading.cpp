@@ -166,8 +166,8 @@ void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& draf
                                    ? fmt::format("the next one at time {}", drafts[i + 1].value.at)
                                    : "the film ends",
                                least_caption_seconds),
-                   "give a longer film (`film.seconds`), an earlier `at`, or a later one for the "
-                   "next caption");
+                   "make the film longer (`film.seconds`, or a smaller `film.pace`), this `at` "
+                   "earlier, or that of the next caption later");
     }
 }
 

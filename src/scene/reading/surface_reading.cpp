@@ -70,8 +70,9 @@ Notation<PassesDraft> passes_notation() {
         mapping(table, "{to_right: {faster_than: u}, to_left: {slower_than: u}}"),
         [](const DemonDraft& draft, const Node& node, Reading& reading) {
             if (node.keys.empty())
-                reading.errors.add(node, "a demon needs `to_right` or `to_left`",
-                                   "or list the species that pass");
+                reading.errors.add(node, "`passes` needs a direction",
+                                   "give `to_right` or `to_left`, at a `y` `to_top` or "
+                                   "`to_bottom`; or a list of the species that pass");
             const auto either_of = [](const auto& one, const auto& other) {
                 return one ? *one : other.value_or(Membrane::Speeds{});
             };

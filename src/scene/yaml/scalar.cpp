@@ -50,12 +50,20 @@ std::string without(std::string text, std::string_view letters) {
     return text;
 }
 
-// The number of a quantity such as "5mm" or "2.5 m/s"; empty if there is no number or no unit.
+// The number of a quantity such as "5mm" or "2.5 m/s"; empty if there is no number or no unit, as
+// in "2*pi".
 std::string before_unit(const std::string& text) {
     const std::size_t end = text.find_last_of("0123456789.");
-    const std::size_t unit = text.find_first_not_of("0123456789.+-");
+    std::size_t unit = text.find_first_not_of("0123456789.+-");
     if (unit == std::string::npos || unit == 0) return "";
-    const std::string number = text.substr(0, unit);
+    if (text[unit] == 'e' || text[unit] == 'E') {  // 1e3 m/s
+        const std::size_t after = text.find_first_not_of("0123456789+-", unit + 1);
+        if (after != std::string::npos && parse_number(text.substr(0, after))) unit = after;
+    }
+    const std::string number = text.substr(0, unit), rest = without(text.substr(unit), " ");
+    if (rest.empty() || is_one_of(rest.substr(0, 1), {"*", "/", "^"}) || rest.starts_with("pi") ||
+        rest.starts_with("π"))
+        return "";
     const bool is_one_number = end == unit - 1 || text.find_first_of("/^²³", unit) != text.npos;
     return is_one_number && parse_number(number) ? number : "";
 }
@@ -119,6 +127,9 @@ std::string number_hint(const Node& node) {
             return "a quotient is written as one number, in decimal";
     if (const std::string number = before_unit(node.text); !number.empty())
         return fmt::format("quantities have no units in carom: write `{}`", number);
+    const bool has_digit = word.find_first_of("0123456789") != std::string::npos;
+    if (has_digit && (word.find_first_of("*^/") != std::string::npos || word.ends_with("pi")))
+        return "expressions are not evaluated: write one number, in decimal";
     if (!word.empty() && is_decimal(std::string_view{word}.substr(sign)))
         return "too large or too small for a number of double precision";
     return "";

@@ -264,7 +264,12 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
     if (has_bare_color(before)) return "`#` begins a comment; put the colour in quotes";
     if (line.starts_with('\t') || problem == TAB_IN_INDENTATION)
         return "indent with spaces, not with tabs";
-    if (problem == END_OF_MAP || problem == END_OF_SEQ || problem == BLOCK_ENTRY)
+    const std::string_view left = before.substr(before.rfind('\n') + 1);  // of it in its line
+    const bool begins_line = left.find_first_not_of(' ') == std::string_view::npos;
+    if ((problem == END_OF_MAP || problem == END_OF_SEQ) && !begins_line)
+        return "nothing may follow a text in quotes or a list; put quotes around all of it";
+    const bool is_first_key = problem == MAP_VALUE && left.find(':') == std::string_view::npos;
+    if (problem == END_OF_MAP || problem == END_OF_SEQ || problem == BLOCK_ENTRY || is_first_key)
         return "lines that belong together begin in the same column";
     if (problem == MAP_VALUE) return "a text with `: ` in it needs quotes";
     return "";
@@ -272,9 +277,12 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
 
 // From yaml-cpp 0.8 on the name of an anchor stands behind these words.
 std::string problem_of(const YAML::Exception& error) {
-    const std::string_view anchor = YAML::ErrorMsg::UNKNOWN_ANCHOR;
-    if (!error.msg.starts_with(anchor)) return error.msg;
-    return std::string{anchor.substr(0, anchor.find_last_not_of(": ") + 1)};
+    using namespace YAML::ErrorMsg;
+    if (error.msg.starts_with(UNKNOWN_ANCHOR)) return "this anchor is not defined";
+    if (error.msg == END_OF_MAP || error.msg == END_OF_SEQ) return "this text is out of place";
+    if (error.msg == MAP_VALUE) return "this `:` is out of place";
+    if (error.msg == BLOCK_ENTRY) return "this `-` is out of place";
+    return error.msg;
 }
 
 void report_syntax(const Source& source, const YAML::Exception& error, std::size_t begin,

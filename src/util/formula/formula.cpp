@@ -77,8 +77,8 @@ class Parser {
         }
         const bool is_primed = !its.empty() && its.back().symbol == symbol_of_command("prime");
         if (!its.empty() && !is_primed)
-            fail(at, fmt::format("`{0}` twice on one part", sign),
-                 "put braces around what the first one belongs to");
+            fail(at, fmt::format("`{}` twice on one part", sign),
+                 fmt::format("use braces: `{{x{0}a}}{0}b`", sign));
         Parts more = argument(at, std::string(1, sign));
         if (more.empty()) more.push_back({.of = Part::Of::space});
         its.insert(its.end(), more.begin(), more.end());
@@ -156,7 +156,7 @@ class Parser {
         if (name == "sqrt") {
             skip_blanks();
             if (at_ < tex_.size() && tex_[at_] == '[')
-                fail(at_, "a root of a degree", "write a power: `x^{1/3}`");
+                fail(at_, "`\\sqrt` takes no degree", "write `x^{1/3}`");
             return {.of = Part::Of::root, .body = argument(at, "\\sqrt")};
         }
         if (name == "left") return fenced(at);
@@ -165,8 +165,10 @@ class Parser {
             return {.of = Part::Of::upright, .kind = Class::operation, .words = name};
         for (const auto& [space, width] : spaces)
             if (name == space) return {.of = Part::Of::space, .width = width};
+        std::vector<std::string> written;
+        for (const std::string& command : commands()) written.push_back("\\" + command);
         fail(at, fmt::format("`\\{}` has no meaning in a formula", name),
-             spelling_hint(name, commands(), "docs/films.md lists the commands of formulae"));
+             spelling_hint("\\" + name, written, "docs/films.md lists the commands of formulae"));
     }
 
     // Letters as in the words around.

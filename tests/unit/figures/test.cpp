@@ -74,7 +74,7 @@ TEST_CASE("what cannot be tested is refused with the reason") {
                            test)) == "the test is for particles of one finite mass");
     // Fewer than 15 are refused before the run (tests/scenes_bad/figure_test_few.yaml).
     CHECK(refusal(scene_of("[{name: a, count: 15, radius: 0.3, speed: 2}]", test)) ==
-          "too few particles for the test: not three bars have 5 expected in each");
+          "too few particles for the test: fewer than three bars have 5 expected counts");
     CHECK(refusal(scene_of("[{name: a, count: 90, radius: 0.3, speed: 2}, {name: b, count: 30, "
                            "radius: 0.3, mass: infinite}]",
                            "{name: a, kind: speed-histogram, of: all, test: true}")) ==

@@ -132,6 +132,6 @@ TEST_CASE("a gas that is placed in a jam is refused, with its species") {
         message = error.what();
     }
     CHECK(message ==
-          "particle 0 (row) moves along a row of disks that touch from end to end, without any "
-          "gap: it would collide without end; smaller disks or a larger box give them room");
+          "particle 0 (row) moves along a row of touching disks without any gap: it would "
+          "collide infinitely often; smaller disks or a larger box give them room");
 }

@@ -125,7 +125,7 @@ TEST_CASE("no room: one sentence with the numbers and a way out") {
     Gas gas = gas_of(10.0, 10.0, {{.name = "w", .count = 9, .radius = 0.5}});
     gas.species[0].position = WithinRegion{{{1.0, 1.0}, {3.0, 3.0}}};
     CHECK(placement_error(gas) ==
-          "9 disks cover its region 1.767 times (packing fraction), more than the 0.9069 of the "
+          "9 disks in its region have packing fraction 1.767, more than the 0.9069 of the "
           "densest packing; fewer or smaller disks or more room");
     gas.species[0].count = 4;
     CHECK(placement_error(gas) ==
@@ -136,8 +136,8 @@ TEST_CASE("no room: one sentence with the numbers and a way out") {
     CHECK(place(gas).first.count() == 100);
     gas.species[0].count = 110;
     CHECK(placement_error(gas) ==
-          "no hexagonal lattice holds 110 disks of radius 0.5 in a box of 10 by 10; 105 of them "
-          "would fit; otherwise use smaller disks or a larger box");
+          "no hexagonal lattice holds 110 disks of radius 0.5 in a box of 10 by 10; use fewer "
+          "disks (105 fit, with room to move or without), smaller ones, or a larger box");
     gas.species = {{.name = "l", .count = 50, .radius = 0.5, .position = LatticePlaces{}},
                    {.name = "large", .count = 1, .radius = 4.0, .position = Places{{{5.0, 5.0}}}}};
     CHECK(placement_error(gas).starts_with("other disks leave "));

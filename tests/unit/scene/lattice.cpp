@@ -62,9 +62,9 @@ TEST_CASE("a lattice that does not fit, or on which rows are full, is refused, a
         const std::string why = refusal(text);
         CAPTURE(why);
         CHECK(why.empty() == can_begin(gas));
-        ++(why.empty()                                              ? fine
-           : why.find("touch from end to end") == std::string::npos ? too_small
-                                                                    : full);
+        ++(why.empty()                                          ? fine
+           : why.find("of touching disks") == std::string::npos ? too_small
+                                                                : full);
     }
     CHECK(too_small > 20);
     CHECK(full > 5);

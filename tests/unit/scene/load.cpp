@@ -245,7 +245,7 @@ TEST_CASE("a film too short for its reversals is refused, the length it is told 
         events += "{at: " + std::to_string(i) + "e-1, reverse: velocities},";
     const std::string text =
         scene_with("{count: 20}", "run: {until: 24, events: [" + events + "]}\nfilm: {fps: 30}\n");
-    CHECK(message(text, {"film.seconds=3"}).find("4.6 seconds are enough") != std::string::npos);
+    CHECK(message(text, {"film.seconds=3"}).find("a film of 4.6 seconds") != std::string::npos);
     CHECK(load(text, {"film.seconds=4.6"}).run.events.size() == 100);
 }
 

@@ -102,7 +102,7 @@ TEST_CASE("a sweep has no axis twice, none of seeds, and not more than the limit
           "gas.0 and gas.0.count are varied, one of which is part of the other");
     CHECK(check({"gas.0.count=7,8", "gas.0={count: 3}"}, "3") ==
           "gas.0.count and gas.0 are varied, one of which is part of the other");
-    CHECK(check({"seed=1,2"}, "3").find("seed") == 0);
+    CHECK(check({"seed=1,2"}, "3").find("`seed`") == 0);
     CHECK(check({}, "1000000").empty());
     CHECK(check({}, "1000001") == "the sweep has 1000001");
     CHECK(check({"a=1:2:10000"}, "100").empty());

@@ -116,15 +116,15 @@ TEST_CASE("what is outside of the subset is refused at its place") {
     check("a $5", 2, "a `$` that begins a formula, and no `$` that ends it",
           "write \\$ for a dollar sign");
     check("$$", 0, "an empty formula");
-    check("is $\\frca{1}{2}$", 4, "`\\frca` has no meaning in a formula", "did you mean `frac`?");
+    check("is $\\frca{1}{2}$", 4, "`\\frca` has no meaning in a formula", "did you mean `\\frac`?");
     check("$a \\begin{x}$", 3, "`\\begin` has no meaning in a formula");
     check("$a & b$", 3, "`&` has no meaning in a formula");
     check("$\\frac{a}$", 1, "`\\frac` with nothing after it");
-    check("$x^2^3$", 4, "`^` twice on one part");
+    check("$x^2^3$", 4, "`^` twice on one part", "use braces: `{x^a}^b`");
     check("$x^2'$", 4, "a `'` after a `^`");
     check("$^2$", 1, "`^` with nothing before it");
     check("$x^$", 2, "`^` with nothing after it");
-    check("$\\sqrt[3]{x}$", 6, "a root of a degree");
+    check("$\\sqrt[3]{x}$", 6, "`\\sqrt` takes no degree");
     check("${a$", 1, "a `{` that is not closed");
     check("$a}$", 2, "a `}` that closes nothing");
     check("$\\left( a$", 1, "`\\left` without a `\\right` after it");

@@ -95,7 +95,7 @@ std::vector<Command> all_commands() {
 }
 
 std::vector<Option> scene_options(SceneOptions& options) {
-    return {shortcut(options, "--seed N", "seed", "another seed for every random choice"),
+    return {shortcut(options, "--seed N", "seed", "use this seed for all random choices"),
             {"--set KEY.PATH=VALUE",
              "set a value of the scene; several may follow, and it may be repeated", &options.sets},
             {"--quiet", "print no progress and no report", &options.quiet}};
@@ -114,22 +114,20 @@ int most_chunks() { return static_cast<int>(std::max(most_frames.value, most_run
 
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
     return {{.name = "--chunk K",
-             .meaning = "of a plan: the number of the chunk to make; default: all that are missing",
+             .meaning = "for a plan: the number of the chunk to make; default: all missing chunks",
              .value = &chunk,
              .most = most_chunks()},
-            {"--force", "of a plan: make chunks again that are there already", &force},
+            {"--force", "for a plan: make chunks again even if they are done", &force},
             {"--allow-mixed",
-             "of a plan: also with another build of carom or other libraries than the plan was "
-             "made with",
+             "for a plan: accept one made by another build of carom or with other libraries",
              &allow_mixed}};
 }
 
 Option limits_option(SceneOptions& options) {
-    return {
-        "--limits",
-        "classroom: refuse scenes that take more than a few minutes, as for documents of others",
-        [&options](const std::string&) { options.is_classroom = true; },
-        {"classroom"}};
+    return {"--limits",
+            "classroom, for scenes from others: refuse those that take more than a few minutes",
+            [&options](const std::string&) { options.is_classroom = true; },
+            {"classroom"}};
 }
 
 Option language_option(SceneOptions& options) {
@@ -140,7 +138,7 @@ Option language_option(SceneOptions& options) {
 std::vector<Option> picture_options(SceneOptions& options) {
     return {
         shortcut(options, "--template TEMPLATE", "film.template",
-                 "another layout: the name of a template, or a file"),
+                 "layout: the name of a template, or a file"),
         shortcut(options, "--theme THEME", "film.theme", "colours: light, dark or print"),
         language_option(options),
         shortcut(options, "--ground GROUND", "film.ground",

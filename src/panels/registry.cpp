@@ -29,8 +29,8 @@ std::vector<Binding<PanelSpec>> reference_key() {
 std::vector<Binding<PanelSpec>> against_key() {
     return {bind_key("against", &PanelSpec::against_collisions,
                      one_of<bool>({{"time", false}, {"collisions", true}}),
-                     "The horizontal axis: the time since the reversal, or the collisions of each "
-                     "particle since then, on average.")};
+                     "The horizontal axis: the time since the reversal, or the mean number of "
+                     "collisions per particle since then.")};
 }
 
 // Reports a run without a reversal, and a growth law that is asked for where none is known.
@@ -48,22 +48,23 @@ std::vector<Binding<PanelSpec>> numbers_key() {
     return {
         bind_key(
             "numbers", &PanelSpec::numbers, monitors_notation(),
-            "The numbers that it shows; all-collisions includes those with walls, return-distance "
-            "is the largest distance of a particle from where it was on the way out, overlap the "
-            "deepest so far of two disks that collided, in per cent of the sum of their radii.")
+            "The numbers that it shows. `all-collisions` includes those with walls; "
+            "`return-distance` is the largest distance of a particle from where it was on the way "
+            "out; `overlap` is the largest so far of two colliding disks, in per cent of the sum "
+            "of their radii.")
             .default_text("time, collisions, mean-speed and mean-energy")};
 }
 
 Binding<PanelSpec> cells_key() {
     return bind_key("cells", &PanelSpec::bins, whole(2, most_field_cells),
-                    "How many slabs are along the axis; of an entropy, how many cells are along "
-                    "the longer side of the box.")
-        .default_text("20; of an entropy, about as many as leave five particles in each");
+                    "The number of slabs along the axis; for an entropy, of cells along the longer "
+                    "side of the box.")
+        .default_text("20; for an entropy, as many as give about five particles per cell");
 }
 
 std::vector<Binding<PanelSpec>> profile_keys() {
     return {bind_key("quantity", &PanelSpec::quantity, quantity_notation(false),
-                     "What it shows; the flow is that along the axis."),
+                     "What it shows; `flow` is the mean velocity along the axis."),
             cells_key()};
 }
 
@@ -72,7 +73,7 @@ std::vector<Binding<PanelSpec>> entropy_keys() {
                      one_of<EntropyOf>({{"velocities", EntropyOf::velocities},
                                         {"positions", EntropyOf::positions},
                                         {"both", EntropyOf::both}}),
-                     "What is counted in cells: the velocities, the positions, or each of them."),
+                     "Which entropy it shows: of the velocities, of the positions, or both."),
             cells_key()};
 }
 
@@ -82,16 +83,15 @@ std::unique_ptr<Panel> make_pressure_or_gauge(const PanelContext& context, const
 
 std::vector<Binding<PanelSpec>> view_key() {
     return {bind_key("view", &PanelSpec::view, view_notation(),
-                     "What the figure shows of the box: `box`, all of it, or a part.")
+                     "What the figure shows: the whole `box`, or a part of it.")
                 .default_text("as the film's camera shows it at that time")};
 }
 
 std::vector<Binding<PanelSpec>> words_key() {
     return {
-        bind_key(
-            "words", &PanelSpec::words, with_formulas(lines(1, most_words_letters)),
-            "The text of the panel; an empty line separates paragraphs. Formulae stand between `$` "
-            "signs, large where they are a paragraph.")
+        bind_key("words", &PanelSpec::words, with_formulas(lines(1, most_words_letters)),
+                 "The text of the panel; an empty line separates paragraphs. Formulae are written "
+                 "between `$` signs; one that is a paragraph of its own is large.")
             .default_text("required for a text")};
 }
 
@@ -145,31 +145,31 @@ std::vector<PanelKind> all_kinds() {
     return {
         {.name = "speed-histogram",
          .words = Phrase{"speed histogram"},
-         .shows = "How many particles have which speed, now or averaged over a time (`over`), "
-                  "beside the distribution in equilibrium.",
+         .shows = "A histogram of the speeds, now or averaged over a time (`over`), with the "
+                  "equilibrium distribution.",
          .make = make_speed_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
          .rule = check_scalar_test,
          .suits = speeds_spread},
         {.name = "energy-histogram",
          .words = Phrase{"energy histogram"},
-         .shows = "How many particles have which kinetic energy, beside the distribution in "
-                  "equilibrium.",
+         .shows = "A histogram of the kinetic energies of the particles, with the equilibrium "
+                  "distribution.",
          .make = make_energy_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
          .rule = check_scalar_test,
          .suits = speeds_spread},
         {.name = "velocity-histogram",
          .words = Phrase{"velocity histogram"},
-         .shows = "How many particles have which velocity along an axis, or along either, beside "
-                  "the distribution in equilibrium.",
+         .shows = "A histogram of the velocities along one axis, or of both components together, "
+                  "with the equilibrium distribution.",
          .make = make_velocity_histogram,
          .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison},
          .rule = check_velocity_test,
          .suits = speeds_spread},
         {.name = "position-histogram",
          .words = Phrase{"position histogram"},
-         .shows = "How many particles are where along an axis.",
+         .shows = "A histogram of the positions along one axis.",
          .make = make_position_histogram,
          .abilities = {bars, of, over, component, means, comparison}},
         {.name = "energy-by-species",
@@ -180,8 +180,8 @@ std::vector<PanelKind> all_kinds() {
          .suits = has_several_species},
         {.name = "speed-classes",
          .words = Phrase{"speed classes"},
-         .shows = "The shares of slow, medium and fast particles against time: below half of the "
-                  "mean speed, and above one and a half times it.",
+         .shows = "The shares of slow (below half of the mean speed), medium and fast particles "
+                  "(above one and a half times it) against time.",
          .make = make_speed_classes,
          .abilities = {means},
          .keys = reference_key(),
@@ -194,8 +194,8 @@ std::vector<PanelKind> all_kinds() {
          .suits = acts_on_gas},
         {.name = "entropy",
          .words = Phrase{"entropy"},
-         .shows = "The entropy of the velocities against time; with `space` that of the positions, "
-                  "or both.",
+         .shows = "The entropy of the velocities, of the positions, or both (`space`), against "
+                  "time.",
          .make = make_entropy,
          .abilities = {means, comparison},
          .keys = entropy_keys()},
@@ -210,7 +210,7 @@ std::vector<PanelKind> all_kinds() {
         {.name = "thermometer",
          .words = Phrase{"thermometer"},
          .shows = "The temperature of all particles, of those that `of` names, or of those in "
-                  "`regions` of the box, as columns with one scale.",
+                  "`regions` of the box, as thermometers with a common scale.",
          .make = make_thermometer,
          .abilities = {of, over, means, comparison},
          .keys = regions_key(),
@@ -225,8 +225,8 @@ std::vector<PanelKind> all_kinds() {
          .has_plot = false},
         {.name = "counter",
          .words = Phrase{"counter"},
-         .shows = "Hits of walls and partitions in large figures, or what has gone through a "
-                  "partition or over a `line`, each way.",
+         .shows = "The number of hits on walls and partitions, or of crossings of partitions or a "
+                  "`line` in each direction, in large digits.",
          .make = make_counter,
          .abilities = {of, means, comparison},
          .keys = counter_keys(),
@@ -234,43 +234,44 @@ std::vector<PanelKind> all_kinds() {
          .has_plot = false},
         {.name = "pressure-volume",
          .words = Phrase{"pressure and volume"},
-         .shows = "The path of the pressure on a wall that moves against the area, with the "
-                  "isotherm and the adiabat of an ideal gas from the start, where the gas "
-                  "fills the area and does not fall.",
+         .shows = "The pressure on a moving wall against the area, as a path; if the gas fills the "
+                  "area and there is no gravity, with the isotherm and the adiabat of an ideal gas "
+                  "from the same start.",
          .make = make_pressure_volume,
          .abilities = {over, theory, comparison},
          .keys = surfaces_key(),
          .rule = check_pressure_volume},
         {.name = "piston",
          .words = Phrase{"piston"},
-         .shows = "The place of walls and partitions that move, with the mean place of a free "
-                  "piston over an ideal gas, its standard deviation as a band, and the period of "
-                  "its slow oscillations.",
+         .shows = "The position of moving walls and partitions against time; for a free piston, "
+                  "with the mean position over an ideal gas, its standard deviation as a band, and "
+                  "the period of the slow oscillations.",
          .make = make_piston,
          .abilities = {theory, means, comparison},
          .keys = surfaces_key(),
          .rule = check_piston},
         {.name = "piston-histogram",
          .words = Phrase{"piston histogram"},
-         .shows = "The share of the time that a wall or a partition has been at each place, with "
-                  "the exact distribution over an ideal gas.",
+         .shows = "The share of the time that a moving wall or partition spends at each position, "
+                  "with the exact distribution for a free piston over an ideal gas.",
          .make = make_piston_histogram,
          .abilities = {theory, means, comparison},
          .keys = surfaces_key(),
          .rule = check_piston_histogram},
         {.name = "sides",
          .words = Phrase{"sides"},
-         .shows = "How many particles are on either side of a partition, or in `regions` of the "
-                  "box; their temperature, mean energy or centre of mass (`measure`).",
+         .shows = "The number of particles on each side of a partition, or in `regions` of the "
+                  "box, against time; or their temperature, mean energy or centre of mass "
+                  "(`measure`).",
          .make = make_sides,
          .abilities = {component, means, comparison},
          .keys = sides_keys(),
          .rule = check_sides},
         {.name = "flux",
          .words = Phrase{"flux"},
-         .shows = "Crossings of a partition or a `line` in a unit of time, each way, the energy "
-                  "that they carry in that time, or their mean energy (`carried`), with what "
-                  "kinetic theory says.",
+         .shows = "Particles that cross a partition or a `line` per unit of time, in each "
+                  "direction, the energy that they carry, or their mean energy (`carried`), with "
+                  "the values of kinetic theory.",
          .make = make_flux,
          .abilities = {of, over, theory, means, comparison},
          .keys = flux_keys(),
@@ -278,46 +279,46 @@ std::vector<PanelKind> all_kinds() {
         {.name = "energy-account",
          .words = Phrase{"energy account"},
          .shows =
-             "Kinetic energy, potential energy and the energy of pistons as a stack against time.",
+             "Kinetic energy, potential energy and the energy of pistons against time, stacked.",
          .make = make_energy_account,
          .abilities = {means, comparison}},
         {.name = "mean-squared-displacement",
          .words = Phrase{"mean squared displacement"},
-         .shows = "How far particles have come, on through periodic sides, with the line 2*dDt* "
-                  "that fits it, the diffusion coefficient *D* with its error, and the parabola of "
-                  "free flight; with `origins: all` as the mean over all starting times.",
+         .shows = "The mean squared displacement, unwrapped across periodic sides, with the fitted "
+                  "line 2*dDt*, the diffusion coefficient *D* with its error, and the parabola of "
+                  "free flight; with `origins: all` averaged over all starting times.",
          .make = make_mean_squared_displacement,
          .abilities = {of, theory, means, comparison},
          .keys = displacement_keys(),
          .rule = check_displacements},
         {.name = "velocity-autocorrelation",
          .words = Phrase{"velocity autocorrelation"},
-         .shows = "The mean of **v**(0)·**v**(*t*) over that of *v*², over all starting times, "
-                  "with the slope that collisions give it at 0 in equilibrium.",
+         .shows = "The mean of **v**(0)·**v**(*t*) over all starting times, divided by that of "
+                  "*v*², with the initial slope that collisions give it in equilibrium.",
          .make = make_velocity_autocorrelation,
          .abilities = {of, theory, means, comparison},
          .keys = autocorrelation_keys(),
          .rule = check_autocorrelation},
         {.name = "pair-correlation",
          .words = Phrase{"pair correlation"},
-         .shows = "*g*(*r*): how many pairs are at a distance, over the number that points would "
-                  "have in the same box, with Henderson's value for equal disks at contact.",
+         .shows = "*g*(*r*): the number of pairs at each distance, relative to that of random "
+                  "points in the same box, with Henderson's value for equal disks at contact.",
          .make = make_pair_correlation,
          .abilities = {of, over, theory, means, comparison},
          .keys = pair_correlation_keys(),
          .rule = check_pair_correlation},
         {.name = "free-path",
          .words = Phrase{"free path"},
-         .shows = "How far particles fly from one collision to the next, beside the exponential "
-                  "law of a flight without memory.",
+         .shows = "The distribution of the distances that particles fly between collisions, with "
+                  "the exponential law of memoryless flight.",
          .make = make_free_path,
          .abilities = {of, over, theory, means, comparison},
          .keys = free_flight_keys(),
          .rule = check_free_flights},
         {.name = "free-time",
          .words = Phrase{"free time"},
-         .shows = "How long particles fly from one collision to the next, beside the exponential "
-                  "law of a flight without memory.",
+         .shows = "The distribution of the times that particles fly between collisions, with the "
+                  "exponential law of memoryless flight.",
          .make = make_free_time,
          .abilities = {of, over, theory, means, comparison},
          .keys = free_flight_keys(),
@@ -325,14 +326,14 @@ std::vector<PanelKind> all_kinds() {
         {.name = "orientational-order",
          .words = Phrase{"hexagonal order"},
          .shows =
-             "How hexagonal the order of disks is, of the neighbours of each and of the whole gas.",
+             "The hexagonal order against time: of each disk's neighbours, and of the whole gas.",
          .make = make_orientational_order,
          .abilities = {means, comparison},
          .rule = check_orientational_order},
         {.name = "return-distance",
          .words = Phrase{"return distance"},
          .shows =
-             "The distance from the exact return after a reversal, against time or collisions.",
+             "The deviation from an exact return after a reversal, against time or collisions.",
          .make = make_return_distance,
          .abilities = {theory, comparison},
          .keys = against_key(),
@@ -341,22 +342,21 @@ std::vector<PanelKind> all_kinds() {
         {.name = "profile",
          .words = Phrase{"profile"},
          .shows = "Density, temperature, mean speed or flow (`quantity`) in slabs along an axis, "
-                  "with height up along y; "
-                  "in gravity the density with that of an ideal gas of as many disks, which "
-                  "share a fixed energy.",
+                  "which is vertical for y. A density in gravity comes with that of an ideal gas "
+                  "of as many disks that share a fixed energy.",
          .make = make_profile,
          .abilities = {of, over, component, theory, means, comparison},
          .keys = profile_keys()},
         {.name = "phase",
          .words = Phrase{"phase"},
-         .shows = "Position and velocity along one axis, a point for each particle; the path of a "
-                  "single one fades with its age.",
+         .shows = "Position and velocity along one axis, a point for each particle; a single "
+                  "particle leaves a path that fades with age.",
          .make = make_phase,
          .abilities = {of, component},
          .suits = is_line},
         {.name = "positions",
          .words = Phrase{"positions"},
-         .shows = "The position of one particle against that of another, with its path.",
+         .shows = "The position of one particle against that of another, with the path so far.",
          .make = make_positions,
          .abilities = {of, two, component}},
         {.name = "monitors",
@@ -373,13 +373,13 @@ std::vector<PanelKind> all_kinds() {
          .has_plot = false},
         {.name = "contact-time",
          .words = Phrase{"contact time"},
-         .shows = "The squared distance of two particles against time, and the contact that "
-                  "follows from it.",
+         .shows = "The squared distance of two particles against time, and the time of contact "
+                  "that follows from it.",
          .make = make_contact_time,
          .abilities = {of, pair}},
         {.name = "collision-map",
          .words = Phrase{"collision map"},
-         .shows = "Collisions of two beads on a line in the plane of their velocities: see "
+         .shows = "Collisions of two beads on a line, in the plane of their two velocities: see "
                   "[Figures](figures.md#collision-maps).",
          .make = make_collision_map,
          .abilities = {of, pair},
@@ -387,15 +387,15 @@ std::vector<PanelKind> all_kinds() {
          .rule = check_collision_map},
         {.name = "text",
          .words = Phrase{"text"},
-         .shows = "Words of your own, with formulae.",
+         .shows = "Your own text, with formulae.",
          .make = make_text,
          .keys = words_key(),
          .rule = check_words,
          .has_plot = false},
         {.name = "sweep",
          .words = Phrase{"sweep"},
-         .shows = "A number of many runs against a key that is varied, with its standard error and "
-                  "theory: see [Figures](figures.md#sweeps).",
+         .shows = "A number measured in many runs against a key that is varied, with its standard "
+                  "error and theory: see [Figures](figures.md#sweeps).",
          .make = make_sweep,
          .abilities = {theory, means},
          .keys = sweep_keys(),
@@ -404,7 +404,7 @@ std::vector<PanelKind> all_kinds() {
         {.name = "gas",
          .words = Phrase{"gas"},
          .shows =
-             "The box with all that is in it, at one moment or at several side by side (`strip`).",
+             "The box and everything in it, at one moment, or at several side by side (`strip`).",
          .make = make_gas,
          .abilities = {strip},
          .keys = view_key(),

@@ -70,7 +70,8 @@ class Simulation {
     /// not limited by `run.until`. Tells `on_progress` now and then how far it is. Throws
     /// std::invalid_argument if `time` lies in the past or is not finite; RunEventError;
     /// Interrupted (util/interrupt.h); CollisionError when particles collide without end at one
-    /// instant, more often than the run may, or two beads of infinite mass meet.
+    /// instant, more often than the run may, or two beads of infinite mass meet; SurfaceError when
+    /// a wall or a piston crushes the gas or reaches another surface.
     AdvanceResult advance_to(double time, const TimeCallback& on_progress = {});
 
     /// Replaces the events of the run that are still to come, for instance in a copy; an error's

@@ -21,6 +21,7 @@ Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& c
     Diagnostic diagnostic = figure.panel.place;
     diagnostic.message =
         fmt::format("with {} the scene is not valid: {}", fmt::join(changes, ", "), first.message);
+    // A number that is refused is no mistyped range.
     const bool is_number = std::ranges::all_of(changes, [](const std::string& change) {
         return parse_number(change.substr(change.find('=') + 1)).has_value();
     });

@@ -138,6 +138,7 @@ bool nests_deeper(std::string_view json, int most) {
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates) {
     constexpr std::size_t longest_compared = 64;  // a longer word is no misspelt key
+    // Any letter is one edit from any other.
     if (word.size() < 2 || word.size() > longest_compared) return std::nullopt;
     std::optional<std::string> best;
     int least = static_cast<int>(std::max<std::size_t>(1, word.size() / 3)) + 1;

@@ -42,7 +42,7 @@ std::string printable(std::string_view words);
 bool nests_deeper(std::string_view json, int most);
 
 /// The candidate with the smallest Damerau-Levenshtein distance (optimal string alignment) to
-/// `word`, if at most a third of its length.
+/// `word`, if at most a third of its length; none for a single letter.
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates);
 

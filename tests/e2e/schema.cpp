@@ -56,6 +56,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"count_missing", several_places},        // a count, or a list of positions
     {"event_at_the_end", several_places},     // `at` against `until`
     {"events_in_two_frames", several_places},
+    {"events_paced", several_places},
     {"events_too_dense", several_places},
     {"figure_sweep_elsewhere", several_places},  // the folder of a name
     {"figure_compare_run", several_places},      // `set` of a run against the scene
@@ -68,11 +69,12 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_field", several_places},        // a name against the gas
     {"film_field_share", several_places},  // `of` against `species`
     {"film_field_species", several_places},
+    {"film_pauses", several_places},  // their sum against the film's length
     {"film_pauses_paced", several_places},
-    {"film_pauses", several_places},        // their sum against the film's length
     {"film_slow_between", several_places},  // spans against one another and the film's length
     {"film_slow_in", several_places},
     {"film_slow_out", several_places},
+    {"film_slow_paced", several_places},
     {"film_slow_too_short", several_places},
     {"film_too_long", several_places},  // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},

@@ -203,16 +203,16 @@ Command check_command() {
     return {
         "check", "check scenes and figure sets, and estimate their cost",
         joined<Option>(
-            {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
+            {{{"scenes", "scene files and figure sets; - for a scene from standard input",
                &its.scenes},
               {"--json", "print JSON: a list with an object for each file", &its.json},
               {"--measure",
-               "simulate each film and encode a few of its frames, which tells its size within a "
-               "third",
+               "simulate each film and encode a few frames, which gives its size to within a third",
                &its.measures},
-              {"--accessible", "refuse what keeps some viewers from the film (WCAG 2.1, level AA)",
+              {"--accessible",
+               "refuse what keeps some viewers from following the film (WCAG 2.1, level AA)",
                &its.accessible},
-              {"--format", "the cost of this format only", &its.format, chunk_formats()}},
+              {"--format", "give the cost of this format only", &its.format, chunk_formats()}},
              scene_options(its),
              {limits_option(its)},
              picture_options(its),

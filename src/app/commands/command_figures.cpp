@@ -271,12 +271,12 @@ CommandText figures_text() {
 CommandText figure_text() {
     return {
         {"carom figure SCENE --kind KIND [options]"},
-        "Draws one figure, which the scene need not list, as SVG, PDF and PNG with its data as "
+        "Draws one figure, whether or not the scene lists it, as SVG, PDF and PNG with its data as "
         "CSV.",
         {{"carom figure scenes/one-hot-particle.yaml --kind gas --at 5 --width 8cm",
           "writes out/one-hot-particle-gas/gas.svg and others"},
          {"carom figure scenes/one-hot-particle.yaml --kind speed-histogram --formats pdf",
-          "for LaTeX only"},
+          "only the PDF, for LaTeX"},
          {"carom figure scenes/mixed-masses.yaml --kind energy-by-species -o lecture --language de",
           "in German, into another folder"}}};
 }
@@ -290,7 +290,7 @@ Command figure_command() {
     };
     const auto arguments = std::make_shared<Arguments>();
     Arguments& its = *arguments;
-    return {"figure", "draw one figure of a scene, which need not list it",
+    return {"figure", "draw one figure, whether or not the scene lists it",
             joined<Option>(
                 {{{"scene", "a scene file, or - for standard input", &its.scene},
                   {"--kind KIND", "the kind of the figure: gas, speed-histogram, pressure, ...",
@@ -317,10 +317,10 @@ Command figures_command() {
     return {
         "figures", "draw the figures of scenes and figure sets",
         joined<Option>(
-            {{{"scenes", "files of scenes and of figure sets; - for a scene from standard input",
+            {{{"scenes", "scene files and figure sets; - for a scene from standard input",
                &its.scenes},
               {"-o,--output FOLDER",
-               "output folder, for several scenes with a subfolder for each; default: out/SCENE",
+               "output folder, with a subfolder for each of several scenes; default: out/SCENE",
                &its.output},
               formats_option(its),
               {"--only NAME,...", "only the figures with these names, separated by commas",
@@ -329,7 +329,7 @@ Command figures_command() {
                &its.options.force},
               depfile_option(its.depfile),
               {"--page PAGE,...",
-               "write a page that shows them: markdown, html, latex, or a template of your own "
+               "write a page with the figures: markdown, html, latex, or a template of your own "
                "(.md, .html, .tex); several separated by commas",
                CommaSeparated{&its.pages}},
               {"--films", "also render the films of the scenes, which pages then show",

@@ -72,14 +72,14 @@ void make_site(GalleryArguments& arguments) {
 
 CommandText gallery_text() {
     return {{"carom gallery FOLDER -o SITE/ [options]"},
-            "Makes a static site of all scenes in a folder and in the folders in it: a page of "
-            "cards with a search, and for each scene a page with its film, chapters, transcript "
-            "and file. It needs no server. Only what has changed is made again.",
+            "Makes a static site of all scenes in a folder and its subfolders: a page of cards "
+            "with a search, and for each scene a page with its film, chapters, transcript and "
+            "scene file. The site needs no server. Only what has changed is made again.",
             {{"carom gallery scenes -o site/", "the library that comes with carom"},
              {"carom gallery scenes/classics -o site/ --size 720p --title Classics",
               "smaller films, and a title"},
              {"carom gallery scenes -o site/ --format webm --quality final",
-              "in the format of least size"}}};
+              "in the most compact format"}}};
 }
 
 }  // namespace

@@ -66,11 +66,11 @@ void print_completions(const std::string& shell) {
 
 CommandText help_text() {
     return {{"carom help [COMMAND]", "carom help --files FOLDER"},
-            "Shows the manual of a command or, without one, of the program: on a terminal with "
-            "$PAGER, where that is set. Where carom is installed, man carom and man carom-render "
-            "show the same.",
+            "Shows the manual of a command or, without one, of the program; on a terminal with "
+            "$PAGER, if that is set. If carom is installed, man carom and man carom-render show "
+            "the same.",
             {{"carom help", "the manual of the program"},
-             {"carom help render", "that of carom render"},
+             {"carom help render", "the manual of carom render"},
              {"carom help --files share/",
               "writes man pages and completions, as they are "
               "installed"}}};
@@ -79,10 +79,10 @@ CommandText help_text() {
 CommandText completions_text() {
     return {{"carom completions bash|zsh|fish"},
             "Prints a script with which the shell completes commands, options, scenes, templates, "
-            "kinds of figures, and the keys of --set. Where carom is installed the script is too, "
-            "and the shell finds it by itself.",
+            "kinds of figures, and the keys of --set. If carom is installed, so is the script, and "
+            "the shell finds it by itself.",
             {{"carom completions bash > ~/.local/share/bash-completion/completions/carom",
-              "for bash, of one user"},
+              "for bash, for one user"},
              {"carom completions zsh > ~/.zfunc/_carom", "for zsh, if ~/.zfunc is in fpath"},
              {"carom completions fish > ~/.config/fish/completions/carom.fish", "for fish"}}};
 }

@@ -104,8 +104,9 @@ void join(const JoinArguments& arguments) {
 CommandText join_text() {
     return {{"carom join PLAN/ [-o film.mp4] [--words] [--poster] [options]",
              "carom join SWEEP/ [-o summary.json] [--csv runs.csv] [options]"},
-            "Puts together what the chunks of a plan have made. The film is, byte for byte, that "
-            "of carom render; the summary of a sweep is the same for any number of chunks.",
+            "Puts together the results of the chunks of a plan. The film is the same, byte for "
+            "byte, as from carom render; the summary of a sweep is the same for any number of "
+            "chunks.",
             {{"carom join plan/ -o film.mp4 --words", "the film, with captions and a transcript"},
              {"carom join plan/ --poster", "also a picture of it"},
              {"carom join sweep/ -o summary.json --csv runs.csv",
@@ -120,18 +121,18 @@ Command join_command() {
     return {
         "join",
         "put together what the chunks of a plan have made",
-        {{"plan", "the folder of a plan, all chunks of which are done", &its.plan},
+        {{"plan", "the folder of a plan whose chunks are all done", &its.plan},
          {"-o,--output FILE",
           "the film (default: out/SCENE.mp4), or the summary of a sweep as JSON, - for standard "
           "output",
           &its.output},
          {"--words",
-          "of a film: also write captions, chapters and descriptions (.vtt) and a transcript "
+          "for a film: also write captions, chapters and descriptions (.vtt) and a transcript "
           "(.txt)",
           &its.text},
-         {"--poster", "of a film: also write a picture of it (.poster.png)", &its.poster},
-         {"--csv FILE", "of a sweep: a row for each run; - for standard output", &its.csv},
-         {"--allow-mixed", "take chunks that other builds of carom have made", &its.allow_mixed},
+         {"--poster", "for a film: also write a picture of it (.poster.png)", &its.poster},
+         {"--csv FILE", "for a sweep: a row for each run; - for standard output", &its.csv},
+         {"--allow-mixed", "accept chunks made by other builds of carom", &its.allow_mixed},
          {"--quiet", "print no report", &its.quiet}},
         [arguments] { join(*arguments); },
         join_text()};

@@ -126,9 +126,9 @@ void make_scene(const NewArguments& arguments) {
 
 CommandText new_text() {
     return {{"carom new NAME [--from SCENE]"},
-            "Writes NAME.yaml, a scene that renders as it stands, with a comment on every key. An "
-            "existing file is never replaced. Beside it is written scene.schema.json, with which "
-            "editors complete keys and underline mistakes.",
+            "Writes NAME.yaml, a scene that renders as it is, with a comment on every key, and "
+            "beside it scene.schema.json, with which editors complete keys and underline mistakes. "
+            "An existing file is never replaced.",
             {{"carom new mine", "writes mine.yaml"},
              {"carom new echo --from time-reversal", "starts from a scene that comes with carom"},
              {"carom new other --from scenes/mixed-masses.yaml", "starts from a file"}}};

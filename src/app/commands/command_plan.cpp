@@ -147,7 +147,7 @@ CommandText plan_text() {
         "Divides work into chunks, which any process on any machine can do in any order, and "
         "writes what they need into a folder. The work is the film of each scene or, with --seeds "
         "or --vary, a sweep: the run of one scene with many seeds and values. carom render and "
-        "carom run do the chunks, and carom join puts together what they have made.",
+        "carom run do the chunks, and carom join puts the results together.",
         {{"carom plan scenes/one-hot-particle.yaml --chunks 8 -o plan/", "a film in 8 chunks"},
          {"carom plan scenes/mixed-masses.yaml --seeds 1:100 --vary gas.0.radius=0.1:0.4:7 -o "
           "sweep/",
@@ -165,10 +165,10 @@ Command plan_command() {
         joined<Option>(
             {{{"scenes", "scene files, - for standard input; or the folder of a plan", &its.scenes},
               {"-o,--output FOLDER",
-               "the folder of the plan, for several scenes with a subfolder for each; default: "
+               "the folder of the plan, with a subfolder for each of several scenes; default: "
                "out/SCENE.plan",
                &its.output},
-              {"--seeds FIRST:LAST", "a run with each of these seeds: FIRST:LAST, or N for 1:N",
+              {"--seeds FIRST:LAST", "do a run with each seed from FIRST to LAST; N means 1:N",
                &its.seeds},
               {"--vary KEY=VALUES",
                "runs with several values of a key: KEY=FIRST:LAST:N or KEY=V,V,...", &its.vary},
@@ -178,7 +178,7 @@ Command plan_command() {
                .most = most_chunks()},
               {"--list", "print the numbers of the chunks of a plan", &its.list},
               {"--missing", "print the numbers of the chunks that are still to do", &its.missing},
-              {"--force", "plan anew, and remove the chunks that are there", &its.film.force}},
+              {"--force", "plan again, and remove the existing chunks", &its.film.force}},
              film_plan_options(its, its.film),
              scene_options(its)}),
         [arguments] { plan(*arguments); }, plan_text()};

@@ -419,8 +419,8 @@ CommandText render_text() {
             "Simulates the gas of each scene and writes a film of it: MP4, WebM, GIF, a PDF "
             "with a page for each frame, or single frames as PNG. All scenes are read and checked "
             "before the first film begins. The same "
-            "scene and seed give the same film, byte for byte, on any number of cores.\n\nOf a "
-            "plan that carom plan has made, it draws and encodes the chunks that are missing.",
+            "scene and seed give the same film, byte for byte, on any number of cores.\n\nFor a "
+            "plan made by carom plan, it draws and encodes the missing chunks.",
             {{"carom render scenes/one-hot-particle.yaml", "writes out/one-hot-particle.mp4"},
              {"carom render scenes/mixed-masses.yaml -o film.webm --size 720p --theme light",
               "another format, size and colours"},
@@ -440,9 +440,8 @@ Command render_command() {
             {{{"scenes", "scene files, - for standard input; or the folder of a plan", &its.scenes},
               {"-o,--output FILM",
                "the film (.mp4, .webm, .gif, or .pdf with a page for each frame; - for standard "
-               "output), an existing folder for it, or a new folder with a slash for its frames as "
-               "PNG (frames/); default: "
-               "out/SCENE.mp4",
+               "output), an existing folder for it, or a new folder, written with a slash "
+               "(frames/), for its frames as PNG; default: out/SCENE.mp4",
                &its.destination.output},
               {"--format", "mp4, webm, gif, pdf, or png for single frames", &its.destination.format,
                film_formats()},
@@ -450,11 +449,11 @@ Command render_command() {
                "also write captions, chapters and descriptions (.vtt) and a transcript (.txt)",
                &its.film.text},
               {"--page",
-               "html: write a page that holds the film, with its chapters, transcript and scene",
+               "html: write a page that contains the film, its chapters, transcript and scene",
                &its.page,
                {"html"}},
               {"--join",
-               "one film of all scenes, or of those of a figure set, each fading into the next",
+               "make one film of all scenes, or those of a figure set, each fading into the next",
                &its.join}},
              chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
@@ -463,8 +462,8 @@ Command render_command() {
              film_options(its, its.film),
              {cache_option(its.cache)},
              {{"--max-size BYTES",
-               "make the picture smaller, or the frames fewer, until the film takes at most so "
-               "much: 5MB, 800kB",
+               "reduce the picture size or the frame rate until the film takes at most this much: "
+               "5MB, 800kB",
                &its.max_size},
               depfile_option(its.depfile)},
              work_options(its)}),

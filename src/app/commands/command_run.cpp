@@ -270,9 +270,9 @@ CommandText run_text() {
     return {{"carom run SCENE [--json FILE] [--csv FILE] [--xyz FILE] [--events FILE] [options]",
              "carom run SWEEP/ [--chunk K] [options]"},
             "Simulates without drawing, and prints a summary: collisions, energy, momentum, "
-            "temperature, pressure, and how exact the run was. Samples are taken at time 0, at "
-            "every multiple of `run.sample_every`, and at the end.\n\nOf a sweep that carom plan "
-            "has made, it does the runs of the chunks that are missing.",
+            "temperature, pressure, and how accurate the run was. Samples are taken at time 0, at "
+            "every multiple of `run.sample_every`, and at the end.\n\nFor a sweep made by carom "
+            "plan, it does the runs of the missing chunks.",
             {{"carom run scenes/time-reversal.yaml", "prints the summary"},
              {"carom run scenes/mixed-masses.yaml --csv samples.csv --json summary.json",
               "every sample as CSV, the summary as JSON"},
@@ -293,9 +293,8 @@ Command run_command() {
               {"--csv FILE", "all samples, a row for each particle; - for standard output",
                &its.csv},
               {"--surfaces FILE",
-               "what walls, partitions and obstacles have done, a row for each sample and surface; "
-               "- "
-               "for standard output",
+               "position, hits, impulse, work and heat of walls, partitions and obstacles, a row "
+               "for each sample and surface; - for standard output",
                &its.surfaces},
               {"--xyz FILE",
                "all samples as a trajectory in the extended XYZ format, for OVITO and ASE; - for "

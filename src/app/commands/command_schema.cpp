@@ -15,8 +15,8 @@ CommandText schema_text() {
             "Prints the JSON Schema of scenes, or of figure sets, with which editors complete keys "
             "and underline mistakes.",
             {{"carom schema > scene.schema.json", "save it beside your scenes"},
-             {"carom schema --for set > set.schema.json", "that of figure sets"},
-             {"carom schema --for scene", "prints it"}}};
+             {"carom schema --for set > set.schema.json", "the schema of figure sets"},
+             {"carom schema --for scene", "prints the schema of scenes"}}};
 }
 
 }  // namespace

@@ -85,13 +85,13 @@ CommandText still_text() {
     return {
         {"carom still SCENE [--at T] [-o PICTURE] [options]"},
         "Draws the frame of the film that is nearest to simulated time T; without --at, the first. "
-        "SVG and PDF contain lines, curves and letters, and no pixels; the words of a PDF can be "
+        "SVG and PDF contain lines, curves and text, and no pixels; the text of a PDF can be "
         "searched.",
         {{"carom still scenes/one-hot-particle.yaml --at 3", "writes out/one-hot-particle.png"},
          {"carom still scenes/one-hot-particle.yaml --at 3 -o frame.pdf --theme print",
           "the same frame for print"},
          {"carom still scenes/mixed-masses.yaml --template minimal --ground none -o gas.svg",
-          "another layout on a transparent ground"}}};
+          "another layout on a transparent background"}}};
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ Command still_command() {
             joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
                              {"--at T", "simulated time; the nearest frame is drawn", &its.at},
                              {"--quick",
-                              "find axes and colour scales from thirty times of the run, not from "
+                              "get axes and colour scales from thirty samples of the run, not from "
                               "all frames",
                               &its.is_quick},
                              cache_option(its.cache),

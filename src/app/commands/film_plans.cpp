@@ -69,9 +69,9 @@ FilmDivision division_of(const FilmPlanArguments& arguments) {
 
 std::vector<Option> film_plan_options(SceneOptions& options, FilmPlanArguments& arguments) {
     return joined<Option>(
-        {{{"--chunk-seconds S", "of films: as many chunks as take so long each, on one core",
+        {{{"--chunk-seconds S", "for films: make chunks that take S seconds each, on one core",
            &arguments.chunk_seconds},
-          {"--format", "of films: mp4, webm, gif, or png for single frames", &arguments.format,
+          {"--format", "for films: mp4, webm, gif, or png for single frames", &arguments.format,
            chunk_formats()}},
          picture_options(options),
          film_options(options, arguments.film)});

@@ -71,7 +71,7 @@ std::vector<Definition> files() {
 
 std::vector<Definition> environment() {
     return {
-        {"PAGER", "what carom help shows its pages with on a terminal; unset: nothing"},
+        {"PAGER", "the program with which carom help shows its pages on a terminal; unset: none"},
         {"SLURM_CPUS_PER_TASK", "the most cores to use, unless --threads says otherwise"},
         {"TMPDIR",
          "where temporary files go; default: /tmp, and /var/tmp for the frames of a large run"}};

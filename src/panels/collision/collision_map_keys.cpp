@@ -48,8 +48,8 @@ std::vector<Binding<PanelSpec>> collision_map_keys() {
         given_pair(panel).velocity = velocity;
     };
     return {bind_with<PanelSpec>("masses", fill_masses, list_of(mass, 2, {2}, "[mass, mass]"),
-                                 "Two masses of a pair that need not be in the scene, with their "
-                                 "`velocities`; one of them may be `infinite`.")
+                                 "The masses of a pair that need not be in the scene, with "
+                                 "`velocities`; one mass may be `infinite`.")
                 .default_text("those of the pair in the scene"),
             bind_with<PanelSpec>("velocities", fill_velocities,
                                  pair_of(any_number, "[velocity, velocity]"),
@@ -57,11 +57,11 @@ std::vector<Binding<PanelSpec>> collision_map_keys() {
                 .default_text("those of the pair in the scene"),
             bind_key("walk", &PanelSpec::walk, flag(),
                      "All collisions of the pair so far, with each other and with walls, as a walk "
-                     "on the ellipse of their energy; otherwise only the first."),
+                     "on the ellipse of their energy; otherwise only the first collision."),
             bind_key("scaled", &PanelSpec::scaled, flag(),
-                     "Axes of velocity times the square root of the mass: the ellipse becomes a "
-                     "circle, a collision a reflection.")
-                .default_text("that of `walk`")};
+                     "Multiplies each velocity by the square root of the mass: the ellipse becomes "
+                     "a circle, a collision a reflection.")
+                .default_text("the value of `walk`")};
 }
 
 void check_collision_map(PanelSpec& panel, const Node& node, Reading& reading) {

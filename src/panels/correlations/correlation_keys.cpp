@@ -14,10 +14,10 @@ Binding<PanelSpec> from_key() {
 }
 
 Binding<PanelSpec> lags_key() {
-    return bind_key(
-               "lags", &PanelSpec::lags, number(positive),
-               "The longest time between two velocities, or with `origins: all` since a start.")
-        .default_text("a tenth of the time from `from` on; a quarter of it for displacements");
+    return bind_key("lags", &PanelSpec::lags, number(positive),
+                    "The longest time lag, between two velocities or, with `origins: all`, two "
+                    "positions.")
+        .default_text("a tenth of the time from `from` to the end; a quarter for displacements");
 }
 
 // Whether a time lies at the end of the run or after it, which is reported.
@@ -43,18 +43,19 @@ std::vector<Binding<PanelSpec>> displacement_keys() {
     return {
         from_key(),
         bind_key("origins", &PanelSpec::all_origins, one_of<bool>({{"one", false}, {"all", true}}),
-                 "Displacements since `from`, or their mean over all starting times from there "
-                 "on, against the time since each."),
+                 "Displacements since `from`, or their mean over all starting times from then on, "
+                 "against the time lag."),
         lags_key(),
         bind_key("fit_from", &PanelSpec::fit_from, number(not_negative),
                  "The time from which the line 2 d D t is fitted; D is the diffusion "
-                 "coefficient. With `origins: all`, the time since a start.")
-            .default_text("half-way to the end of the run, or of the times since a start")};
+                 "coefficient. With `origins: all`, the time lag.")
+            .default_text("half-way from `from` to the end; with `origins: all`, half of `lags`")};
 }
 
 std::vector<Binding<PanelSpec>> pair_correlation_keys() {
     return {bind_key("to", &PanelSpec::to, number(positive), "The largest distance.")
-                .default_text("five diameters, if the box is as large as that")};
+                .default_text("five diameters, or less in a smaller box; for points half of the "
+                              "largest distance")};
 }
 
 std::vector<Binding<PanelSpec>> autocorrelation_keys() { return {lags_key(), from_key()}; }
@@ -62,7 +63,7 @@ std::vector<Binding<PanelSpec>> autocorrelation_keys() { return {lags_key(), fro
 std::vector<Binding<PanelSpec>> free_flight_keys() {
     return {
         bind_key("log", &PanelSpec::logarithmic, flag(),
-                 "Whether the axis up is logarithmic, on which an exponential law is straight."),
+                 "Whether the vertical axis is logarithmic: an exponential law is then straight."),
         bind_key("walls", &PanelSpec::ends_at_walls, flag(),
                  "Whether walls and partitions end a free flight too; otherwise only other "
                  "particles and obstacles do.")};
@@ -108,8 +109,9 @@ void check_pair_correlation(PanelSpec& panel, const Node& node, Reading& reading
     const Box& box = reading.gas.box;
     const Node& place = node.is_mapping() ? *given(node, "kind") : node;
     if (!box.surfaces.partitions.empty() || !box.surfaces.obstacles.empty())
-        reading.errors.add(place, "`pair-correlation` needs a box without partitions and obstacles",
-                           "with these its normalization is not known exactly");
+        reading.errors.add(
+            place, "`pair-correlation` needs a box without partitions and obstacles",
+            "leave it out, or remove these: with them its normalisation is not known exactly");
     if (panel.of.size() > 2)
         reading.errors.add(*given(node, "of"), "`of` takes at most two choices, for pairs",
                            "for more, add a panel for each pair");

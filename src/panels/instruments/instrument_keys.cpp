@@ -16,8 +16,8 @@ std::vector<Binding<PanelSpec>> line_keys() {
 
 std::vector<Binding<PanelSpec>> surfaces_key() {
     return {bind_key("surfaces", &PanelSpec::surfaces, surfaces_notation(),
-                     "The walls or partitions that it measures at: `left`, `right`, `bottom`, "
-                     "`top` or the names of partitions.")
+                     "The walls or partitions where it measures: `left`, `right`, `bottom`, `top` "
+                     "or the names of partitions.")
                 .default_text("all walls together for a pressure; else what moves, or the only "
                               "partition")};
 }
@@ -26,8 +26,8 @@ std::vector<Binding<PanelSpec>> pressure_keys() {
     return joined<PanelSpec>(
         surfaces_key(),
         std::vector{bind_key("gauge", &PanelSpec::gauge, flag(),
-                             "Whether a round gauge for each surface, or one for all walls, shows "
-                             "the mean over a time before the present.")});
+                             "Whether to show the mean over a time before the present on round "
+                             "gauges: one for each surface, or one for all walls.")});
 }
 
 std::vector<Binding<PanelSpec>> flux_keys() {
@@ -37,8 +37,8 @@ std::vector<Binding<PanelSpec>> flux_keys() {
                              one_of<Carried>({{"particles", Carried::particles},
                                               {"energy", Carried::energy},
                                               {"mean-energy", Carried::mean_energy}}),
-                             "What it shows of those that cross: their number in a time, their "
-                             "energy in a time, or the mean energy of one.")});
+                             "What it shows of the particles that cross: number per unit of time, "
+                             "energy per unit of time, or mean energy.")});
 }
 
 std::vector<Binding<PanelSpec>> counter_keys() {
@@ -47,23 +47,23 @@ std::vector<Binding<PanelSpec>> counter_keys() {
         std::vector{
             bind_key("count", &PanelSpec::counted,
                      one_of<Counted>({{"hits", Counted::hits}, {"crossings", Counted::crossings}}),
-                     "What it counts: collisions with walls and partitions, or what goes "
-                     "over partitions, each way.")
+                     "What it counts: collisions with walls and partitions, or crossings of "
+                     "partitions in each direction.")
                 .default_text("crossings of partitions that let particles through, else "
                               "hits")});
 }
 
 std::vector<Binding<PanelSpec>> stopwatch_key() {
     return {bind_key("since", &PanelSpec::since, watch_start_notation(),
-                     "When it starts: a time, or the first event of the run that is called so: "
-                     "`reversal`, `heat`, or the wall or partition that it acts on.")
+                     "When it starts: a time, or the first event of this name: `reversal`, `heat`, "
+                     "or the wall or partition that the event acts on.")
                 .default_text("start")};
 }
 
 std::vector<Binding<PanelSpec>> regions_key() {
     return {bind_key("regions", &PanelSpec::regions, regions_notation(),
-                     "Parts of the box, instead of the two sides of a partition, or of particles "
-                     "by `of`.")
+                     "Parts of the box, instead of the sides of a partition (`sides`) or of "
+                     "particles by `of` (`thermometer`).")
                 .default_text("none")};
 }
 

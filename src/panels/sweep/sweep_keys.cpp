@@ -84,25 +84,24 @@ std::vector<Binding<PanelSpec>> sweep_keys() {
     const auto line = text(1, most_title_letters);
     return {
         bind_with<PanelSpec>("number", fill_number, line,
-                             "The number of a run that it shows, as `carom join` names it: "
+                             "The number that it shows of each run, as `carom join` names it: "
                              "`temperature`, `virial pressure`, `collision rate`.")
             .default_text("required for a sweep"),
         bind_with<PanelSpec>("vary", fill_vary,
                              one_or_list(axis, most_compared, "a list of KEY=FIRST:LAST:N"),
-                             "The keys that it varies, each with N equally spaced values or as "
-                             "KEY=VALUE,VALUE,... Each point is the mean of as many runs as "
-                             "`seeds` says.")
-            .default_text("none; or `seeds: {from: FOLDER}`"),
+                             "The keys that it varies, each with N equally spaced values, or with "
+                             "those listed as KEY=VALUE,VALUE,... Each point is the mean over "
+                             "`seeds` runs.")
+            .default_text("required without `seeds: {from: FOLDER}`"),
         bind_with<PanelSpec>("set", fill_set,
                              one_or_list(change, most_changes, "a list of KEY.PATH=VALUE"),
-                             "Values that differ from the scene in all of its runs.")
+                             "Values that differ from the scene's in all runs.")
             .default_text("nothing"),
         bind_with<PanelSpec>("across", fill_across, line,
-                             "What is on the axis across: a key that is varied, or `packing` or "
-                             "`density` of the gas. With other keys varied, too, each combination "
-                             "of these is a line.")
+                             "The horizontal axis: a key that is varied, or `packing` or `density` "
+                             "of the gas. Each combination of the other varied keys is a line.")
             .default_text("the first key that is varied"),
-        bind_with<PanelSpec>("across_title", fill_title, line, "The words of the axis across.")
+        bind_with<PanelSpec>("across_title", fill_title, line, "The title of the horizontal axis.")
             .default_text("made from the key")};
 }
 

@@ -35,7 +35,8 @@ template <typename Scalar, typename Function>
 Scalar bracketed_root(Scalar low, Scalar high, int steps, const Function& value_and_slope) {
     const bool falls = value_and_slope(low).first > 0;
     Scalar t = (low + high) * 0.5;
-    // A double root costs a Newton step for each bit; nothing costs more.
+    // A double root costs a Newton step for each bit; a bracket much wider than its root halvings
+    // as well.
     for (int step = 0; t > low && t < high; ++step) {
         const auto [value, slope] = value_and_slope(t);
         if ((value > 0) == falls)

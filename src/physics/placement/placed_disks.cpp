@@ -45,6 +45,7 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
     for (int a = 0; a < 2; ++a) {
         const auto s = static_cast<std::size_t>(a);
         const int last = cells_[a] - 1;
+        // Bounded before they become integers: a disk may cover more cells than an int counts.
         double first = std::floor((centre[a] - radius) / cell_size_[a]);
         double final = std::floor((centre[a] + radius) / cell_size_[a]);
         if (!box_.is_periodic(s)) {

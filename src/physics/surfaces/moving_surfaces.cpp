@@ -202,7 +202,7 @@ std::optional<std::size_t> MovingSurfaces<Scalar>::process_mover(std::size_t k, 
     const bool is_driven = mover.inverse_mass == 0.0;
     if (is_driven && (other < 0 || at(movers_, other).inverse_mass == 0.0))
         throw SurfaceError(static_cast<std::int32_t>(k), "reaches another surface", "",
-                           "stop it earlier by an event, or shorten the run");
+                           how_to_stop);
     bounce_off(mover, other, now);
     if (other < 0) return std::nullopt;
     return static_cast<std::size_t>(other);

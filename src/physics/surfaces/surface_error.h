@@ -29,10 +29,15 @@ class SurfaceError : public std::runtime_error {
     std::string reason_, hint_;
 };
 
+/// The hint where a driven surface reaches another, or leaves no room.
+inline constexpr const char* how_to_stop =
+    "end its motion earlier, by its `until` or by an event, or shorten the run";
+
 /// What it presses on, the gas or a piston, has nowhere to go.
 inline SurfaceError crushes(std::int32_t surface, const char* what = "the gas") {
     return {surface, std::string("crushes ") + what, "",
-            "stop it earlier by an event, let it press less, or shorten the run"};
+            "stop it earlier, a driven wall by its `until` and others by an event, let it press "
+            "less, or shorten the run"};
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 #include "physics/surfaces/barrier.h"
 #include "physics/surfaces/behaviours.h"
 #include "physics/surfaces/driven_path.h"
+#include "physics/surfaces/surface_error.h"
 
 namespace carom {
 namespace {
@@ -308,17 +309,18 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
         case Kind::reaches:
             return {fmt::format("{} reaches `{}` at time {:.4g}", name,
                                 names.at(static_cast<std::size_t>(p.other)), p.value),
-                    "stop it earlier by an event, or shorten the run"};
+                    how_to_stop};
         case Kind::leaves_no_room:
             return {fmt::format("{} crushes the gas at time {:.4g}, when there are {:.3g} left "
                                 "between the walls",
                                 name, p.value, p.room),
-                    "stop it earlier by an event, or shorten the run"};
+                    how_to_stop};
         case Kind::forgets_heat:
         case Kind::forgets_passing:
-            return {fmt::format("{} is a {}, which a reversal cannot undo", name,
-                                p.kind == Kind::forgets_heat ? "heat bath" : "demon"),
-                    "leave out the reversal, or give it another behaviour"};
+            return {
+                fmt::format("{} acts as a {} before the reversal, which cannot undo what it did",
+                            name, p.kind == Kind::forgets_heat ? "heat bath" : "demon"),
+                fmt::format("leave out the reversal, or let {} act otherwise before it", name)};
     }
     return {};
 }

@@ -7,6 +7,7 @@
 
 #include "physics/surfaces/behaviours.h"
 #include "scene/keys/binding.h"
+#include "scene/keys/check.h"
 #include "scene/limits.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/yaml/scalar.h"
@@ -145,8 +146,7 @@ std::optional<WatchStart> event_called(const std::string& word, const Node& node
 
 void check_line(const PanelSpec& panel, const Node& node, Reading& reading) {
     if (node.is_mapping() && find(node, "surfaces") != nullptr)
-        reading.errors.add(place_of_surfaces(node), "`surfaces` and `line` cannot be combined",
-                           "keep one of them");
+        refuse_together(reading.errors, place_of_surfaces(node), {"surfaces", "line"});
     if (panel.counted == Counted::hits)
         reading.errors.add(*given(node, "count"), "nothing hits a `line`: it is no wall",
                            "leave out `count`, or name walls by `surfaces`");
@@ -173,12 +173,12 @@ Notation<CountingLine> counting_line_notation() {
     const KeyTable<Written> table{
         .name = "`line`",
         .keys = {bind_key("x", &Written::x, number(not_negative),
-                          "The place of a line that is perpendicular to x."),
+                          "The x coordinate of a line perpendicular to the x axis."),
                  bind_key("y", &Written::y, number(not_negative),
-                          "The place of a line that is perpendicular to y."),
+                          "The y coordinate of a line perpendicular to the y axis."),
                  bind_key("between", &Written::between, pair_of(any_number, "[from, to]"),
-                          "Where it begins and ends, along the other axis.")
-                     .default_text("all across the box")},
+                          "Where the line begins and ends along the other axis.")
+                     .default_text("across the whole box")},
         .choices = {{{"x", "y"}, true}}};
     const auto complete = [](const Written& written, const Node& node,
                              Reading& reading) -> std::optional<CountingLine> {
@@ -236,7 +236,7 @@ Notation<std::vector<NamedRegion>> regions_notation() {
     const KeyTable<NamedRegion> table{
         .name = "a region",
         .keys = {bind_key("name", &NamedRegion::name, text(1, most_name_letters),
-                          "What it is called in the picture.")
+                          "Its name in the picture.")
                      .required(),
                  bind_key("within", &NamedRegion::region, region_notation("within"),
                           "Its corners: [x0, y0, x1, y1], on a wire [x0, x1].")
@@ -270,8 +270,7 @@ void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading
 void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.regions.empty()) {
         if (!panel.surfaces.empty())
-            reading.errors.add(place_of_surfaces(node),
-                               "`surfaces` and `regions` cannot be combined", "keep one of them");
+            refuse_together(reading.errors, place_of_surfaces(node), {"surfaces", "regions"});
         return;
     }
     if (node.is_mapping() && find(node, "regions") != nullptr) return;  // reported
@@ -296,8 +295,7 @@ void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
 
 void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.regions.empty() && is_written(node, "of"))
-        reading.errors.add(*find(node, "of"), "`of` and `regions` cannot be combined",
-                           "keep one of them");
+        refuse_together(reading.errors, *find(node, "of"), {"of", "regions"});
 }
 
 void check_flux(PanelSpec& panel, const Node& node, Reading& reading) {

@@ -329,10 +329,7 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
             std::exchange(kept, &value)->valid = false;
         } else {
             if (origin == kept->source->origin)
-                errors.add(node.keys[i],
-                           fmt::format("{} cannot be combined",
-                                       listed(given_in(node, choice.names), "and", "`")),
-                           "keep one of them");
+                refuse_together(errors, node.keys[i], given_in(node, choice.names));
             value.valid = false;
         }
     }
@@ -396,6 +393,11 @@ void check_section(Node& node, const Section& section, const Section& whole, Err
 
 void check_mapping(Node& node, const Section& section, Errors& errors) {
     check_section(node, section, section, errors);
+}
+
+void refuse_together(Errors& errors, const Node& place, const std::vector<std::string>& keys) {
+    errors.add(place, fmt::format("{} cannot be combined", listed(keys, "and", "`")),
+               "keep one of them");
 }
 
 }  // namespace carom

@@ -33,13 +33,14 @@ Notation<std::array<std::string, 2>> digits(int dimension) {
 Notation<Perturbation> nudge_notation(int dimension) {
     const KeyTable<Perturbation> table{
         .name = "`nudge`",
-        .keys = {bind_key("particle", &Perturbation::particle, whole(0, most_particles),
-                          "The number of the particle, counted from 0 in the order in which `gas` "
-                          "lists them.")
-                     .required(),
-                 bind_key("by", &Perturbation::by, digits(dimension),
-                          "How far it is moved, read with all its digits: as little as 1e-300.")
-                     .required()}};
+        .keys = {
+            bind_key("particle", &Perturbation::particle, whole(0, most_particles),
+                     "The number of the particle, counted from 0 in the order in which `gas` "
+                     "lists them.")
+                .required(),
+            bind_key("by", &Perturbation::by, digits(dimension),
+                     "The displacement, read with all its digits; it may be as small as 1e-300.")
+                .required()}};
     return complete_mapping(
         table, dimension == 1 ? "{particle: i, by: dx}" : "{particle: i, by: [dx, dy]}");
 }
@@ -68,8 +69,9 @@ Notation<Heat> heat_notation() {
                           "A species, or `all` particles.")
                      .default_text("`all`"),
                  bind_key("by", &HeatDraft::by, number(any_number),
-                          "How much energy in all; a negative number takes it."),
-                 bind_key("to", &HeatDraft::to, target, "What it comes to instead.")},
+                          "The total energy added; a negative number removes energy."),
+                 bind_key("to", &HeatDraft::to, target,
+                          "Instead of `by`: the temperature to reach.")},
         .choices = {{{"by", "to"}, true}}};
     return parsed(mapping(table, "{of: all, by: E} or {to: {temperature: T}}"),
                   [](const HeatDraft& draft, const Node&, Reading&) -> std::optional<Heat> {
@@ -88,45 +90,44 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
                  "When, in simulated time, before `until`.")
             .required(),
         bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
-                 "Reverses all velocities; a run with one reversal must last until the "
-                 "gas has returned, at twice its time."),
+                 "Reverses all velocities; a run with one reversal must last until the gas has "
+                 "returned, at twice the time of the reversal."),
         bind_key("nudge", &EventDraft::nudge, nudge_notation(dimension),
                  "Moves one particle by a small amount, which shows how sensitive the "
                  "return after a reversal is."),
         bind_key("open", &EventDraft::open, surface,
-                 "Opens this partition: nothing is there from now on."),
+                 "Opens this partition: from now on, particles pass as if it were absent."),
         bind_key("close", &EventDraft::close, surface,
-                 "Puts an open partition back; no particle may be in its way."),
+                 "Closes an open partition; no particle may be in its way."),
         bind_key("move", &EventDraft::move, surface,
-                 "This side or partition moves at `velocity` from now on."),
-        bind_key("hold", &EventDraft::hold, surface, "This piston stops and stays."),
-        bind_key("release", &EventDraft::release, surface, "Frees a piston that is held."),
+                 "Moves this side or partition at `velocity` from now on."),
+        bind_key("hold", &EventDraft::hold, surface, "Stops this piston and holds it in place."),
+        bind_key("release", &EventDraft::release, surface, "Releases a piston that is held."),
         bind_key("wall", &EventDraft::wall, surface,
-                 "This side or partition acts otherwise from now on: with `temperature`, "
-                 "`mass` (and `force`) or `velocity`, or `solid`."),
+                 "Changes how this side or partition acts from now on: give `temperature`, `mass` "
+                 "(and `force`), `velocity` or `solid`."),
         bind_key("heat", &EventDraft::heat, heat_notation(),
-                 "Gives energy to particles, or takes it, by scaling their velocities; along an "
-                 "axis where momentum is conserved, about their mean."),
+                 "Adds energy to particles, or removes it, by scaling their velocities; along an "
+                 "axis where momentum is conserved, relative to their mean."),
         bind_key("mark", &EventDraft::mark, text(1, most_name_letters),
-                 "Shows the places that the particles have at this time as outlines, with "
-                 "these words, until the next mark."),
-        bind_key(
-            "caption", &EventDraft::caption, with_formulas(text(0, most_caption_letters)),
-            "A line of text under the gas, shown until the next one; \"\" removes it. Formulae "
-            "stand between `$` signs."),
+                 "Outlines the positions that the particles have at this time, with these words, "
+                 "until the next mark."),
+        bind_key("caption", &EventDraft::caption, with_formulas(text(0, most_caption_letters)),
+                 "A line of text under the gas, shown until the next one; \"\" removes it. Write "
+                 "formulae between `$` signs."),
         bind_key("pause", &EventDraft::pause, number({0.1, most_seconds}),
-                 "The film stands still for so many seconds, and simulated time with it: time "
-                 "to speak. Pauses are part of the film's `seconds`; with `pace` they are added "
-                 "to them. Together they take at most half of the film."),
+                 "Stops the film, and simulated time, for this many seconds, so that you can "
+                 "speak. Pauses are included in the film's `seconds`; with `pace` they make the "
+                 "film longer. Together they take at most half of the film."),
         bind_key("for", &EventDraft::seconds, number({least_caption_seconds, most_seconds}),
-                 "How long the caption is shown at most, in seconds of film.")
+                 "The longest time that the caption is shown, in seconds of film.")
             .default_text("until the next caption"),
-        bind_key("mirror", &EventDraft::is_mirrored, flag(),
-                 "Whether it is undone after a reversal of the velocities, as long after "
-                 "it as it was before. Where it is not, the gas goes another way than it "
-                 "came."),
+        bind_key(
+            "mirror", &EventDraft::is_mirrored, flag(),
+            "Whether the event is undone after a reversal of the velocities, as long after the "
+            "reversal as it happened before it. If not, the gas does not return the way it came."),
         bind_key("solid", &EventDraft::solid, flag(),
-                 "Of a `wall` event: the wall only reflects from now on.")};
+                 "For a `wall` event: the wall only reflects from now on.")};
 }
 
 KeyTable<EventDraft> event_table(int dimension) {

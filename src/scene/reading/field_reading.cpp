@@ -53,25 +53,25 @@ Binding<Film> field_key() {
     const KeyTable<FieldDraft> table{
         .name = "`field`",
         .keys = {bind_key("of", &FieldDraft::of, quantity_notation(true),
-                          "What it shows: the number of particles in a unit of area, the "
+                          "What it shows: the number of particles per unit of area, the "
                           "temperature of their motion about the mean velocity of the cell, their "
                           "mean speed, their mean velocity as arrows, or the share of a species.")
                      .required(),
                  bind_key("species", &FieldDraft::name, text(1, most_name_letters),
-                          "The species whose share it is, with `of: concentration`.")
+                          "With `of: concentration`: the species whose share is shown.")
                      .default_text("required for a concentration"),
                  bind_key("cells", &FieldDraft::cells, whole(2, most_field_cells),
-                          "How many cells are along the longer side of the box."),
+                          "The number of cells along the longer side of the box."),
                  bind_key("over", &FieldDraft::over, number(positive),
-                          "The simulated time before the present that it is averaged over, by "
-                          "exact times of residence."),
+                          "The simulated time before the present over which it is averaged, by the "
+                          "exact times that particles spend in each cell."),
                  bind_key("opacity", &FieldDraft::opacity, number({0.1, {1.0}}),
-                          "How much its colours cover the ground.")}};
+                          "The opacity of its colours over the background.")}};
     const auto made =
         parsed(complete_mapping(table, "{of: density, cells: 20, over: 1}"), field_of);
     return bind_key("field", &Film::field, made,
-                    "A quantity in square cells, drawn under the particles, which are outlines "
-                    "then. Cells with fewer than three particles on average are blank.")
+                    "A quantity in square cells, drawn under the particles, which are then drawn "
+                    "as outlines. Cells with fewer than three particles on average are blank.")
         .default_text("none");
 }
 

@@ -52,12 +52,11 @@ Binding<FigureSpec> size_key() {
     };
     return bind_with<FigureSpec>(
                "size", fill, either(named, either(by_width, in_centimetres)),
-               fmt::format(
-                   "The size of a text column ({} cm wide), a page ({} cm) or a slide "
-                   "({:.1f} cm by {:.1f} cm, with large type), or a width, or width and height, in "
-                   "centimetres. Without a height it follows from the width: a box has its "
-                   "own shape, with nothing above and below.",
-                   column_width, page_width, slide_width, slide_height))
+               fmt::format("The size of a text column ({} cm wide), a page ({} cm) or a slide "
+                           "({:.1f} cm by {:.1f} cm, with large type), or a width, or width and "
+                           "height, in centimetres. If no height is given, it follows from the "
+                           "width: a box keeps its shape, with no space above and below.",
+                           column_width, page_width, slide_width, slide_height))
         .default_value("column");
 }
 
@@ -87,7 +86,7 @@ Notation<std::vector<ComparedRun>> compared_runs() {
     const KeyTable<Seeds> seeds{
         .name = "`compare`",
         .keys = {bind_key("seeds", &Seeds::count, whole(2, most_compared),
-                          "How many runs: with the scene's seed and those that follow it.")
+                          "The number of runs, with the scene's seed and those that follow it.")
                      .required()}};
     const KeyTable<ComparedRun> run{.name = "an item of `compare`",
                                     .keys = {label_key().required(), changes_key()},
@@ -216,8 +215,8 @@ Binding<PanelSpec> seeds_key() {
         .name = "`seeds`",
         .keys = {bind_key("from", &Joined::from,
                           checked(text(1, most_title_letters), check_is_inside),
-                          "The folder of a sweep that `carom join` has put together, or its "
-                          "summary; beside the scene.")
+                          "The folder of a sweep that `carom join` has joined, or its summary, "
+                          "inside the scene's folder.")
                      .required()}};
     const auto fill = [](PanelSpec& panel, const Runs& runs) {
         if (const auto* sweep = std::get_if<Joined>(&runs))
@@ -230,16 +229,15 @@ Binding<PanelSpec> seeds_key() {
                either(
                    as<Runs>(whole(1, most_seeds)),
                    as<Runs>(mapping(joined_sweep, "{from: FOLDER} of a figure of kind `sweep`"))),
-               "The number of independent runs of which it shows the mean, with its standard "
-               "error: "
-               "with the scene's seed and those that follow it.")
+               "The number of independent runs whose mean it shows, with its standard error. The "
+               "runs have the scene's seed and those that follow it.")
         .default_text("1");
 }
 
 std::vector<Binding<PanelSpec>> keys_of_runs(PanelKinds kinds) {
     return {bind_key("test", &PanelSpec::test, flag(),
                      "Whether the caption says how well the bars fit the theory, by Pearson's "
-                     "chi-squared test, for one time `at` and particles of one mass.")
+                     "chi-squared test, which applies to one time `at` and particles of one mass.")
                 .only_with(kinds_that_can(kinds, Ability::equilibrium)),
             seeds_key().only_with(kinds_that_can(kinds, Ability::means))};
 }
@@ -258,8 +256,8 @@ Binding<FigureReading> over_key() {
         "over", fill,
         either(as<Times>(over_notation()),
                as<Times>(list_of(number(not_negative), 2, {2}, "[from, to]"))),
-        "The time whose values it counts: that which it shows, all since time 0, a time before it; "
-        "or an interval, which takes the place of `at`.");
+        "The time over which values are taken: only the time shown, all since time 0, a window "
+        "before the time shown; or an interval, which replaces `at`.");
 }
 
 std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
@@ -276,13 +274,14 @@ std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
 }
 
 std::vector<Binding<FigureSpec>> page_keys() {
-    return {size_key(), theme_key(&FigureSpec::theme),
-            bind_key("caption", &FigureSpec::caption, with_formulas(lines(1, most_letters)),
-                     "The words under the figure, with formulae between `$` signs.")
-                .default_text("made from what the figure shows"),
-            bind_key("alt", &FigureSpec::alt, with_formulas(lines(1, most_letters)),
-                     "A description for those who cannot see it; it has formulae in words.")
-                .default_text("made from what the figure shows")};
+    return {
+        size_key(), theme_key(&FigureSpec::theme),
+        bind_key("caption", &FigureSpec::caption, with_formulas(lines(1, most_letters)),
+                 "The words under the figure, with formulae between `$` signs.")
+            .default_text("made from what the figure shows"),
+        bind_key("alt", &FigureSpec::alt, with_formulas(lines(1, most_letters)),
+                 "A description for readers who cannot see the figure; its formulae become words.")
+            .default_text("made from what the figure shows")};
 }
 
 void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, Reading& reading) {
@@ -307,8 +306,8 @@ KeyTable<FigureReading> figure_table(PanelKinds kinds) {
             .required()};
     const std::vector compare{
         bind_key("compare", &FigureSpec::compare, compared_runs(),
-                 "Several runs in one panel with shared axes and a legend: with several seeds, or "
-                 "of the scene with other values, each with its label.")
+                 "Several runs in one panel with shared axes and a legend: with different seeds, "
+                 "or of the scene with other values, each with a label.")
             .default_text("the scene's run alone")
             .only_with(kinds_that_can(kinds, Ability::comparison))};
     return {
@@ -348,11 +347,10 @@ Binding<ComparedRun> changes_key() {
                                "for instance gas.0.temperature=4");
     };
     const auto one = checked(text(3, most_title_letters).called("KEY.PATH=VALUE"), check);
-    return bind_key(
-               "set", &ComparedRun::values,
-               one_or_list(one, most_changes, "a list of KEY.PATH=VALUE"),
-               "The values that differ in its scene: KEY.PATH=VALUE as for `--set`, or a list of "
-               "these.")
+    return bind_key("set", &ComparedRun::values,
+                    one_or_list(one, most_changes, "a list of KEY.PATH=VALUE"),
+                    "The values to change in its scene: KEY.PATH=VALUE as for `--set`, or a list "
+                    "of these.")
         .default_text("nothing");
 }
 

@@ -41,8 +41,8 @@ Binding<Film> velocities_key() {
                                    return Arrows{true, scale};
                                }));
     return bind_with<Film>("velocities", fill, arrows,
-                           "Arrows of velocity on disks and beads: whether to draw them, or the "
-                           "simulated time that makes an arrow velocity * time long.")
+                           "Velocity arrows on disks and beads: whether to draw them, or their "
+                           "scale as a simulated time: an arrow is velocity * time long.")
         .default_value("false");
 }
 
@@ -64,7 +64,7 @@ Notation<Trails> trails_notation() {
                 "Which particles: all, a species, a particle by its number, or several of these.")
                 .default_value("all"),
             bind_key("seconds", &Trails::seconds, number({0.0, most_trail_seconds}),
-                     "How long they are, in seconds of film.")
+                     "The length of the trails, in seconds of film.")
                 .default_value("1")}};
     return mapping(table, "{of: particles, seconds: length}");
 }
@@ -72,8 +72,10 @@ Notation<Trails> trails_notation() {
 Notation<SlowSpan> slow_notation() {
     return complete_mapping(KeyTable<SlowSpan>{
         .name = "an item of `slow`",
-        .keys = {bind_key("from", &SlowSpan::from, number(not_negative), "Its first time."),
-                 bind_key("to", &SlowSpan::to, number(positive), "Its last time, at most `until`.")
+        .keys = {bind_key("from", &SlowSpan::from, number(not_negative),
+                          "The simulated time at which it begins."),
+                 bind_key("to", &SlowSpan::to, number(positive),
+                          "The simulated time at which it ends, at most `until`.")
                      .default_text("until"),
                  bind_key("factor", &SlowSpan::factor, number({0.001, {1.0}}),
                           "The speed of the film there, relative to the rest.")
@@ -84,11 +86,12 @@ Binding<Film> sound_key() {
     const KeyTable<Sound> table{
         .name = "`sound`",
         .keys = {
-            bind_key("of", &Sound::of, one_of<SoundOf>(),
-                     "What is heard: all collisions, those with walls and other surfaces too."),
+            bind_key(
+                "of", &Sound::of, one_of<SoundOf>(),
+                "What is heard: all collisions, including those with walls and other surfaces."),
             bind_key("loudness", &Sound::loudness, number({0.01, {1.0}}),
-                     "The largest sample, as a share of full scale. Where clicks come so "
-                     "close that they would be louder together, all are softer."),
+                     "The largest sample, as a share of full scale. Where clicks come so close "
+                     "that together they would be louder, all of them are softened."),
             bind_key("reference", &Sound::reference, number(positive),
                      "The impulse of a collision that sounds at 880 Hz. Twice the impulse is "
                      "an octave higher; pitches lie between 220 and 7040 Hz.")
@@ -102,9 +105,9 @@ Binding<Film> sound_key() {
     return bind_with<Film>(
                "sound", [](Film& film, const Written& sound) { film.sound = sound; },
                either(either(none, usual), whole),
-               "A soft click for each collision when the film shows it, higher where the impulse "
-               "is larger: AAC in MP4, Opus in WebM; other formats are silent. Of two runs side by "
-               "side the scene's own is heard.")
+               "A soft click for each collision when the film shows it, higher in pitch for a "
+               "larger impulse: AAC in MP4, Opus in WebM; other formats are silent. With two runs "
+               "side by side, the scene's own is heard.")
         .default_value("none");
 }
 
@@ -114,11 +117,11 @@ std::vector<Binding<FilmDraft>> picture_keys() {
         bind_key("seconds", &FilmDraft::given_seconds, number({0.01, most_seconds}),
                  "The length of the whole film, holds and pauses included."),
         bind_key("pace", &FilmDraft::pace, number(positive),
-                 "Instead of seconds: simulated time in a second of film."),
+                 "Instead of `seconds`: simulated time per second of film."),
         bind_key("fps", &Film::fps, whole(1, most_frames_per_second), "Frames in a second."),
         bind_key("size", &Film::size, size_notation(),
-                 "The picture in pixels: a name, or width and height. H.264 and VP9 add a row or "
-                 "a column to odd ones."),
+                 "The size of the picture in pixels: a name, or width and height. H.264 and VP9 "
+                 "add a row or a column where these are odd."),
         theme_key(&Film::theme),
         bind_key("language", &Film::language, one_of<Language>(),
                  "The language of carom's own words, numbers and lists: English, German, French or "
@@ -143,8 +146,8 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
             .default_text("none"),
         velocities_key(),
         bind_key("flashes", &Film::flashes, flag(),
-                 "A short flash where two particles touch, or one touches a surface that is more "
-                 "than an outer wall, at most three a second.")};
+                 "A short flash where two particles touch, or one touches a partition, an obstacle "
+                 "or a wall that acts, at most three a second.")};
 }
 
 // What is shown beside the gas, and when.
@@ -152,32 +155,33 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
     const auto slow =
         list_of(placed(slow_notation()), 0, most_slow_spans, "a list of {from, to, factor}");
     return {
-        bind_key(
-            "title_card", &Film::title_card, title_card_notation(),
-            "A card with title and subtitle before the film: `true` for 3 seconds, or a number of "
-            "seconds. It is part of the film's `seconds`; with `pace` it is added to them."),
+        bind_key("title_card", &Film::title_card, title_card_notation(),
+                 "A card with title and subtitle before the film: `true` for 3 seconds, or a "
+                 "number of seconds. It is included in the film's `seconds`; with `pace` it makes "
+                 "the film longer."),
         bind_key("end_card", &Film::end_card, with_formulas(text(1, most_title_letters)),
-                 "The text of a card of 4 seconds after the film, which is part of its `seconds` "
-                 "too. Both cards together take at most a third of the film.")
+                 "The text of a card shown for 4 seconds after the film and included in its "
+                 "`seconds` too. Both cards together take at most a third of the film.")
             .default_text("none"),
         bind_key(
             "trails", &Film::trails, trails_notation(),
             "Trails that some of the particles leave; the `trail` of a species takes precedence.")
-            .default_text("of single disks among many"),
-        bind_key("slow", &FilmDraft::spans, slow,
-                 "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The "
-                 "film eases in before the span and out after it, over half a second each (in "
-                 "films shorter than five seconds, a tenth of the film), and shows ×0.1 beside the "
-                 "clock. With `seconds` the rest is faster, with `pace` the film is longer.")
+            .default_text("for a species of a single particle among many"),
+        bind_key(
+            "slow", &FilmDraft::spans, slow,
+            "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The film "
+            "eases in before the span and out after it, over half a second each (in films shorter "
+            "than five seconds, a tenth of the film), and shows ×0.1 beside the clock. With "
+            "`seconds` the rest becomes faster, with `pace` the film becomes longer.")
             .default_text("none"),
         bind_key("monitors", &Film::monitors, monitors_notation(),
-                 "The numbers in the row of monitors; all-collisions includes those with walls, "
+                 "The numbers in the row of monitors; all-collisions includes those with walls; "
                  "return-distance is the largest distance of a particle from where it was on the "
-                 "way out, overlap the deepest so far of two disks that collided, in per cent of "
-                 "the sum of their radii.")
+                 "way out; overlap is the deepest overlap so far of two disks that collided, in "
+                 "per cent of the sum of their radii.")
             .default_text("time, collisions, mean-speed and mean-energy"),
         bind_key("panels", &Film::panels, panels_notation(kinds),
-                 "What the panels show, each a kind or a mapping with options.")
+                 "The panels, each a kind or a mapping with options.")
             .default_text("the template's")};
 }
 
@@ -254,11 +258,6 @@ Spans spans_of(Spans spans, Reading& reading) {
     return spans;
 }
 
-// What makes a film longer: with `pace` there are no `seconds`.
-std::string key_of_length(const Node& film) {
-    return given(film, "pace") != nullptr ? "a smaller `film.pace`" : "`film.seconds`";
-}
-
 void check_easing(const Film& film, const Run& run, const Spans& drafts, const Node& node,
                   Errors& errors) {
     const double seconds = static_cast<double>(moving_steps(film, run)) / film.fps;
@@ -266,9 +265,9 @@ void check_easing(const Film& film, const Run& run, const Spans& drafts, const N
     if (!shortage) return;
     const SlowSpan& span = film.slow[shortage->span];
     const Node& place = *drafts[shortage->span].node;
-    constexpr double short_film = 5.0;  // seconds, in which easing takes a share of the film
     const std::string longer =
-        seconds < short_film ? "let the gas move for more than 5 seconds" : "make the film longer";
+        seconds < short_film ? fmt::format("let the gas move for more than {} seconds", short_film)
+                             : "make the film longer";
     const std::string lengthen = fmt::format("{} ({})", longer, key_of_length(node));
     if (!std::isfinite(shortage->needed))
         return errors.add(
@@ -326,18 +325,17 @@ bool check_frames(const Film& film, const Node& node, const Node& root, Errors& 
 void check_pauses(const Film& film, const std::vector<Placed<Pause>>& pauses, const Node& node,
                   Errors& errors) {
     const Node* length = given(node, "seconds");
-    const double asked = pause_seconds(film);
-    // Without `seconds` pauses make the film longer.
-    const double most =
-        length != nullptr ? most_pause_seconds(film) : film.seconds - card_seconds(film) - asked;
+    const double asked = pause_seconds(film), most = most_pause_seconds(film);
     if (asked <= most || (length != nullptr && length->source->origin == Origin::command_line))
         return;
+    // Without `seconds` shorter pauses make the film shorter, too.
+    const double enough = length != nullptr ? most : film.seconds - card_seconds(film) - asked;
     errors.add(*pauses.back().node,
                fmt::format("pauses of {:.3g} seconds in all, in a film of {:.3g} seconds{}", asked,
                            film.seconds, card_seconds(film) > 0.0 ? " with its cards" : ""),
                fmt::format("pauses take at most half of a film: make it longer ({}), or the pauses "
-                           "{:.3g} seconds or less in all",
-                           key_of_length(node), most));
+                           "{:.6g} seconds or less in all",
+                           key_of_length(node), std::floor(100.0 * enough) / 100.0));
 }
 
 void check_sound(const Film& film, const Node& node, Errors& errors) {
@@ -405,10 +403,10 @@ KeyTable<FilmDraft> new_film_table(PanelKinds kinds) {
 KeyTable<FilmDraft> new_template_table(PanelKinds kinds) {
     const std::vector layout{
         bind_key("layout", &FilmDraft::layout_node, kept(layout_notation()),
-                 "Where everything is in a frame.")
+                 "The places of everything in a frame.")
             .required(),
         bind_key("usual_panels", &FilmDraft::usual_panels, usual_panels_notation(),
-                 "How many of `panels` a film has that names none.")
+                 "How many of these `panels` a film shows that lists none of its own.")
             .default_text("as many as there are places")};
     return {.name = "a template",
             .keys = joined<FilmDraft>(film_keys(kinds), layout),
@@ -425,6 +423,10 @@ const FixedTable<FilmDraft>& film_table(PanelKinds kinds) {
 const FixedTable<FilmDraft>& template_table(PanelKinds kinds) {
     static MadeOnce<FixedTable<FilmDraft>> tables;
     return tables.of(kinds, [&] { return new_template_table(kinds); });
+}
+
+std::string key_of_length(const Node& film) {
+    return given(film, "pace") != nullptr ? "a smaller `film.pace`" : "`film.seconds`";
 }
 
 Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKinds kinds,

@@ -37,6 +37,9 @@ struct FilmNodes {
     const Node& root;  ///< the scene
 };
 
+/// What makes a film longer, for messages: `seconds`, or where `film` has a `pace` a smaller one.
+std::string key_of_length(const Node& film);
+
 /// The film of a scene, of which the gas and the run are known, with the pauses that the run asks
 /// for. Its run gives the length where the film does not. A scene's panels may be more than the
 /// places of a template that the command line asks for: the first are shown. Where they are too

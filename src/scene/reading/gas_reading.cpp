@@ -16,16 +16,17 @@ namespace {
 
 KeyTable<BoxDraft> box_table(int dimension) {
     const auto of_length = [](double length) { return Eigen::Array2d(length, 0.0); };
-    return {.name = "`box`",
-            .keys = {bind_key("size", &Box::size, pair_of(positive, "[width, height]"),
-                              "Width and height of the box, x from 0 to the width, y from 0 to the "
-                              "height."),
-                     bind_key("length", &Box::size, mapped(number(positive), of_length),
-                              "Instead of a size: the length of a wire, x from 0 to the length."),
-                     bind_key("walls", &BoxDraft::sides, sides_notation(dimension),
-                              "What is at the edges of the box: walls, or the opposite side.")},
-            .choices = {{{"size", "length"}, true}},
-            .refused = inelastic_keys()};
+    return {
+        .name = "`box`",
+        .keys = {bind_key("size", &Box::size, pair_of(positive, "[width, height]"),
+                          "Width and height of the box; x goes from 0 to the width, y from 0 to "
+                          "the height."),
+                 bind_key("length", &Box::size, mapped(number(positive), of_length),
+                          "Instead of `size`: the length of a wire; x goes from 0 to the length."),
+                 bind_key("walls", &BoxDraft::sides, sides_notation(dimension),
+                          "What is at the edges of the box: walls or periodic boundaries.")},
+        .choices = {{{"size", "length"}, true}},
+        .refused = inelastic_keys()};
 }
 
 /// Where the particles of a species begin, as it is written.
@@ -63,11 +64,12 @@ KeyTable<PositionDraft> part_table(int dimension) {
             bind_key("within", &PositionDraft::rule,
                      parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
                             region_in),
-                     "A part of the box, with the particles entirely inside it.")}};
+                     "A part of the box; the particles start entirely inside it.")}};
     if (dimension == 1) {
         table.keys.front().key.required = true;
-        table.refused = {{"text", "words are patterns of disks, in a box with a `size`", ""},
-                         {"side", "a wire has no partitions", "give `within` instead"}};
+        table.refused = {{"text", "`text` needs disks, in a box with a `size`", "give `within`"},
+                         {"side", "a wire has no partitions", "give `within`"},
+                         {"of", "a wire has no partitions", "give `within`"}};
     }
     if (dimension == 2) {
         table.choices = {{{"within", "side"}, true}};
@@ -79,12 +81,12 @@ KeyTable<PositionDraft> part_table(int dimension) {
         table.keys.push_back(bind_key("of", &PositionDraft::of, kept(text(1, most_name_letters)),
                                       "The name of that partition.")
                                  .default_text("the only one"));
-        table.keys.push_back(
-            bind_key(
-                "text", &PositionDraft::letters, kept(text(1, most_name_letters)),
-                "A word as a pattern of disks, as large as fits into `within`: capitals, digits, "
-                ". ! ? - + = ♥ ☺. Without `count` there are as many disks as fit well apart.")
-                .default_text("random places"));
+        table.keys.push_back(bind_key("text", &PositionDraft::letters,
+                                      kept(text(1, most_name_letters)),
+                                      "A word written with disks, as large as fits into `within`: "
+                                      "capitals, digits, . ! ? - + = ♥ ☺. Without `count`, it has "
+                                      "as many disks as fit with some space between them.")
+                                 .default_text("random places"));
     }
     return table;
 }
@@ -108,7 +110,7 @@ Notation<Temperature> temperature_notation() {
     const KeyTable<Exact> table{
         .name = "`temperature`",
         .keys = {bind_key("exact", &Exact::value, number(not_negative),
-                          "The temperature of the particles at the start, to the last digit.")
+                          "The temperature of the particles at the start, exact to the last digit.")
                      .required()}};
     return either(as<Temperature>(number(not_negative)),
                   mapped(mapping(table, "{exact: T}"), [](const Exact& its) {
@@ -120,35 +122,35 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
     const bool wire = dimension == 1;
     const auto mass = either(as<MassRule>(quantity(positive)),
                              as<MassRule>(one_of<Infinite>({{"infinite", {}}})));
-    return {
-        bind_key("name", &Species::name, text(1, most_name_letters),
-                 "The name of the species, shown in legends.")
-            .default_text("required when there are several species"),
-        bind_key("count", &Species::count, whole(1, most_particles), "How many particles.")
-            .default_text("the number of positions listed, or of disks in a `text`"),
-        bind_key("radius", &SpeciesReading::written_radius,
-                 quantity(wire ? not_negative : positive),
-                 wire ? "Half the length of each bead: 0 is a point." : "The radius of each disk.")
-            .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
-        bind_key("mass", &Species::mass, mass,
-                 "The mass of each particle; no collision moves one of mass `infinite`."),
-        bind_key("density", &Species::mass, as<Density>(quantity(positive)),
-                 wire ? "Instead of a mass: mass = density * 2 radius."
-                      : "Instead of a mass: mass = density * pi * radius^2."),
-        bind_key("speed", &Species::velocity, as<Speed>(quantity(not_negative)),
-                 fmt::format("The speed of each particle, {}.",
-                             wire ? "to the left or to the right" : "in a random direction")),
-        bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension)),
-                 "One velocity for all, or a list of one for each particle."),
-        bind_key("temperature", &Species::velocity, temperature_notation(),
-                 "Velocities sampled from the Maxwell-Boltzmann distribution at this temperature. "
-                 "The sample's own temperature differs from it by chance; with {exact: T} the "
-                 "velocities are scaled so that it is T.")
-            .default_text("at rest"),
-        bind_key("position", &SpeciesReading::written_position, position_notation(dimension),
-                 "Where the particles start: anywhere, evenly spaced, in a part of the box, or in "
-                 "listed places.")
-            .default_value("random")};
+    return {bind_key("name", &Species::name, text(1, most_name_letters),
+                     "The name of the species, shown in legends.")
+                .default_text("required when there are several species"),
+            bind_key("count", &Species::count, whole(1, most_particles), "The number of particles.")
+                .default_text("the number of positions listed, or of disks in a `text`"),
+            bind_key(
+                "radius", &SpeciesReading::written_radius, quantity(wire ? not_negative : positive),
+                wire ? "Half the length of each bead: 0 is a point." : "The radius of each disk.")
+                .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
+            bind_key("mass", &Species::mass, mass,
+                     "The mass of each particle. Collisions do not change the velocity of a "
+                     "particle of mass `infinite`."),
+            bind_key("density", &Species::mass, as<Density>(quantity(positive)),
+                     wire ? "Instead of `mass`: mass = density * 2 radius."
+                          : "Instead of `mass`: mass = density * pi * radius^2."),
+            bind_key("speed", &Species::velocity, as<Speed>(quantity(not_negative)),
+                     fmt::format("The speed of each particle, {}.",
+                                 wire ? "to the left or to the right" : "in a random direction")),
+            bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension)),
+                     "One velocity for all particles, or a list with one for each."),
+            bind_key("temperature", &Species::velocity, temperature_notation(),
+                     "Velocities sampled from the Maxwell-Boltzmann distribution at this "
+                     "temperature. The sample's own temperature differs from it by chance; with "
+                     "{exact: T} the velocities are scaled to make it T.")
+                .default_text("at rest"),
+            bind_key("position", &SpeciesReading::written_position, position_notation(dimension),
+                     "Where the particles start: at random, evenly spaced, in a part of the box, "
+                     "or at listed positions.")
+                .default_value("random")};
 }
 
 std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
@@ -158,18 +160,18 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
             "The colour of this species where colours distinguish species: a name or \"#rrggbb\".")
             .default_text("chosen by the film"),
         bind_key("fill", &SpeciesLook::fill, flag(),
-                 "Whether disks and beads are filled; rings if not."),
+                 "Whether disks and beads are drawn filled; otherwise they are rings."),
         bind_key("label", &SpeciesLook::label, text(0, most_name_letters),
-                 "A word drawn beside a single particle, at the start of the film.")
+                 "For a species of one particle: a word drawn beside it at the start of the film.")
             .default_text("its name"),
         bind_key("trail", &SpeciesLook::trail, number({0.0, most_trail_seconds}),
-                 "How long a trail the particles leave, in seconds of film.")
-            .default_text("by the film")};
+                 "The length of the particles' trails, in seconds of film.")
+            .default_text("as the film's `trails` say")};
     if (dimension == 1)
         keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(not_negative),
-                                "The radius with which the beads are drawn, moved apart so that "
-                                "they seem to touch when they collide. 0: points are drawn as dots "
-                                "where they are, and their world lines cross.")
+                                "The radius with which the beads are drawn; they are moved apart "
+                                "so that they seem to touch when they collide. With 0, points are "
+                                "drawn as dots where they are, and their world lines cross.")
                            .default_text("the radius, or 0.4 of the mean spacing for points"));
     return keys;
 }

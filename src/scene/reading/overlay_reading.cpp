@@ -32,11 +32,11 @@ void check_begin(const Node& place, const char* key, double time, Reading& readi
 
 // The keys of a span of time, the second of them by this name.
 std::vector<Binding<TimeSpan>> span_keys(const char* until) {
-    return {
-        bind_key("from", &TimeSpan::from, number(not_negative),
-                 "The simulated time at which it comes."),
-        bind_key(until, &TimeSpan::until, number(positive), "The simulated time at which it goes.")
-            .default_text("the end of the film")};
+    return {bind_key("from", &TimeSpan::from, number(not_negative),
+                     "The simulated time at which it appears."),
+            bind_key(until, &TimeSpan::until, number(positive),
+                     "The simulated time at which it disappears.")
+                .default_text("the end of the film")};
 }
 
 void check_span(const TimeSpan& span, const Node& node, const char* until, Reading& reading) {
@@ -149,7 +149,10 @@ std::optional<CameraMove> camera_move(const CameraDraft& draft, const Node& node
     const Node* follow = given(node, "follow");
     if (follow != nullptr && !draft.width && find(node, "width") == nullptr)
         reading.errors.add(*follow, "`follow` needs `width`: how much of the box is seen",
-                           "for instance `width: 10`, in units of length");
+                           reading.gas.box.size[0] > 0.0
+                               ? fmt::format("for instance half of the box, `width: {}`",
+                                             0.5 * reading.gas.box.size[0])
+                               : "");
     if (const Node* width = given(node, "width"); width != nullptr && follow == nullptr)
         reading.errors.add(*width, "`width` applies to `follow` only");
     if (draft.view) return CameraMove{draft.at, *draft.view, draft.seconds};
@@ -164,12 +167,12 @@ Notation<std::vector<CameraMove>> camera_notation() {
                           "The simulated time at which the move begins.")
                      .required(),
                  bind_key("view", &CameraDraft::view, view_notation(),
-                          "What is seen after it: `box`, all of it, or a part."),
+                          "What is visible after the move: `box`, the whole box, or a part of it."),
                  bind_key("follow", &CameraDraft::follow, chosen_notation(),
-                          "What stays in the middle instead: a particle, or a species' centre of "
-                          "mass."),
+                          "Instead of `view`: what stays in the middle, a particle or a species' "
+                          "centre of mass."),
                  bind_key("width", &CameraDraft::width, number(positive),
-                          "With `follow`: the width of what is seen, a length."),
+                          "With `follow`: the width of the visible part, as a length."),
                  bind_key("over", &CameraDraft::seconds, number({0.8, most_seconds}),
                           "How long the move takes, in seconds of film.")},
         .choices = {{{"view", "follow"}, true}}};
@@ -268,10 +271,10 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
     const KeyTable<Written> table{
         .name = "an item of `callouts`",
         .keys = {bind_key("at", &Written::at, number(not_negative),
-                          "The simulated time at which it comes.")
+                          "The simulated time at which it appears.")
                      .required(),
                  bind_key("for", &Written::seconds, number({1.0, most_seconds}),
-                          "How long it stays, in seconds of film."),
+                          "How long it is shown, in seconds of film."),
                  bind_key("on", &Written::on, target_notation(),
                           "What it points to: a particle by its number, the only one of a species, "
                           "or a place in a panel's plot.")
@@ -294,15 +297,16 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
 }
 
 std::vector<Binding<Film>> overlay_keys() {
-    return {bind_key("spotlight", &Film::spotlights,
-                     list_of(spotlight_notation(), 0, most_overlays, "a list of {from, to, on}"),
-                     "Particles that stand out for a while: all others are dimmed.")
-                .default_text("none"),
-            bind_key("camera", &Film::camera, camera_notation(),
-                     "The camera goes over to a part of the box, to a particle that it follows, "
-                     "and back. A small map and a bar of a round length say where it is.")
-                .default_text("the whole box"),
-            field_key()};
+    return {
+        bind_key("spotlight", &Film::spotlights,
+                 list_of(spotlight_notation(), 0, most_overlays, "a list of {from, to, on}"),
+                 "Highlights particles for a while by dimming all others.")
+            .default_text("none"),
+        bind_key("camera", &Film::camera, camera_notation(),
+                 "Moves the camera to a part of the box, to a particle that it follows, and back. "
+                 "A small map and a scale bar of a round length show what the picture covers.")
+            .default_text("the whole box"),
+        field_key()};
 }
 
 std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
@@ -375,11 +379,10 @@ Binding<Film> beside_key() {
     };
     auto label = label_key();
     label.key.meaning = "The words under the other run, and in legends.";
-    const std::vector file{bind_key("scene", &Written::file,
-                                    checked(text(6, most_title_letters), check_file),
-                                    "Another scene in the same folder, whose gas and run it is, "
-                                    "instead of the scene's own.")
-                               .default_text("the scene itself")};
+    const std::vector file{
+        bind_key("scene", &Written::file, checked(text(6, most_title_letters), check_file),
+                 "Another scene in the same folder, whose gas and run are shown as the other run.")
+            .default_text("the scene itself")};
     const std::vector own_label{bind_key("own_label", &Beside::own_label,
                                          text(1, most_name_letters),
                                          "The words under the scene's own run.")

@@ -60,13 +60,13 @@ Notation<Interval> range_notation() {
 std::vector<Binding<PanelSpec>> bar_keys(PanelKinds kinds) {
     std::vector<Binding<PanelSpec>> keys{
         bind_key("bins", &PanelSpec::bins, whole(1, most_bins), "The number of bars.")
-            .default_text("by rule, from the whole run"),
+            .default_text("chosen by rule from the whole run"),
         bind_key("range", &PanelSpec::range, range_notation(),
                  "The first and the last edge of the bars.")
-            .default_text("by rule, from the whole run"),
-        bind_key(
-            "fit", &PanelSpec::fit, flag(),
-            "Whether to draw the normal curve with the same mean and deviation, and their values."),
+            .default_text("chosen by rule from the whole run"),
+        bind_key("fit", &PanelSpec::fit, flag(),
+                 "Whether to draw the normal curve with the same mean and standard deviation, and "
+                 "show both values."),
         bind_key("mean_now", &PanelSpec::mean_now, flag(), "Whether to mark the mean.")
             .default_text("true for speeds and energies"),
         bind_key("mean_start", &PanelSpec::mean_start, flag(),
@@ -223,7 +223,7 @@ Notation<Over> over_notation() {
     const KeyTable<Over> window{
         .name = "`over`",
         .keys = {bind_key("window", &Over::window, number(positive),
-                          "How far back from the present, in simulated time.")
+                          "The length of the window before the present, in simulated time.")
                      .required()},
         .rule = [](Over& over, const Node&, Reading&) { over.since = Over::Since::window; }};
     return either(mapped(word,
@@ -246,20 +246,20 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
             .default_text("by kind"),
         bind_key("of", &PanelSpec::of, chosen_notation(),
                  "Which particles: all, a species, one by its number, or several of these drawn "
-                 "together. For a pair, two numbers; without them, the first pair that collides.")
+                 "together. For a pair, two numbers; if omitted, the first pair that collides.")
             .only_with(kinds_that_can(kinds, Ability::of))};
     const std::vector component{
         bind_key("component", &PanelSpec::component, one_of<Component>(),
-                 "Along which axis; `both` counts either component of a particle.")
+                 "The axis; `both` counts both components of each particle.")
             .default_text("both for velocities, x for positions")
             .only_with(kinds_that_can(kinds, Ability::component))};
     const std::vector theory{
         bind_key("theory", &PanelSpec::theory, flag(),
                  "Whether to draw the equilibrium curve of this finite mixture, if it has an "
-                 "equilibrium; `true` is an error where it has none. For return distances, the law "
-                 "by which they grow for equal disks; for a density in gravity, that of an ideal "
-                 "gas of as many particles. For correlations, free flights and displacements, "
-                 "what theory says of them.")
+                 "equilibrium; `true` is an error if it has none. For return distances, the law by "
+                 "which they grow for equal disks; for a density in gravity, that of an ideal gas "
+                 "of as many particles; for correlations, free flights and displacements, the "
+                 "theoretical curve or value.")
             .only_with(kinds_that_can(kinds, Ability::theory))};
     return joined<PanelSpec>(what, over, component, bar_keys(kinds), theory, own_keys(kinds));
 }
@@ -289,16 +289,17 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
     const Notation<std::string> names = film_kinds(kinds);
     const Binding<PanelSpec> over =
         bind_key("over", &PanelSpec::over, over_notation(),
-                 "Values at present, their mean since time 0, or their "
-                 "mean over a time before the present.")
+                 "What is shown: present values, their mean since time 0, or their mean over a "
+                 "time before the present.")
             .default_text(
                 "now; since the start for the pressure, pair correlations and free flights, and "
-                "for histograms of fewer than ten particles; a tenth of the run for profiles")
+                "for histograms of fewer than ten particles; a tenth of the run for profiles, a "
+                "twentieth for gauges, thermometers, `flux` and `pressure-volume`")
             .only_with(kinds_that_can(kinds, Ability::over));
     const Binding<PanelSpec> show =
         bind_key("show", &PanelSpec::show, show_notation(),
-                 "When the panel is there; it comes and goes within half a second, and its place "
-                 "stays free without it.")
+                 "When the panel is shown. It appears and disappears within half a second; while "
+                 "it is not shown, its place stays empty.")
             .default_text("throughout the film");
     const KeyTable<PanelSpec> table{
         .name = "a panel",
@@ -322,7 +323,7 @@ void check_reversal(const Node& place, Reading& reading) {
     if (branch_count(reading.run) < 2)
         reading.errors.add(place,
                            "`return-distance` is measured after a reversal, and this run has none",
-                           fmt::format("add to `run`: events: [{{at: {}, reverse: velocities}}]",
+                           fmt::format("add to `events` of `run`: {{at: {}, reverse: velocities}}",
                                        until > 0.0 ? fmt::format("{}", 0.5 * until) : "TIME"));
     const std::int64_t count = particles_in(reading.gas).value_or(0);
     if (count > static_cast<std::int64_t>(most_returning.count()))

@@ -9,6 +9,7 @@
 #include "physics/ways_back.h"
 #include "scene/limits.h"
 #include "scene/reading/event_reading.h"
+#include "scene/reading/film_reading.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/time/captions.h"
 #include "scene/yaml/scalar.h"
@@ -103,40 +104,41 @@ void complete_run(RunReading& run, const Node& node, Reading& reading) {
 KeyTable<RunReading> run_table(int dimension) {
     return {
         .name = "`run`",
-        .keys = {bind_key("until", &Run::until, number(positive),
-                          "The end of the run, in simulated time.")
-                     .required(),
-                 bind_key("equilibrate", &Run::equilibrate, number(not_negative),
-                          "Simulated time before time 0, neither shown nor counted."),
-                 bind_key("sample_every", &Run::sample_every, number(positive),
-                          "Simulated time between two samples of the statistics: at 0, at its "
-                          "multiples, and at the end.")
-                     .default_text("until / (frames - 1) with a film, until / 1000 without"),
-                 bind_key("precision", &Run::bits, bits_notation(),
-                          "The precision of the arithmetic: `double`, with 53 bits; a number of "
-                          "bits; or `auto`, as many bits as the return after every reversal needs, "
-                          "found by trial."),
-                 bind_key("time_step", &Run::time_step, number(positive),
-                          "Advances disks in steps of this length instead of from contact to "
-                          "contact, as simple programs do: at the end of each step disks that "
-                          "overlap and approach collide as they are then. For comparison only: "
-                          "disks overlap, and may pass through one another.")
-                     .default_text("none: from contact to contact"),
-                 bind_key("tolerance", &Run::tolerance,
-                          number({1e-300, {1.0, "radius from the exact return"}}),
-                          "How close to its place `precision: auto` must return every particle, in "
-                          "units of the smallest radius; for points on a wire, of the length per "
-                          "point."),
-                 bind_key("most_collisions", &Run::most_collisions, whole(1, most_run_collisions),
-                          "The run ends with an error after so many collisions, those before time "
-                          "0 and with walls counted: particles that are trapped collide ever "
-                          "faster.")
-                     .default_text("1e9, or 5000 for each particle if that is more"),
-                 bind_key(
-                     "events", &RunReading::written_events,
-                     list_of(placed(event_notation(dimension)), 0, most_events, "a list of events"),
-                     "What happens during the run, a list of {at: time, action}.")
-                     .default_text("none")},
+        .keys =
+            {bind_key("until", &Run::until, number(positive),
+                      "The end of the run, in simulated time.")
+                 .required(),
+             bind_key("equilibrate", &Run::equilibrate, number(not_negative),
+                      "Simulated time before time 0, neither shown nor counted."),
+             bind_key("sample_every", &Run::sample_every, number(positive),
+                      "Simulated time between samples of the statistics, which are taken at 0, at "
+                      "multiples of this time, and at the end.")
+                 .default_text("until / (frames - 1) with a film, until / 1000 without"),
+             bind_key(
+                 "precision", &Run::bits, bits_notation(),
+                 "The precision of the arithmetic: `double`, with 53 bits; a number of bits; or "
+                 "`auto`: as many bits as the return after every reversal needs, found by trial."),
+             bind_key("time_step", &Run::time_step, number(positive),
+                      "Advances disks in steps of this length instead of from contact to contact, "
+                      "as simple programs do: at the end of each step, disks that overlap and "
+                      "approach each other collide at the places they have then. For comparison "
+                      "only: disks overlap, and may pass through one another.")
+                 .default_text("none: from contact to contact"),
+             bind_key("tolerance", &Run::tolerance,
+                      number({1e-300, {1.0, "radius from the exact return"}}),
+                      "How close to its exact place `precision: auto` must return every particle, "
+                      "in units of the smallest radius; for points on a wire, in units of the "
+                      "length per point."),
+             bind_key(
+                 "most_collisions", &Run::most_collisions, whole(1, most_run_collisions),
+                 "The run ends with an error after this many collisions, including those before "
+                 "time 0 and with walls, because trapped particles collide ever faster.")
+                 .default_text("1e9, or 5000 for each particle if that is more"),
+             bind_key(
+                 "events", &RunReading::written_events,
+                 list_of(placed(event_notation(dimension)), 0, most_events, "a list of events"),
+                 "What happens during the run: a list of {at: time, action}.")
+                 .default_text("none")},
         .refused = inelastic_keys(),
         .rule = complete_run};
 }
@@ -152,6 +154,7 @@ void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& draf
     for (const auto& [section, key] :
          {std::pair{"run", "until"}, {"film", "seconds"}, {"film", "pace"}})
         if (is_overridden(root, section, key)) return;
+    const Node* film = given(root, "film");
     const std::vector<CaptionSpan> spans = caption_schedule(scene);
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const CaptionSpan& span = spans[i];
@@ -166,8 +169,9 @@ void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& draf
                                    ? fmt::format("the next one at time {}", drafts[i + 1].value.at)
                                    : "the film ends",
                                least_caption_seconds),
-                   "make the film longer (`film.seconds`, or a smaller `film.pace`), this `at` "
-                   "earlier, or that of the next caption later");
+                   fmt::format("make the film longer ({}), this `at` earlier, or that of the next "
+                               "caption later",
+                               film != nullptr ? key_of_length(*film) : "`film.seconds`"));
     }
 }
 

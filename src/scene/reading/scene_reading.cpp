@@ -23,7 +23,7 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                           "Shown under the title.")
                      .default_text("none"),
                  bind_key("description", &Scene::description, lines(1, most_letters),
-                          "A description for those who cannot see the picture.")
+                          "A description for viewers who cannot see the picture.")
                      .default_text("made from the scene's content"),
                  bind_key("seed", &Scene::seed, whole(0, largest_seed),
                           "Fixes every random choice."),
@@ -31,13 +31,13 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                           "The box that holds the gas.")
                      .required(),
                  bind_key("gravity", &SurfacesDraft::gravity, placed(gravity_notation(dimension)),
-                          "The acceleration of every particle, and of every piston.")
+                          "The acceleration of every particle and every piston.")
                      .default_text("none"),
                  bind_key("partitions", &SurfacesDraft::partitions, partitions_notation(),
-                          "Straight walls across the box, from side to side: a list.")
+                          "A list of straight walls across the box, from side to side.")
                      .default_text("none"),
                  bind_key("obstacles", &SurfacesDraft::obstacles, obstacles_notation(),
-                          "Fixed bodies in the box: a list.")
+                          "A list of fixed bodies in the box.")
                      .default_text("none"),
                  bind_key("gas", &SceneDraft::species, gas_notation(dimension),
                           "What is in the box: a list of species.")

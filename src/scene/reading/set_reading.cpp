@@ -98,12 +98,12 @@ Notation<SetScene> scene_notation(const fs::path& set) {
                                 "Its title in the set.")
                            .default_text("the scene's"),
                        bind_key("description", &SetScene::description, lines(1, most_letters),
-                                "The words under it.")
+                                "The words under the title.")
                            .default_text("the scene's"),
                        bind_key("figures", &SetScene::figures,
                                 list_of(name, 1, most_figures, "a list of names"),
-                                "The names of the figures that are shown, in this order.")
-                           .default_text("all of the scene")},
+                                "The names of the figures to show, in this order.")
+                           .default_text("all figures of the scene")},
               .rule = [](SetScene& scene, const Node& node, Reading&) {
                   const Node* path = given(node, "scene");
                   scene.place = place_of(path != nullptr ? *path : node);
@@ -175,15 +175,16 @@ FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& 
             bind_key("comparisons", &SetFile::comparisons,
                      list_of(set_comparison_notation(kinds, path), 1, most_figures,
                              "a list of comparisons"),
-                     "Figures of several scenes in one panel, in the last section of the pages.")
+                     "Figures that show several scenes in one panel. They form the last section of "
+                     "the pages.")
                 .default_text("none"),
             bind_key("template", &SetFile::templates, pages,
-                     "The pages: `markdown`, `html`, `latex`, or a template beside the set, a "
-                     "file that ends in .md, .html or .tex; or a list of these.")
+                     "The kind of pages: `markdown`, `html`, `latex`, or a template in the set's "
+                     "folder, a file that ends in .md, .html or .tex; or a list of these.")
                 .default_value("html"),
             bind_key("formats", &SetFile::formats,
                      list_of(word(formats), 1, {double(formats.size())}, "a list of formats"),
-                     "The kinds of files of its figures.")
+                     "The file formats of its figures.")
                 .default_text("all")}};
 }
 

@@ -24,9 +24,9 @@ Notation<Membrane::Speeds> speeds_notation() {
     const KeyTable<SpeedsDraft> table{
         .name = "the speeds of a demon",
         .keys = {bind_key("faster_than", &SpeedsDraft::faster_than, number(not_negative),
-                          "Those that are faster pass."),
+                          "Particles faster than this pass."),
                  bind_key("slower_than", &SpeedsDraft::slower_than, number(positive),
-                          "Those that are slower pass; with both keys, those in between.")}};
+                          "Particles slower than this pass; with both keys, those in between.")}};
     return parsed(mapping(table, "{faster_than: u} or {slower_than: u}"),
                   [](const SpeedsDraft& draft, const Node& node,
                      Reading& reading) -> std::optional<Membrane::Speeds> {
@@ -63,9 +63,9 @@ Notation<PassesDraft> passes_notation() {
                  bind_key("to_left", &DemonDraft::to_left, speeds,
                           "The speeds that it lets through to the left."),
                  bind_key("to_top", &DemonDraft::to_top, speeds,
-                          "The speeds that it lets through upwards, where it lies at a `y`."),
+                          "The speeds that it lets through upwards, if it lies at a `y`."),
                  bind_key("to_bottom", &DemonDraft::to_bottom, speeds,
-                          "The speeds that it lets through downwards, where it lies at a `y`.")}};
+                          "The speeds that it lets through downwards, if it lies at a `y`.")}};
     const auto demon = parsed(
         mapping(table, "{to_right: {faster_than: u}, to_left: {slower_than: u}}"),
         [](const DemonDraft& draft, const Node& node, Reading& reading) {
@@ -130,23 +130,23 @@ KeyTable<PartitionDraft> partition_table() {
         .keys = joined<PartitionDraft>(
             std::vector<Binding<Partition>>{bind_key("name", &Partition::name,
                                                      text(1, most_name_letters),
-                                                     "Its name, which events refer to.")
+                                                     "The name by which events refer to it.")
                                                 .default_text("partition 1, partition 2, ...")},
             std::vector<Binding<PartitionDraft>>{
                 bind_key("x", &PartitionDraft::x, number(any_number),
-                         "Where a partition from the bottom to the top stands."),
+                         "The x coordinate of a partition that goes from bottom to top."),
                 bind_key("y", &PartitionDraft::y, number(any_number),
-                         "Where a partition from left to right lies.")},
+                         "The y coordinate of a partition that goes from left to right.")},
             std::vector<Binding<Partition>>{
                 bind_key("gaps", &Partition::gaps,
                          list_of(gap, 1, most_gaps, "a list of [from, to]"),
-                         "Holes, each from a place along it to another."),
+                         "Holes, each given by its two ends along the partition."),
                 bind_key("open", &Partition::is_open, flag(),
-                         "Whether it is open at the start, so that nothing is there.")},
+                         "Whether it is open at the start: particles pass as if it were absent.")},
             std::vector<Binding<PartitionDraft>>{
                 bind_key("passes", &PartitionDraft::passes, passes_notation(),
-                         "What it lets through: the species listed, or, as Maxwell's demon does, "
-                         "particles of some speeds to either side.")
+                         "What it lets through: the species listed or, like Maxwell's demon, "
+                         "particles of certain speeds to each side.")
                     .default_text("nothing")},
             acting_keys()),
         .choices = std::move(choices),
@@ -201,10 +201,10 @@ KeyTable<ObstacleDraft> obstacle_table() {
                              "A block from x0 to x1 and from y0 to y1."),
                     bind_key("polygon", &ObstacleDraft::polygon,
                              list_of(point, 3, most_corners, "a list of three or more [x, y]"),
-                             "A block with these corners, one after another."),
+                             "A block with these corners, listed in order around it."),
                     bind_key("segment", &ObstacleDraft::segment,
                              list_of(point, 2, most_corners, "a list of two or more [x, y]"),
-                             "A thin wall from corner to corner, with two sides.")}),
+                             "A thin wall through these points, which reflects on both sides.")}),
             .choices = {{{"disk", "rectangle", "polygon", "segment"}, true}},
             .refused = inelastic_keys(),
             .rule = complete_obstacle};

@@ -176,28 +176,27 @@ KeyTable<LayoutDraft> layout_table() {
     };
     return {
         .name = "`layout`",
-        .keys = {bind_key("grid", &LayoutDraft::grid, pair_of(sides, "[width, height]"),
-                          "Width and height of the picture in units of the layout; one unit is the "
-                          "smallest size of text.")
-                     .required(),
-                 slot_key("title", &LayoutSpec::title, slot, "The place of title and subtitle.")
-                     .required(),
-                 slot_key("gas", &LayoutSpec::gas, slot, "The place of the box.").required(),
-                 slot_key("color_bar", &LayoutSpec::color_bar, slot,
-                          "The place of the colour scale.")
-                     .required(),
-                 slot_key("caption", &LayoutSpec::caption, slot,
-                          "The place of captions in films that have any; whatever overlaps it is "
-                          "made smaller.")
-                     .default_text("the foot of the gas's place"),
-                 slot_key("monitors", &LayoutSpec::monitors, slot, "The place of the numbers.")
-                     .default_text("none"),
-                 bind_with<LayoutDraft>(
-                     "panels", panels,
-                     list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
-                     "The places of the panels, in their order. Places may touch; none but "
-                     "`caption` may overlap another.")
-                     .default_text("none")},
+        .keys =
+            {bind_key("grid", &LayoutDraft::grid, pair_of(sides, "[width, height]"),
+                      "Width and height of the picture in units of the layout; one unit is the "
+                      "smallest size of text.")
+                 .required(),
+             slot_key("title", &LayoutSpec::title, slot, "The place of title and subtitle.")
+                 .required(),
+             slot_key("gas", &LayoutSpec::gas, slot, "The place of the box.").required(),
+             slot_key("color_bar", &LayoutSpec::color_bar, slot, "The place of the colour scale.")
+                 .required(),
+             slot_key("caption", &LayoutSpec::caption, slot,
+                      "The place of captions in films that have any; places that overlap it are "
+                      "made smaller.")
+                 .default_text("the bottom of the gas's place"),
+             slot_key("monitors", &LayoutSpec::monitors, slot, "The place of the row of numbers.")
+                 .default_text("none"),
+             bind_with<LayoutDraft>(
+                 "panels", panels, list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
+                 "The places of the panels, in order. Places may touch; only `caption` may overlap "
+                 "others.")
+                 .default_text("none")},
         .rule = complete_layout};
 }
 

@@ -58,7 +58,7 @@ KeyTable<SidesByName> sides_table(int dimension) {
         .keys = {bind_key("left", &SidesByName::left, side, "The wall at x = 0.")
                      .default_text("`solid`"),
                  bind_key("right", &SidesByName::right, side,
-                          "The wall at the largest x; periodic together with the left one.")
+                          "The wall at the largest x; periodic if, and only if, the left one is.")
                      .default_text("`solid`")},
         .refused = inelastic_keys(),
         .rule = [](SidesByName& sides, const Node& node, Reading& reading) {
@@ -71,7 +71,7 @@ KeyTable<SidesByName> sides_table(int dimension) {
         bind_key("bottom", &SidesByName::bottom, side, "The wall at y = 0.")
             .default_text("`solid`"),
         bind_key("top", &SidesByName::top, side,
-                 "The wall at y = height; periodic together with the bottom one.")
+                 "The wall at y = height; periodic if, and only if, the bottom one is.")
             .default_text("`solid`")};
     for (const Binding<SidesByName>& one : upright) {
         const std::string& name = one.key.name;
@@ -87,17 +87,18 @@ KeyTable<SidesByName> sides_table(int dimension) {
 
 std::vector<Binding<ActingDraft>> acting_keys() {
     return {bind_key("temperature", &ActingDraft::temperature, number(positive),
-                     "A heat bath: particles leave it as from a gas of this temperature."),
+                     "Makes it a heat bath: particles leave it as if they came from a gas of this "
+                     "temperature."),
             bind_key("mass", &ActingDraft::mass, number(positive),
-                     "A piston of this mass: it moves freely along its normal."),
+                     "Makes it a piston of this mass, which moves freely along its normal."),
             bind_key("force", &ActingDraft::force, number(any_number),
                      "A constant force on a piston, along x or y.")
                 .default_text("0"),
             bind_key("velocity", &ActingDraft::velocity, number(any_number),
-                     "It moves at this velocity along x or y, whatever hits it; of a piston, at "
-                     "the start."),
+                     "Its velocity along x or y, which collisions do not change; for a piston, the "
+                     "velocity at the start."),
             bind_key("until", &ActingDraft::until, number(positive),
-                     "When a surface with a given velocity stops.")
+                     "The simulated time at which a surface with a given velocity stops.")
                 .default_text("never")};
 }
 

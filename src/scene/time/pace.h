@@ -10,6 +10,9 @@
 
 namespace carom {
 
+/// Seconds in which the gas moves: in shorter films easing takes a share of these.
+inline constexpr double short_film = 5.0;
+
 /// How long a film in which the gas moves for `seconds` takes from one pace to another: half a
 /// second, in films of less than five a tenth of them.
 double easing_seconds(double seconds);

@@ -50,6 +50,15 @@ std::string without(std::string text, std::string_view letters) {
     return text;
 }
 
+// Whether what follows a number goes on with an operation, or pi: "2*3", "2 pi", not "30/s".
+bool begins_expression(const std::string& rest) {
+    const auto is_letter = [](char c) { return lower({c})[0] >= 'a' && lower({c})[0] <= 'z'; };
+    if (rest.starts_with("π")) return true;
+    if (rest.starts_with("pi")) return rest.size() == 2 || !is_letter(rest[2]);
+    if (rest[0] == '/') return rest.size() == 1 || !is_letter(rest[1]) || rest.starts_with("/pi");
+    return rest[0] == '*' || rest[0] == '^';
+}
+
 // The number of a quantity such as "5mm" or "2.5 m/s"; empty if there is no number or no unit, as
 // in "2*pi".
 std::string before_unit(const std::string& text) {
@@ -61,9 +70,7 @@ std::string before_unit(const std::string& text) {
         if (after != std::string::npos && parse_number(text.substr(0, after))) unit = after;
     }
     const std::string number = text.substr(0, unit), rest = without(text.substr(unit), " ");
-    if (rest.empty() || is_one_of(rest.substr(0, 1), {"*", "/", "^"}) || rest.starts_with("pi") ||
-        rest.starts_with("π"))
-        return "";
+    if (rest.empty() || begins_expression(rest)) return "";
     const bool is_one_number = end == unit - 1 || text.find_first_of("/^²³", unit) != text.npos;
     return is_one_number && parse_number(number) ? number : "";
 }
@@ -128,7 +135,8 @@ std::string number_hint(const Node& node) {
     if (const std::string number = before_unit(node.text); !number.empty())
         return fmt::format("quantities have no units in carom: write `{}`", number);
     const bool has_digit = word.find_first_of("0123456789") != std::string::npos;
-    if (has_digit && (word.find_first_of("*^/") != std::string::npos || word.ends_with("pi")))
+    if (has_digit && (word.find_first_of("*^/") != std::string::npos || word.ends_with("pi") ||
+                      word.ends_with("π")))
         return "expressions are not evaluated: write one number, in decimal";
     if (!word.empty() && is_decimal(std::string_view{word}.substr(sign)))
         return "too large or too small for a number of double precision";

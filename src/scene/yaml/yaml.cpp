@@ -264,13 +264,16 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
     if (has_bare_color(before)) return "`#` begins a comment; put the colour in quotes";
     if (line.starts_with('\t') || problem == TAB_IN_INDENTATION)
         return "indent with spaces, not with tabs";
-    const std::string_view left = before.substr(before.rfind('\n') + 1);  // of it in its line
+    const std::string_view left =
+        before.substr(before.rfind('\n') + 1);  // before the mistake in its line
     const bool begins_line = left.find_first_not_of(' ') == std::string_view::npos;
     if ((problem == END_OF_MAP || problem == END_OF_SEQ) && !begins_line)
-        return "nothing may follow a text in quotes or a list; put quotes around all of it";
+        return "nothing may follow a closing quote or bracket in its line: leave out the rest, or "
+               "put quotes around the whole text";
     const bool is_first_key = problem == MAP_VALUE && left.find(':') == std::string_view::npos;
-    if (problem == END_OF_MAP || problem == END_OF_SEQ || problem == BLOCK_ENTRY || is_first_key)
-        return "lines that belong together begin in the same column";
+    const std::string columns = "lines that belong together begin in the same column";
+    if (problem == END_OF_MAP || problem == END_OF_SEQ || problem == BLOCK_ENTRY) return columns;
+    if (is_first_key) return columns + "; a text with `: ` in it needs quotes";
     if (problem == MAP_VALUE) return "a text with `: ` in it needs quotes";
     return "";
 }

@@ -42,6 +42,11 @@ TEST_CASE("cards are part of the film's seconds: the number of frames stays") {
         }
 }
 
+TEST_CASE("a film with a pace has room for its cards and for a pause of half of it") {
+    const Scene scene = film("pace: 4, title_card: true, end_card: The end", "{at: 1, pause: 4}");
+    CHECK(scene.film.seconds == 3.0 + 7.0 + 4.0);
+}
+
 TEST_CASE(
     "a title card is 3 s and an end card 4 s long where the film has room, before the holds") {
     const auto ticks = timeline(film("seconds: 30, title_card: true, end_card: The end"));

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# attempt.sh MARK NUMBER COMMAND...: runs a command of carom as attempt NUMBER, from 1, of a job that an engine repeats
-# whatever it failed of.
+# attempt.sh MARK NUMBER COMMAND...: runs a command of carom as attempt NUMBER (from 1) of a job,
+# for workflow engines that repeat a job regardless of why it failed.
 #
-# carom ends with 75 where another try may help (a full disk), and with 1 or 2 where it cannot. After those the file MARK
-# holds the code, and further attempts end with it at once. A code above 128 is that of a signal: the machine ended the
-# process, not carom. Attempt 1 is the user's new start, and removes the mark.
+# carom exits with 75 where another attempt may help (such as a full disk), and with 1 or 2 where it
+# cannot. In the latter case the code is stored in the file MARK, and further attempts exit with it
+# at once. A code above 128 is that of a signal: the process was killed from outside. Attempt 1 is a
+# new start by the user, and removes the mark.
 set -euo pipefail
 mark=$1 number=$2
 shift 2

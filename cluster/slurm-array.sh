@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# A film, or the summary of an ensemble, by three jobs of Slurm: plan, an array with a task for each chunk, join.
-# sbatch runs copies of this file for them, with --job as their first argument; `usage` is what people call.
+# Makes a film, or the summary of an ensemble, by three Slurm jobs: plan, an array with one task for
+# each chunk, and join. The jobs run copies of this file with --job as their first argument; `usage`
+# describes the call by users.
 set -euo pipefail
 
 usage() {
@@ -26,8 +27,9 @@ most_requeues=3
 
 # --- in the jobs
 
-# Runs a command. 75 of carom (a full disk), and a kill from outside: the job goes back to the queue, a limited number of
-# times. Any other failure is final, and so the jobs that depend on this one are removed.
+# Runs a command. If carom exits with 75 (such as a full disk) or is killed from outside, the job is
+# requeued, a limited number of times. Any other failure is final, and Slurm then removes the jobs
+# that depend on this one.
 work() {
     local code=0
     "$@" || code=$?
@@ -45,7 +47,7 @@ kind_of() { python3 -c 'import json, sys; print(json.load(open(sys.argv[1]))["ki
 
 do_chunk() {  # PLAN
     local command=render numbers
-    # The array may be longer than the plan, which was not there when the array was submitted.
+    # The array may be longer than the plan, which did not exist when the array was submitted.
     numbers=$("$carom" plan "$1" --list)
     if ! grep -qx "$SLURM_ARRAY_TASK_ID" <<<"$numbers"; then
         printf 'slurm-array: the plan has no chunk %s\n' "$SLURM_ARRAY_TASK_ID"
@@ -111,21 +113,22 @@ if [ -z "$sweep" ]; then
 fi
 plan_options+=(--chunks "$chunks")
 
-# A fingerprint of the program, the scene and the files that it names; empty where the scene is not valid.
+# A fingerprint of the program, the scene and the files that it names; empty if the scene is not
+# valid.
 made_from() {
     "$carom" check --json "$scene" "${scene_options[@]}" 2>/dev/null |
         python3 -c 'import json, sys; print(json.load(sys.stdin)[0].get("made_from", ""))' 2>/dev/null || true
 }
 
-# Is the plan there, of this command and of these files? If in doubt, all chunks count as missing: a task whose chunk is
-# done ends at once.
+# Does the plan exist, made by this command from these files? If in doubt, all chunks count as
+# missing: a task whose chunk is done ends at once.
 made_from=$(made_from)
 request="$scene ${plan_options[*]} $made_from"
 is_planned() {
     [ -z "$force" ] && [ -n "$made_from" ] && [ -e "$plan/plan.json" ] && [ "$(cat "$plan/.request" 2>/dev/null)" = "$request" ]
 }
 
-# Lines of numbers as sbatch writes them: 1-3,7.
+# Converts lines of numbers to the ranges of sbatch: 1-3,7.
 as_ranges() {
     awk 'NR > 1 && $1 == last + 1 { last = $1; next }
          NR > 1 { printf "%s%s", sep, first == last ? first : first "-" last; sep = "," }
@@ -133,7 +136,7 @@ as_ranges() {
          END { if (NR) printf "%s%s", sep, first == last ? first : first "-" last }'
 }
 
-# Memory in MB and minutes of the most expensive chunk, with room.
+# Memory (MB) and time (minutes) of the most expensive chunk, with a margin.
 needs() {
     python3 - "$plan/plan.json" "$cpus" <<'PYTHON'
 import json, math, sys
@@ -181,7 +184,7 @@ code=0
 join=$(submit join 1000 "$minutes" "${wait[@]}" --dependency="afterok:$after" --output="$logs/join-%j.log" \
     -- join "$plan" -o "$result" "${join_options[@]}") || code=$?
 printf 'join    job %s\n' "${join%%;*}"
-# sbatch --wait ends with 0 if the job was removed because one before it failed.
+# sbatch --wait exits with 0 if its job was removed because an earlier one failed.
 if [ ${#wait[@]} -gt 0 ] && [ "$code" -eq 0 ]; then
     state=$(scontrol show job "${join%%;*}" | sed -n 's/.*JobState=\([A-Z_]*\).*/\1/p')
     [ "$state" = COMPLETED ] || { printf 'slurm-array: not joined, since a job before failed (%s); see %s\n' "$state" "$logs" >&2; exit 1; }

@@ -1,5 +1,6 @@
-# Builds for arm64 on another Debian machine, with Debian's cross compiler and the libraries of arm64 beside the machine's own
-# (tests/portability.sh says how they are installed). CMake runs what it has built by QEMU.
+# Toolchain file for arm64 on another Debian machine: Debian's cross compiler, and the arm64
+# libraries installed next to those of the machine (tests/portability.sh shows how). CMake runs the
+# programs that it has built by QEMU.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -1,4 +1,5 @@
-# The Debian packages that `./dev package` makes: carom, the program with all that it reads, and libcarom-dev, the core for other programs.
+# The Debian packages that `./dev package` makes: carom, the program with all its data files, and
+# libcarom-dev, the simulation core for other programs.
 set(doc_folder ${PROJECT_BINARY_DIR}/deb)
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME carom)
@@ -16,7 +17,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME carom)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "fonts-inter (>= 4.0~)")
-# libav's libraries are loaded when a film is encoded: what dpkg-shlibdeps would say of them if they were linked.
+# The libraries of libav are loaded at run time, so dpkg-shlibdeps does not see them; this finds the
+# dependencies that it would give if they were linked.
 foreach(library IN ITEMS libavcodec libavfilter libavformat libavutil)
     string(REGEX MATCH "^[0-9]+" major "${${library}_VERSION}")
     set(package "")
@@ -44,7 +46,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The core of carom, the event-driven
 static library with its headers and a package for CMake: find_package(carom)
 gives carom::physics.")
 
-# What Debian's policy asks for beside them: who holds the copyright, and the changes.
+# Files that Debian's policy also requires: the copyright and the changelog.
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
 string(REPLACE "\n\n" "\n.\n" license "${license}")
 string(REPLACE "\n" "\n " license "${license}")

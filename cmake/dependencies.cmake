@@ -1,4 +1,5 @@
-# Finds what dependencies.txt lists; each C library becomes an imported target dep::NAME.
+# Finds the libraries that dependencies.txt lists; each C library becomes an imported target
+# dep::NAME.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 
@@ -15,7 +16,7 @@ foreach(row IN LISTS rows)
     endif()
     if(finder MATCHES "^config (.+)$")
         string(STRIP "${CMAKE_MATCH_1}" name)
-        # Asked for 3.4, Eigen 5 says no: so the version is compared here.
+        # Eigen 5 rejects a request for version 3.4, so the version is compared here.
         find_package(${name} REQUIRED CONFIG)
         if(${name}_VERSION VERSION_LESS minimum)
             message(FATAL_ERROR "${name} ${${name}_VERSION} is older than ${minimum}")
@@ -27,8 +28,8 @@ foreach(row IN LISTS rows)
     endif()
 endforeach()
 
-# yaml-cpp 0.7 exports `yaml-cpp` without its include folder on some systems; from 0.8 on there is `yaml-cpp::yaml-cpp`, of which
-# some systems keep only this name.
+# yaml-cpp 0.7 exports the target `yaml-cpp`, on some systems without its include folder; since 0.8
+# there is also `yaml-cpp::yaml-cpp`, and some systems have only this name.
 add_library(dep_yaml_cpp INTERFACE)
 if(TARGET yaml-cpp::yaml-cpp)
     target_link_libraries(dep_yaml_cpp INTERFACE yaml-cpp::yaml-cpp)

@@ -1,7 +1,8 @@
-# carom_join_tests(RESULT NAME sources...): sets RESULT to source files that hold those sources, up to twelve in each, so that
-# headers and the templates in them are compiled once for all of them. Each source stands in a namespace of its own, below the
-# headers of all, so that names in unnamed namespaces do not meet. A source that opens a namespace of the project itself,
-# replaces `operator new` or includes headers of C stays by itself.
+# carom_join_tests(RESULT NAME sources...): sets RESULT to generated source files, each of which
+# joins up to twelve of the sources, so that shared headers and their templates are compiled only
+# once. All headers come first; each source then follows in a namespace of its own, so that names in
+# unnamed namespaces do not clash. A source is not joined if it opens a namespace of the project
+# itself, replaces `operator new`, or includes C headers.
 function(carom_join_tests result name)
     set(apart)
     set(joined)
@@ -25,7 +26,7 @@ function(carom_join_tests result name)
         set(headers)
         set(body "")
         set(index ${group})
-        while(index LESS count)  # every groups-th, so that the groups are of about one size
+        while(index LESS count)  # every groups-th source, so that the groups are of similar size
             list(GET joined ${index} source)
             get_filename_component(folder ${source} DIRECTORY)
             file(STRINGS ${source} includes REGEX "^#include ")

@@ -1,4 +1,5 @@
-# Man pages and completions, which the program writes from its table of commands whenever it was linked anew.
+# Man pages and shell completions, which the program writes from its table of commands each time it
+# has been linked.
 set(manual_folder ${PROJECT_BINARY_DIR}/manual)
 if(CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR)
     message(STATUS "No man pages and completions: this machine cannot run the program (CMAKE_CROSSCOMPILING_EMULATOR)")
@@ -15,7 +16,7 @@ else()
     install(DIRECTORY ${manual_folder}/bash-completion ${manual_folder}/fish DESTINATION ${CMAKE_INSTALL_DATADIR})
     set(zsh_folder ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
     if(CAROM_DEB)
-        set(zsh_folder ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)  # as packages of Debian have them
+        set(zsh_folder ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)  # as in Debian packages
     endif()
     install(DIRECTORY ${manual_folder}/zsh/site-functions/ DESTINATION ${zsh_folder})
 endif()

@@ -1,11 +1,15 @@
-# carom_module(NAME [QUICK] USES targets... PRIVATE targets... PROGRAM files... LOOPS files... UNITS "paths..."...):
-# the static library of src/NAME, without the files of PROGRAM.
-# USES is what its headers may show; PRIVATE stays inside its .cpp files.
-# QUICK: no inner loop of simulation or drawing is there, so that little is optimised (carom_quick_options).
-# LOOPS: files of a QUICK module with loops over all particles of a frame, which are compiled with -O3; one unit, see below.
-# UNITS: without ccache (CAROM_UNITY) the files of several folders are compiled as one, in half of the time. Each of UNITS lists
-# folders of src/NAME (. is itself) and single files; a folder that is in none is a unit by itself. Names in the unnamed namespaces
-# of one unit must differ: where two files share a name that each of them is right to use, one is listed in another unit.
+# carom_module(NAME [QUICK] USES targets... PRIVATE targets... PROGRAM files... LOOPS files... UNITS
+# "paths..."...):
+# adds the static library of src/NAME, without the files listed as PROGRAM.
+# USES: libraries that its headers may expose. PRIVATE: libraries used only in its .cpp files.
+# QUICK: it has no inner loop of simulation or drawing and is compiled with little optimisation
+# (carom_quick_options).
+# LOOPS: files of a QUICK module with loops over all particles of a frame; these are compiled with
+# -O3, in a unity build as one unit.
+# UNITS: without ccache (CAROM_UNITY) the files of several folders are compiled as one unit, in half
+# the time. Each entry lists folders of src/NAME (. is src/NAME itself) and single files; a folder
+# that is in no entry is a unit of its own. Names in unnamed namespaces must be unique within a
+# unit: where two files use the same name for good reason, one of them is put into another unit.
 function(carom_module name)
     cmake_parse_arguments(arg "QUICK" "" "USES;PRIVATE;PROGRAM;LOOPS;UNITS" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -40,7 +44,7 @@ function(carom_module name)
                 set(folder .)
             endif()
             set(group ${folder})
-            foreach(wanted IN ITEMS ${folder} ${path})  # a file's own entry comes before its folder's
+            foreach(wanted IN ITEMS ${folder} ${path})  # a file's entry overrides its folder's
                 set(number 0)
                 foreach(unit IN LISTS arg_UNITS)
                     math(EXPR number "${number} + 1")

@@ -1,5 +1,6 @@
-# Installs the core for other programs: find_package(carom CONFIG) gives carom::physics. Its public headers are listed here, and only they are installed;
-# the libraries behind it come along. Headers lie in include/carom, so that they find one another as they do in src/.
+# Installs the simulation core for other programs: find_package(carom CONFIG) provides
+# carom::physics. Only the public headers listed here are installed, together with the libraries
+# that they need. Headers go to include/carom, so that their includes of each other work as in src/.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 
@@ -13,9 +14,11 @@ foreach(module util physics)
     set_target_properties(carom_${module} PROPERTIES EXPORT_NAME ${module})
     target_compile_features(carom_${module} PUBLIC cxx_std_20)
 endforeach()
-# <carom/physics/simulation.h> for users; "physics/gas.h" inside the headers is the file set's doing.
+# For #include <carom/physics/simulation.h> in user code; the file set provides the path for
+# "physics/gas.h" inside the headers.
 target_include_directories(carom_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-# Arrays are allocated on one side and freed on the other, so both must ask Eigen for the same allocator: by default it depends on -march and on sanitizers.
+# Arrays may be allocated in the library and freed in user code, so both must use the same allocator
+# of Eigen: by default it depends on -march and on sanitizers.
 target_compile_definitions(carom_physics PUBLIC EIGEN_MAX_ALIGN_BYTES=64)
 
 install(TARGETS carom_util carom_physics EXPORT carom

@@ -1,5 +1,5 @@
-# carom_source_fingerprint(TARGET): adds the source file that defines carom::source_fingerprint, made anew whenever a file
-# of src/ changes.
+# carom_source_fingerprint(TARGET): adds a generated source file that defines
+# carom::source_fingerprint and is regenerated whenever a file of src/ changes.
 function(carom_source_fingerprint target)
     file(GLOB_RECURSE files RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*)
     list(SORT files)

@@ -1,5 +1,7 @@
-# Removes what `cmake --install` has written, by its manifest, and the folders that this leaves empty:
-# cmake -D MANIFEST=build/release/install_manifest.txt -P cmake/uninstall.cmake, or the target `uninstall`.
+# Removes what `cmake --install` has written, using its manifest, and the folders that become empty.
+# Usage:
+# cmake -D MANIFEST=build/release/install_manifest.txt -P cmake/uninstall.cmake, or the target
+# `uninstall`.
 if(NOT EXISTS "${MANIFEST}")
     message(FATAL_ERROR "nothing to remove: there is no ${MANIFEST}; it is written by cmake --install")
 endif()
@@ -9,7 +11,7 @@ foreach(file IN LISTS files)
     if(EXISTS "${path}" OR IS_SYMLINK "${path}")
         file(REMOVE "${path}")
     endif()
-    # Only folders of carom's own; bin, share/man and their like are the system's.
+    # Only the folders of carom itself: bin, share/man and others belong to the system.
     get_filename_component(folder "${path}" DIRECTORY)
     while(folder MATCHES "/carom(/|$)")
         file(GLOB left LIST_DIRECTORIES true "${folder}/*" "${folder}/.*")

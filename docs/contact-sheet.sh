@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Draws every scene of a folder and of the folders in it, at its start, a quarter, half and end, side by side into one
-# picture, under the names of the folders. Folders without scenes of their own, as that of figure sets, are left out.
+# Draws every scene of a folder and its subfolders at the start, a quarter, half and the end of its
+# run, side by side in one picture, with the folder names as headings. Folders that have no scenes,
+# such as that of figure sets, are left out.
 # Usage: contact-sheet.sh CAROM SCENES OUTPUT.jpg
 set -euo pipefail
 carom=$1 scenes=$2 output=$3
@@ -12,7 +13,7 @@ for folder in "$scenes" "$scenes"/*/; do
     number=0
     rm -f "$stills"/*.png
     for scene in "$folder"/*.yaml; do
-        grep -qs '^run:' "$scene" || continue  # a figure set, or there is none
+        grep -qs '^run:' "$scene" || continue  # skips a figure set, or an empty match
         end=$("$carom" check --json "$scene" | sed -n 's/^ *"time": \([0-9.e+-]*\),*$/\1/p')
         for share in 0 0.25 0.5 1; do
             at=$(awk -v end="$end" -v share="$share" 'BEGIN { printf "%.12g", end * share }')

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/documents.md: a page of a film, the site of the library, and the example of integrations/ as
-# pandoc, MyST, Jupyter and LaTeX show it. Takes what `./dev setup full` installs.
+# Draws the pictures of docs/documents.md: the page of a film, the site of the scene library, and
+# the example of integrations/ as rendered by pandoc, MyST, Jupyter and LaTeX. Needs what
+# `./dev setup full` installs.
 # Usage: documents.sh CAROM SITE OUTPUT, where SITE was made by `./dev gallery`
 set -euo pipefail
 carom=$(readlink -f "$1") site=$(readlink -f "$2") output=$(readlink -f "$3")
@@ -20,7 +21,7 @@ picture "$site/index.html" gallery 1200 1000
 pandoc -s lecture.md -L ../pandoc/carom.lua -o lecture.html
 picture lecture.html pandoc 820 1150
 
-# Themes of MyST come from a server: what it exports as JATS is shown by pandoc.
+# MyST downloads its themes from a server, so its JATS export is rendered by pandoc instead.
 myst() { node "$NODE_PATH/mystmd/dist/myst.cjs" "$@"; }
 myst build page.md --jats --force --ci -o page.xml >/dev/null
 pandoc -s -f jats -V header-includes="<style>video, img { max-width: 100% }</style>" page.xml -o myst.html

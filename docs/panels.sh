@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Draws the figures of a set as NAME.png beside it, 840 pixels wide and with a palette of 256 colours, and keeps what carom
-# says of them there, captions.json. Pictures that the set has no longer are removed.
+# Draws the figures of a set as NAME.png next to it, 840 pixels wide and with a palette of 256
+# colours, and saves the captions that carom writes for them as captions.json there. Pictures of
+# figures that the set no longer has are removed.
 # Usage: panels.sh CAROM SET.yaml
 set -euo pipefail
 carom=$1 set=$2

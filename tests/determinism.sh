@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Outputs that do not depend on threads, compiler, optimisation or processor: carom is built in several ways in
-# build/determinism, and each build must reach the states of docs/portability.md and make films, frames, tables and
-# figures of the same bytes. Prints a row for each. Called by `./dev determinism`.
+# Checks that outputs do not depend on threads, compiler, optimisation or processor: builds carom in
+# several ways in build/determinism; each build must reach the states listed in docs/portability.md
+# and write films, frames, tables and figures with the same bytes. Prints a row for each. Called by
+# `./dev determinism`.
 # shellcheck disable=SC2016,SC2317  # $ is for sed; the functions are called by row
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
@@ -25,7 +26,7 @@ make_outputs() {
     rm -f "$folder/figures/figures.json"  # holds the fingerprint of the program
 }
 
-# states CAROM: those that differ from docs/portability.md
+# differing_states CAROM: the scenes whose final state differs from docs/portability.md
 differing_states() {
     sed -n 's/.*](\.\.\/\(scenes[^)]*\)) | `\([0-9a-f]*\)`.*/\1 \2/p' docs/portability.md | while read -r scene state; do
         [ "$("$1" run "$scene" --json - --quiet | sed -n 's/.*"state": *"\([0-9a-f]*\)".*/\1/p')" = "$state" ] || echo "$scene"
@@ -46,7 +47,7 @@ same_outputs() {  # CAROM NAME THREADS
     make_outputs "$1" "$here/$2-outputs" "$3" && diff -r "$here/outputs" "$here/$2-outputs" && rm -r "$here/$2-outputs"
 }
 
-same_build() {  # NAME [CMAKE OPTIONS]: as another build of the same sources
+same_build() {  # must give the same outputs as another build of the same sources
     local name=$1 differing
     shift
     cmake -G Ninja -B "$here/$name" -DCMAKE_BUILD_TYPE=Release -DCAROM_TESTS=OFF -DCAROM_UNITY=ON "$@" \

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# What a newcomer meets on other systems: both commands of the README's start in a fresh Debian of each suite, and carom
-# built in other ways there. Prints a row for each; what was said is in build/portability-SUITE.log. As root, for
-# debootstrap and chroot. Called by `./dev portability`.
+# Checks what a new user meets on other systems: runs both commands of the README's quick start in a
+# fresh Debian of each suite, and builds carom there in other ways. Prints a row for each; the
+# output is in build/portability-SUITE.log. Needs root for debootstrap and chroot. Called by
+# `./dev portability`.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 readonly film='./carom render scenes/one-hot-particle.yaml'
 readonly small='render scenes/one-hot-particle.yaml --quality draft --size 640x360 --seconds 4 --quiet'
 
-# A root folder, which other users of that system can enter.
+# A root folder that other users of the chroot can enter.
 fresh_folder() {
     local folder
     folder=$(mktemp -d "${TMPDIR:-/var/tmp}/carom-$1.XXXXXX")
@@ -29,7 +30,7 @@ row() {
     echo
 }
 
-# rows SUITE: each builds in a folder of its own; the films are compared where the encoder is the same.
+# rows SUITE: each build has a folder of its own; films are compared where the encoder is the same.
 rows() {
     row "$1" 'first film' "$film && build/release/bin/carom $small -o out/gcc.mp4"
     row "$1" tests './dev test'
@@ -48,8 +49,8 @@ rows() {
         && su lecturer -c 'cd ~ && R*/carom render R*/${small#render } -o again.mp4' && cmp ~lecturer/again.mp4 out/gcc.mp4"
 }
 
-# The simulation for arm64, by QEMU on this machine: its tests, the states of docs/portability.md, and a film, which has the
-# same bytes as this machine's.
+# The simulation for arm64, run by QEMU on this machine: its tests, the states of
+# docs/portability.md, and a film, which must have the same bytes as on this machine.
 arm64_row() {
     local libraries
     libraries=$(awk -F'|' '/^[^#]/ {gsub(/ /, "", $1); if ($1 ~ /-dev$/ && !seen[$1]++) print $1}' dependencies.txt | paste -sd,)
@@ -62,7 +63,8 @@ arm64_row() {
         && build/arm64/emulated-carom $small -o out/arm64.mp4 && cmp out/gcc.mp4 out/arm64.mp4"
 }
 
-# Packages that were built there, in another fresh Debian where nothing is installed; and removed without a trace.
+# Installs the packages that were built there in another fresh Debian, where nothing else is
+# installed, and removes them without a trace.
 package_rows() {
     local built=$root/carom/build/package
     row "$1" './dev package' './dev package'
@@ -87,15 +89,16 @@ for suite; do
     log=$PWD/build/portability-$suite.log
     root=$(fresh_folder "$suite")
     if debootstrap --variant=minbase "$suite" "$root" >"$log" 2>&1; then
-        # A mirror of a suite that changes each day may be some days behind.
+        # The mirror of a suite that changes daily may lag by some days.
         echo 'Acquire::Check-Valid-Until "false";' >"$root/etc/apt/apt.conf.d/stale-mirror"
-        # As from a tarball: without git and without what was built.
+        # As from a source tarball: without git and without build results.
         mkdir "$root/carom" && tar --exclude=./build --exclude=./out --exclude=./.git -c . | tar -x -C "$root/carom"
         rows "$suite"
         fresh=$root
         package_rows "$suite"
         root=$fresh
-        # The last: some libraries replace those of this machine's kind. On one suite, as it takes half an hour by QEMU.
+        # Last, because some arm64 libraries replace native ones; on one suite only, as it takes
+        # half an hour under QEMU.
         if [ "$suite" = bookworm ]; then arm64_row "$suite"; fi
     else
         printf '%-10s not reached: debootstrap failed, %s\n' "$suite" "$log"

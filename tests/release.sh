@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# All checks that a release must pass. What was run, on which commit, for how long and with which result is written into
-# the table of docs/trust.md; rows of steps that are not run stay as they are. Called by `./dev release`.
+# Runs all checks that a release must pass. Each step is recorded in the table of docs/trust.md with
+# its commit, duration and result; rows of steps that are not run stay unchanged. Called by
+# `./dev release`.
 set -euo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
 readonly page=docs/trust.md
@@ -34,7 +35,7 @@ run_step() {
     esac
 }
 
-# summary STEP LOG: in a few words, what the step has counted
+# summary STEP LOG: a few words on what the step has counted
 summary() {
     case $1 in
         test | asan | tsan | slow) grep -o '[0-9]*% tests passed.*' "$2" | tail -n 1 ;;
@@ -46,7 +47,7 @@ summary() {
     esac
 }
 
-# record STEP SECONDS RESULT: replaces the row of the step in the table of the page
+# record STEP SECONDS RESULT: replaces the row of the step in the table of docs/trust.md
 record() {
     local row date commit
     date=$(date -u +%F) commit=$(git rev-parse --short HEAD)

@@ -1,9 +1,9 @@
-// The program's malloc, which libraries call too: where the system grants no memory, it gives back
-// what the program keeps for that (util/memory/memory_reserve.h) and tries once more; and what is
-// freed in large blocks goes back to the system or, in threads that encode films, to the next
-// encoder (util/memory/kept_blocks.h). A part of the program, not of the library: other programs
-// keep their own. Only with glibc, whose functions may be replaced so (its manual, "Replacing
-// malloc"), and without sanitizers, which replace them.
+// The program's malloc, which libraries call too. If the system grants no memory, it releases the
+// reserve that the program keeps for this case (util/memory/memory_reserve.h) and tries once more.
+// Large blocks that are freed go back to the system or, in threads that encode films, are kept for
+// the next encoder (util/memory/kept_blocks.h). This is part of the program, not of the library:
+// other programs keep their own malloc. Only with glibc, whose functions may be replaced in this
+// way (glibc manual, "Replacing malloc"), and without sanitizers, which replace malloc themselves.
 #include <cstdlib>
 
 #if defined(__GLIBC__)
@@ -29,7 +29,8 @@ void __libc_free(void*);
 
 namespace {
 
-// The next function of a name: glibc's, or that of a library that was loaded before it.
+// The next definition of a function in the search order (RTLD_NEXT): that of glibc, or of a library
+// that was loaded before it.
 template <class Function>
 class Next {
   public:
@@ -60,8 +61,8 @@ constinit Next<void*(void*, std::size_t)> next_realloc("realloc", __libc_realloc
 constinit Next<void*(std::size_t, std::size_t)> next_memalign("memalign", __libc_memalign);
 constinit Next<void(void*)> next_free("free", __libc_free);
 
-// `allocate`; where it fails, once more after the thread's kept blocks are freed, and once more
-// after the reserve is given back.
+// Calls `allocate`. If it fails, tries again after freeing the thread's kept blocks, and finally
+// after releasing the reserve.
 template <class Allocate>
 void* with_reserve(const Allocate& allocate) noexcept {
     if (void* const made = allocate()) return made;
@@ -76,9 +77,10 @@ void* kept_block(std::size_t alignment, std::size_t size) noexcept {
     return kept != nullptr ? kept->take(std::max<std::size_t>(alignment, 1), size) : nullptr;
 }
 
-// By default glibc keeps blocks of up to 32 MB for later once one of them was freed, in pieces that
-// the next do not fit into. The encoder of each segment of a film takes some 70 MB in blocks of a
-// few: a film of many segments took 90 MB more.
+// By default, once a block of up to 32 MB has been freed, glibc keeps blocks of that size for later
+// use, fragmented so that later requests do not fit. The encoder of each segment of a film
+// allocates about 70 MB in blocks of a few megabytes: with the default, a film of many segments
+// took 90 MB more.
 [[gnu::constructor(101)]] void give_back_large_blocks() {
     constexpr auto large = static_cast<int>(carom::KeptBlocks::least_bytes);
     mallopt(M_MMAP_THRESHOLD, large);

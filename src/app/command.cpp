@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The size of 16 : 9 with this width, if pictures may be as small and as large; else another.
+// For an error message: the 16:9 size with this width if pictures may have it, else a usual size.
 std::string size_of_width(const std::string& digits) {
     constexpr std::size_t most_digits = 4;
     const int width = digits.size() > most_digits ? 0 : std::atoi(digits.c_str());
@@ -185,7 +185,7 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 }
 
 bool names_folder(const std::string& output) {
-    std::error_code error;  // one that cannot be looked at is refused when it is written
+    std::error_code error;  // ignored: a path that cannot be examined is refused when it is written
     return output.ends_with('/') || fs::is_directory(output, error);
 }
 

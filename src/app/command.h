@@ -1,7 +1,7 @@
-// What the commands are made of: each lists its options as data, and does its work. And what they
-// share: the options that lay values over a scene, and where their output goes.
-// Each command is one file, command_NAME.cpp; only command_line.cpp knows the library that reads
-// the command line.
+// The parts of a command: each command lists its options as data and has a function that does its
+// work. Also what the commands share: the options that override values of a scene, and the rules
+// for where output goes. Each command is one file, command_NAME.cpp; only command_line.cpp knows
+// the library that parses the command line.
 #pragma once
 
 #include <filesystem>
@@ -17,56 +17,59 @@
 
 namespace carom {
 
-/// Where a list of words goes that is given as one, with commas between them.
+/// Destination of an option whose value is a list: one argument, with commas between the words.
 struct CommaSeparated {
     std::vector<std::string>* words;
 };
 
-/// Takes a value each time that its option is given.
+/// Called with the value each time that its option is given.
 using TakeValue = std::function<void(const std::string& value)>;
 
-/// Where the value of an option goes: a flag, a number from 1 on, a number, text, or a list of
-/// texts: all of them for words without a flag, else one for each time that the flag is given.
+/// Destination of the value of an option: a flag (bool), a whole number of at least 1 (int), a
+/// number (double), a text, or a list of texts. A list takes all words if the option has no flag,
+/// else one word for each time that the flag is given.
 using OptionValue = std::variant<bool*, int*, double*, std::optional<double>*, std::string*,
                                  std::vector<std::string>*, CommaSeparated, TakeValue>;
 
-/// One option of a command, or the words that stand in it without a flag.
+/// One option of a command, or its positional arguments (words without a flag).
 struct Option {
-    /// "-o,--output FILM": flags, and what the value is called (without: a flag, or `choices`).
-    /// Without dashes: words, of which one is required; "[word]": one that may be missing.
+    /// "-o,--output FILM": the flags, then the name of the value (no name: the option is a plain
+    /// flag, or has `choices`). A name without dashes: positional words, at least one of which is
+    /// required; "[word]": one that may be missing.
     std::string name;
     std::string meaning;  ///< for the help
     OptionValue value;
-    std::vector<std::string> choices = {};  ///< the only values; none: any
-    std::string key = {};                   ///< of the scene, which it sets; empty: none
-    int most = 1024;                        ///< of a number from 1 on
+    std::vector<std::string> choices = {};  ///< the only valid values; none: any value
+    std::string key = {};                   ///< key of the scene that the option sets; empty: none
+    int most = 1024;                        ///< upper limit of an int
 };
 
-/// What --set takes for an option that sets `key`, KEY.PATH=VALUE, where it is given this value.
+/// The argument of --set, KEY.PATH=VALUE, that is equivalent to giving an option for `key` this
+/// value.
 std::string change_of(const std::string& key, const std::string& value);
 
-/// The flags of an option: "-o,--output"; the name of words without flags.
+/// The flags of an option, "-o,--output"; for positional words their name.
 std::string flags_of(const Option& option);
 
-/// Shows a mistake at an option as it was typed, "--fps 9999", below the whole of its value.
+/// Makes a diagnostic quote an option as it was typed, "--fps 9999", and mark its whole value.
 void show_at_option(Diagnostic& diagnostic, const std::string& flag, const std::string& value);
 
-/// What the help calls the value of an option: FILM, mp4|webm, SCENE...; empty for a flag.
+/// The name of an option's value in the help: FILM, mp4|webm, SCENE...; empty for a plain flag.
 std::string word_of(const Option& option);
 
-/// A call of carom, as it would be typed in a checkout, and what it does.
+/// A command line of carom, as typed in a checkout of the sources, and what it does.
 struct Example {
     std::string call, meaning;
 };
 
-/// What the help and the manual say of a command beside its options.
+/// The text of the help and the manual about a command, apart from its options.
 struct CommandText {
     std::vector<std::string> synopsis;
     std::string description;  ///< sentences, in paragraphs with an empty line between them
     std::vector<Example> examples;
 };
 
-/// A command of the program. What `run` does and where values go is shared by its copies.
+/// A command of the program. Copies share the destinations of option values and the state of `run`.
 struct Command {
     std::string name, meaning;
     std::vector<Option> options;
@@ -77,10 +80,10 @@ struct Command {
 /// All commands, in the order in which the help lists them.
 std::vector<Command> all_commands();
 
-/// What may be said to every command that reads scenes.
+/// The values of the options that all commands that read scenes have in common.
 struct SceneOptions {
     std::vector<std::string> sets;  ///< --set, as given
-    Overrides shortcuts;            ///< of --set
+    Overrides shortcuts;            ///< from options that abbreviate a --set
     int threads = 0;                ///< 0: as many as there are cores
     bool quiet = false;
     bool timings = false;
@@ -101,10 +104,11 @@ Option threads_option(SceneOptions& options);
 /// --threads and --timings.
 std::vector<Option> work_options(SceneOptions& options);
 
-/// The chunks of a plan: as many as the frames of a film, or the runs of a sweep.
+/// The largest number of chunks of a plan: the largest number of frames of a film or of runs of a
+/// sweep.
 int most_chunks();
 
-/// --chunk, --force and --allow-mixed: what is done of a plan.
+/// --chunk, --force and --allow-mixed: which part of a plan is done, and how.
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed);
 
 /// --limits.
@@ -116,34 +120,38 @@ Option language_option(SceneOptions& options);
 /// --template, --theme, --language, --ground and --size.
 std::vector<Option> picture_options(SceneOptions& options);
 
-/// All that lies over the scene. Throws UsageError when a --set is not KEY.PATH=VALUE.
+/// All overrides of the scene, from --set and its shortcuts. Throws UsageError if a --set is not
+/// KEY.PATH=VALUE.
 Overrides overrides_of(const SceneOptions& options);
 
-/// What scenes are loaded with. Throws as scene_resources().
+/// The resources with which scenes are loaded. Throws what scene_resources() throws.
 SceneResources resources_of(const SceneOptions& options);
 
-/// The number of threads to use, at least 1: as many as are granted (granted_cores.h) unless told.
+/// The number of threads to use, at least 1: --threads if given, else granted_cores()
+/// (granted_cores.h).
 int threads_of(const SceneOptions& options);
 
-/// Where the output of `scene` goes: out/SCENE with the first of the extensions, or as `output`
-/// (-o, may be empty) says: a file with any of them; or a folder if it is one, ends in a slash, or
-/// is for `several` scenes. Throws UsageError.
+/// The path of the output of `scene`: out/SCENE with the first of the extensions if `output` (the
+/// value of -o) is empty. Otherwise `output` is a file with any of the extensions, or a folder if
+/// such a folder exists, if it ends in a slash, or if there are `several` scenes. Throws
+/// UsageError.
 std::filesystem::path output_path(const std::string& output, bool several, const std::string& scene,
                                   const std::vector<std::string>& extensions);
 
-/// Whether an output is a folder: one that is there, or a name that ends in a slash.
+/// Whether an output is a folder: an existing folder, or a name that ends in a slash.
 bool names_folder(const std::string& output);
 
-/// Throws UsageError when -o ends in another format than --format says; none is said if empty.
+/// Throws UsageError if the ending of -o is not that of --format. Checks nothing if `format` is
+/// empty.
 void refuse_other_format(const std::string& output, const std::string& format);
 
-/// What the output of a scene is called without its extension: its file's name, or `stdin`.
+/// The name of a scene's output without extension: the name of the scene file, or `stdin`.
 std::string scene_stem(const std::string& scene);
 
 /// Throws UsageError when `-` is among the scenes more than once.
 void refuse_second_standard_input(const std::vector<std::string>& scenes);
 
-/// Whether both names lead to one file.
+/// Whether both paths refer to the same file.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 Command render_command();

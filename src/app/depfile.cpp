@@ -32,7 +32,7 @@ std::string depfile_name(std::string_view path) {
                             "to write it; rename the file",
                             path));
         if (letter == ' ' || letter == '\t' || letter == '#') {
-            // Backslashes before it would be taken for escapes.
+            // Backslashes before such a character would be read as escapes: double them.
             for (std::size_t k = i; k > 0 && path[k - 1] == '\\'; --k) name += '\\';
             name += '\\';
         }

@@ -1,4 +1,4 @@
-// The files that an output was made from, for make and ninja.
+// Depfiles: the files that an output was made from, as dependency rules for make and ninja.
 #pragma once
 
 #include <filesystem>
@@ -14,31 +14,34 @@
 
 namespace carom {
 
-/// `path` as a name in a makefile and in a depfile of ninja. Throws UsageError where neither can
-/// hold it: one with a line break.
+/// `path`, escaped for makefiles and for the depfiles of ninja. Throws UsageError if it contains a
+/// line break, which neither can express.
 std::string depfile_name(std::string_view path);
 
-/// The files that a scene was read from: its own (none of standard input), the template of its
-/// film, and the scenes that it names.
+/// The files that a scene was read from: its own file (none if it came from standard input), the
+/// template of its film, and the scenes that it names.
 std::vector<std::string> files_of(const Scene& scene);
 
-/// A rule that says what the outputs are made from. A file that comes again is written once.
+/// A makefile rule by which `outputs` depend on `files`. Files that occur several times are listed
+/// once.
 std::string depfile_rule(std::span<const std::string> outputs, std::span<const std::string> files);
 
-/// The depfile of folders whose files are made anew only where they have changed. One file in a
-/// folder stands for all that is in it.
+/// The depfile of output folders in which only files that have changed are rewritten. One file in
+/// each folder represents the whole folder.
 class FolderRules {
   public:
-    /// An empty path: no depfile, and nothing is done. Throws SystemError when it cannot be
-    /// written.
+    /// With an empty path there is no depfile and all calls do nothing. Throws SystemError if the
+    /// depfile cannot be written.
     explicit FolderRules(const std::string& depfile);
 
-    /// The file that stands for a folder, and what the folder was made from. A file that is gone
-    /// later is no mistake for make. Throws UsageError as depfile_name().
+    /// Adds a rule: `output` is the file that represents a folder, `files` are what the folder was
+    /// made from. Each of these also gets an empty rule, so that make does not fail if the file is
+    /// removed later. Throws UsageError as depfile_name() does.
     void add(const std::filesystem::path& output, const std::vector<std::string>& files);
 
-    /// When all is made: the outputs are newer than the files, also where their bytes have not
-    /// changed, and the depfile gets its name. Throws SystemError.
+    /// To be called when all is made. Sets the modification time of the outputs to now, so that
+    /// they are newer than the files although their bytes may not have changed, and gives the
+    /// depfile its name. Throws SystemError.
     void commit();
 
   private:

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A whole number that is more than 0; "max" and -1 mean that there is no limit.
+// A whole number greater than 0, else nothing: "max" and -1 mean that there is no limit.
 std::optional<double> positive_number(std::string_view text) {
     long long value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -32,7 +32,7 @@ std::string first_line(const fs::path& path) {
     return line;
 }
 
-// Cores of a quota of so much time in each period.
+// The number of cores that a quota of CPU time in each period corresponds to.
 std::optional<double> cores_of(const std::string& quota, const std::string& period) {
     const auto time = positive_number(quota), whole = positive_number(period);
     if (!time || !whole) return std::nullopt;
@@ -47,8 +47,8 @@ std::optional<double> quota_in(const fs::path& folder) {
                     first_line(folder / "cpu.cfs_period_us"));
 }
 
-// Where the control groups of a version are, and the group of this process: a line of
-// /proc/self/cgroup is "0::/group" in version 2 and "4:cpu,cpuacct:/group" in version 1.
+// The smallest quota of this process's control group and its parents. The group is in a line of
+// /proc/self/cgroup: "0::/group" in version 2, "4:cpu,cpuacct:/group" in version 1.
 double least_quota(const fs::path& root) {
     double least = std::numeric_limits<double>::infinity();
     std::ifstream lines(root / "proc/self/cgroup");
@@ -72,7 +72,7 @@ double least_quota(const fs::path& root) {
 }  // namespace
 
 int granted_cores(const fs::path& root) {
-    double cores = std::max(1U, std::thread::hardware_concurrency());  // by the affinity
+    double cores = std::max(1U, std::thread::hardware_concurrency());  // respects the affinity mask
     if (const char* task = std::getenv("SLURM_CPUS_PER_TASK"))
         cores = std::min(cores, positive_number(task).value_or(cores));
     return static_cast<int>(std::max(1.0, std::floor(std::min(cores, least_quota(root)))));

@@ -6,9 +6,10 @@
 
 namespace carom {
 
-/// The least of: the cores that the process may run on (sched_getaffinity), SLURM_CPUS_PER_TASK,
-/// and the quota of its control groups (cpu.max of version 2, cpu.cfs_quota_us of version 1, here
-/// and in all groups above); at least 1. `root` stands in for the root of the file system.
+/// The minimum of: the number of cores that the process may run on (sched_getaffinity),
+/// SLURM_CPUS_PER_TASK, and the CPU quota of its control group and all parent groups (cpu.max in
+/// version 2, cpu.cfs_quota_us in version 1); at least 1. `root` replaces the root of the file
+/// system, for tests.
 int granted_cores(const std::filesystem::path& root = "/");
 
 }  // namespace carom

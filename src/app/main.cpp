@@ -7,8 +7,9 @@
 
 namespace {
 
-// A standard stream that the caller has closed must not become the number of a film's file. What
-// takes its place cannot be read, or written, either.
+// If the caller has closed a standard stream, its descriptor must not be reused for the file of a
+// film. /dev/null takes its place, opened so that standard input still cannot be read, and the
+// output streams cannot be written.
 void hold_closed_streams() {
     for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
         const int mode = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
@@ -16,7 +17,7 @@ void hold_closed_streams() {
     }
 }
 
-// Before the constructors of the lists of the program, which ask for memory.
+// Runs before the constructors of the program's global lists, which allocate memory.
 [[gnu::constructor(101)]] void begin() {
     carom::keep_memory_reserve();
     carom::say_when_memory_runs_out();

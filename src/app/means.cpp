@@ -9,10 +9,10 @@
 namespace carom {
 namespace {
 
-// Those that look for the fonts of one thread, at once.
+// Threads that Pango starts at the same time to find the fonts of one drawing thread.
 constexpr int threads_of_pango = 2;
 
-// Of the address space: stack and heap of a thread, and of the one that looks for its fonts.
+// Address space: stack and heap of a drawing thread and of the thread that finds its fonts.
 constexpr std::size_t bytes_of_thread = 148'000'000;
 
 void set_text() {

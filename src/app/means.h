@@ -1,13 +1,14 @@
-// Whether this machine grants what a piece of work needs: asked before an output is begun, since
-// the libraries that set text end the program where it does not.
+// Checks whether this machine grants the threads, memory and fonts that a piece of work needs.
+// Called before an output is begun, because the libraries that set text terminate the program if
+// one of these is missing.
 #pragma once
 
 #include <cstddef>
 
 namespace carom {
 
-/// Throws SystemError where so many threads that draw text, or so many bytes beside what these need
-/// themselves, cannot be had, or a font cannot be read.
+/// Throws SystemError if the system does not grant `threads` threads that draw text, or `bytes` of
+/// memory in addition to what these threads need themselves, or if a font cannot be read.
 void require_means(int threads, std::size_t bytes);
 
 }  // namespace carom

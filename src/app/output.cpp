@@ -21,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// By such a name even an ordinary file is not one of its own folder, which is the system's.
+// Under such a name even an ordinary file cannot be replaced by renaming: the folder is the
+// system's.
 bool is_open_already(const std::string& path) {
     return path == "/dev/stderr" || path.starts_with("/dev/fd/") || path.starts_with("/proc/");
 }
@@ -42,7 +43,7 @@ void refuse_folder(const std::string& path) {
             path, path));
 }
 
-// What stands at a path; nothing where there is none.
+// The status of the file at a path; nothing if there is none.
 std::optional<struct stat> status_of(const std::string& path) {
     struct stat status = {};
     const int failed = Output::is_standard_output(path) ? fstat(STDOUT_FILENO, &status)
@@ -50,14 +51,14 @@ std::optional<struct stat> status_of(const std::string& path) {
     return failed == 0 ? std::optional(status) : std::nullopt;
 }
 
-// Nothing is mixed where all is thrown away.
+// Outputs to /dev/null are not mixed: all of it is discarded.
 bool is_null_device(const struct stat& status) {
     struct stat null = {};
     return S_ISCHR(status.st_mode) && stat("/dev/null", &null) == 0 &&
            status.st_rdev == null.st_rdev;
 }
 
-// A named pipe is waited for until somebody reads it.
+// Opening a named pipe blocks until another process opens it for reading.
 int opened(const std::string& path) {
     while (true) {
         const int descriptor = open(path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -117,7 +118,7 @@ void Output::write(std::string_view text) {
     streamed_ = streamed_ || !text.empty();
     while (!text.empty()) {
         const ssize_t written = ::write(descriptor_, text.data(), text.size());
-        if (written < 0 && errno == EINTR) {  // a reader that does not read must not hold Ctrl-C
+        if (written < 0 && errno == EINTR) {  // Ctrl-C must work even if nobody reads
             throw_if_interrupted();
             continue;
         }

@@ -1,4 +1,5 @@
-// Where a command's results go: a file that appears whole or not at all, or standard output.
+// The destination of a command's results: a file that appears complete or not at all, or a stream
+// such as standard output.
 #pragma once
 
 #include <filesystem>
@@ -10,45 +11,47 @@
 
 namespace carom {
 
-/// `-` and `/dev/stdout` are standard output. A device, a pipe or a file that is open already
-/// (`/dev/fd/3`) is written as it stands, any other path as an AtomicFile.
+/// `-` and `/dev/stdout` are standard output. A device, a pipe or an open file descriptor
+/// (`/dev/fd/3`) is a stream and is written directly; any other path is written as an AtomicFile.
 class Output : public PendingOutput {
   public:
-    /// Throws SystemError when it cannot be written, UsageError where a slash at its end says that
-    /// it is a folder.
+    /// Throws SystemError if the path cannot be written, UsageError if it ends in a slash and so
+    /// names a folder.
     explicit Output(std::string path);
     ~Output() override;
 
-    void write(std::string_view text);             ///< all of it, or SystemError
-    void copy(const std::filesystem::path& file);  ///< all that is in it
+    void write(std::string_view text);             ///< writes all of it, or throws SystemError
+    void copy(const std::filesystem::path& file);  ///< writes the whole contents of the file
     void settle() override;
-    void commit() override;  ///< a file gets its name; SystemError if it cannot
+    void commit() override;  ///< gives a file its final name; throws SystemError if it cannot
     std::string name() const override { return path_; }
 
-    /// What stands in a stream although the work was stopped; empty: nothing, or a file that will
-    /// not appear.
+    /// A message about what remains in a stream after the work was stopped. Empty if nothing was
+    /// written to it, or if the output is a file, which then does not appear.
     std::string left_behind() const;
 
     static bool is_standard_output(std::string_view path) {
         return path == "-" || path == "/dev/stdout";
     }
 
-    /// Whether that is written as it stands: standard output too.
+    /// Whether the path is written directly, without a temporary file; true for standard output
+    /// too.
     static bool is_stream(const std::filesystem::path& path);
 
-    /// Whether what is written to both would be mixed in one file, device or pipe.
+    /// Whether both paths lead to the same file, device or pipe, so that outputs to them would be
+    /// mixed. False for /dev/null.
     static bool are_same(const std::string& a, const std::string& b);
 
-    /// Throws UsageError where an output to this file would take the place of one that was read, or
-    /// of another that is being written: for those that are begun late, before the work.
+    /// Throws UsageError if an output to this file would replace a file that was read, or another
+    /// output that is being written. To be called before the work for outputs that are begun late.
     static void refuse_used(const std::filesystem::path& path);
 
   private:
     std::string path_;
     std::optional<AtomicFile> file_;
-    int descriptor_ = -1;  ///< of a stream, when there is no file
+    int descriptor_ = -1;  ///< of the stream, if the output is not a file
     bool owned_ = false;
-    bool streamed_ = false;  ///< something went to a stream
+    bool streamed_ = false;  ///< something was written to the stream
 };
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// Tells how far long work has come: a bar on a terminal, a line every few seconds elsewhere, or
-// nothing. Writes to standard error.
+// Shows the progress of long work on standard error: a bar on a terminal, a line every few seconds
+// elsewhere, or nothing.
 #pragma once
 
 #include <chrono>
@@ -20,10 +20,10 @@ class Progress {
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    /// A stage of `total` frames, or whatever `unit` calls what is counted or measured.
+    /// Begins a stage of `total` frames, or of another `unit` that is counted or measured.
     void begin(std::string stage, double total, std::string unit = "frames");
-    void advance(double more = 1.0);  ///< so much more is done; called from any thread
-    void reach(double done);          ///< so much of the total is done
+    void advance(double more = 1.0);  ///< adds to what is done; may be called from any thread
+    void reach(double done);          ///< sets what is done, out of the total
     void finish();                    ///< clears the bar
 
   private:
@@ -44,7 +44,7 @@ class Progress {
     std::mutex mutex_;
 };
 
-/// Writes to standard error; that it cannot is no reason to stop.
+/// Writes to standard error. Errors in writing are ignored.
 void say(const std::string& text);
 
 /// Seconds as 0:07, 12:34 or 1:02:03.

@@ -1,4 +1,5 @@
-// Where carom's own files are: beside the program in an install tree, above it in a build tree.
+// Finds carom's own files: next to the program in an install tree, in a folder above it in a build
+// tree.
 #pragma once
 
 #include <filesystem>
@@ -7,14 +8,15 @@
 
 namespace carom {
 
-/// The folder templates/ (holding films/). Throws SystemError when it is nowhere near the program.
+/// The folder templates/, which contains films/. Throws SystemError if it is not found near the
+/// program.
 std::filesystem::path templates_folder();
 
-/// What the loader of scenes takes: these templates, and all kinds of panel. Throws as
-/// templates_folder() does.
+/// The resources that load_scene() needs: these templates, and all kinds of panel. Throws what
+/// templates_folder() throws.
 SceneResources scene_resources();
 
-/// The scene that its source describes, read again with more laid over it. Throws SceneError.
+/// The scene that a source describes, loaded again with additional overrides. Throws SceneError.
 Scene scene_from(const SceneSource& source, const Overrides& more = {});
 
 /// The folder scenes/, the library that comes with carom and holds its JSON Schema. Throws as

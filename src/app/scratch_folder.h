@@ -1,5 +1,5 @@
-// A folder for what is not where it belongs yet; gone with the program, however that ends but by a
-// kill.
+// A folder for files that are not at their final place yet. It is removed when the program ends in
+// any way but by a kill signal.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@ class ScratchFolder {
   public:
     /// In $TMPDIR or /tmp. Throws SystemError.
     ScratchFolder();
-    /// Hidden in `folder`, which is made if it is missing; of one that a killed program has left
-    /// the next one there gets rid. Throws SystemError.
+    /// A hidden folder in `folder`, which is created if it is missing. One that a killed program
+    /// left behind is removed when the next one is created there. Throws SystemError.
     explicit ScratchFolder(const std::filesystem::path& folder);
     ~ScratchFolder();
     ScratchFolder(const ScratchFolder&) = delete;

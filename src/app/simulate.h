@@ -9,16 +9,16 @@
 
 namespace carom {
 
-/// Shows the trials of the precision of `scene`, which may take long.
+/// Shows the progress of the trial runs that find the precision of `scene`, which may take long.
 TrialCallback shown_trials(const Scene& scene, Progress& progress);
 
-/// Shows what comes before time 0 of a scene: trials of its precision, equilibration.
+/// Shows the progress of what comes before time 0: the trials of the precision, the equilibration.
 TrialCallback shown_start(const Scene& asked, Progress& progress);
 
-/// Shows a whole run of the physics.
+/// Shows the progress of a whole run of the physics.
 RunCallbacks shown_run(const Scene& asked, Progress& progress);
 
-/// start_scene(), whose trials and equilibration are shown.
+/// start_scene(), with the progress of its trials and its equilibration shown.
 StartedScene start_scene(const Scene& asked, Progress& progress);
 
 }  // namespace carom

@@ -9,14 +9,15 @@ namespace {
 
 double length_of(Point from, Point to) { return std::hypot(to.x - from.x, to.y - from.y); }
 
-// The point `along` from `from` towards `to`, and `aside` to the right of the way.
+// The point at the distance `along` from `from` towards `to`, and `aside` to the right of this
+// line.
 Point beside(Point from, Point to, double along, double aside) {
     const double length = length_of(from, to);
     const double x = (to.x - from.x) / length, y = (to.y - from.y) / length;
     return {from.x + along * x - aside * y, from.y + along * y + aside * x};
 }
 
-// The part of the way from `from` by `step` that stays between `low` and `high`.
+// The fraction of `step`, starting at `from`, that stays between `low` and `high`.
 double share_within(double from, double step, double low, double high) {
     if (from + step > high) return std::max(0.0, (high - from) / step);
     if (from + step < low) return std::max(0.0, (low - from) / step);

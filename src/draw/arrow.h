@@ -1,5 +1,5 @@
 // Arrows: a shaft and a head, with an edge in the colour of the ground, so that they stand out from
-// whatever they cross. Lengths are pixels. Knows no velocities.
+// whatever they cross. Lengths are pixels. Independent of velocities.
 #pragma once
 
 #include <array>
@@ -16,14 +16,15 @@ struct ArrowStyle {
     Color color, edge_color;
 };
 
-/// The corners of an arrow, its tip the fourth: exactly from `from` to `to`, which are apart.
+/// The corners of an arrow that reaches exactly from `from` to `to`, which must differ; its tip is
+/// the fourth corner.
 std::array<Point, 7> arrow_outline(Point from, Point to, const ArrowStyle& style);
 
-/// Draws an arrow; none where it would be shorter than the width of its shaft.
+/// Draws an arrow, unless it would be shorter than the width of its shaft.
 void draw_arrow(Canvas& canvas, Point from, Point to, const ArrowStyle& style);
 
-/// Draws an arrow that ends where it leaves `bounds`, with two strokes through its shaft if it
-/// does: it is longer than it is drawn.
+/// Draws an arrow that is cut where it leaves `bounds`; two strokes through its shaft then mark
+/// that it is longer than drawn.
 void draw_arrow_within(Canvas& canvas, const Rect& bounds, Point from, Point to,
                        const ArrowStyle& style);
 

@@ -12,7 +12,8 @@
 namespace carom {
 namespace {
 
-// A step of digits times 10^exponent; two digits, so that 2.5 is whole.
+// The step between ticks: a mantissa of two digits (in tenths, so that 2.5 is an integer) times
+// 10^exponent.
 struct Step {
     int tenths = 10;
     int exponent = 0;
@@ -69,7 +70,8 @@ constexpr double line_of_title = 1.15;  // ems, from the labels to the title bel
 
 double gap_to_label(const AxisStyle& style) { return 0.35 * style.label.size; }
 
-// Lines of an axis lie on whole pixels, or they would be grey and as many as three pixels wide.
+// Lines of an axis are aligned to whole pixels; otherwise they would be grey and up to three pixels
+// wide.
 double to_whole_width(double width) { return std::max(1.0, std::round(width)); }
 
 void draw_level_line(Canvas& canvas, double from, double to, double y, const AxisStyle& style) {
@@ -88,7 +90,8 @@ struct LabelSpan {
     double left, right;
 };
 
-// Of a label under its tick; that at the end of the axis reaches hardly beyond it.
+// The horizontal span of a label under its tick; the last one is kept from reaching far beyond the
+// end of the axis.
 LabelSpan span_of(const TickMark& mark, const Scale& scale, const TextStyle& style) {
     constexpr double most_beyond = 0.6;  // ems
     const double width = measure_text(mark.label, style).width;
@@ -97,7 +100,7 @@ LabelSpan span_of(const TickMark& mark, const Scale& scale, const TextStyle& sty
     return {left, left + width};
 }
 
-// Whether each label keeps half an em to the next one.
+// Whether neighbouring labels are at least half an em apart.
 bool fits(const std::vector<TickMark>& marks, const Scale& scale, const TextStyle& style) {
     for (std::size_t i = 1; i < marks.size(); ++i) {
         const double gap =
@@ -129,7 +132,7 @@ std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style
                                          : ticks(scale.low, scale.high, most, style.whole));
 }
 
-// How many multiples of a step there are from `first` to `last`.
+// The number of multiples of a step from `first` to `last`.
 int multiples(int first, int last, int step) {
     const auto floor_of = [&](int value) {
         return value >= 0 ? value / step : -((step - 1 - value) / step);
@@ -137,7 +140,7 @@ int multiples(int first, int last, int step) {
     return floor_of(last) - floor_of(first - 1);
 }
 
-// The smallest round step with at most so many multiples, and with two at least.
+// The smallest round step that has at most `most` multiples, but at least two.
 int step_of_decades(int first, int last, int most) {
     int step = 1;
     for (const int round : {2, 5, 10, 20, 25, 50, 100, 200, 250, 500, 1000}) {
@@ -157,7 +160,7 @@ std::vector<TickMark> ticks(double low, double high, int most, bool whole) {
 
     std::vector<TickMark> marks;
     for (int k = 0; k < most && first + k <= last; ++k) {
-        const double count = first + k;  // of a narrow range far from 0 the same again and again
+        const double count = first + k;  // may stay the same in a narrow range far from 0
         if (k > 0 && count == first + (k - 1)) break;
         const double value = count == 0.0 ? 0.0 : count * step.size();
         marks.push_back({value, label_of(value, step, largest)});

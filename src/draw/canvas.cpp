@@ -60,7 +60,7 @@ Surface create_raster(PixelSize size, Backdrop backdrop) {
     return surface;
 }
 
-// Cairo calls this from C, so that no exception may leave it.
+// Called by Cairo from C: no exception may leave it.
 cairo_status_t append(void* closure, const unsigned char* data, unsigned length) noexcept {
     auto& bytes = *static_cast<std::vector<std::uint8_t>*>(closure);
     try {
@@ -73,7 +73,7 @@ cairo_status_t append(void* closure, const unsigned char* data, unsigned length)
 
 constexpr double points_of_a_pixel = 0.75;
 
-// Without a date of its own the same picture would be another file every second.
+// A fixed date: otherwise the file of the same picture would change every second.
 void set_metadata(cairo_surface_t* pdf, const PictureWords& words) {
     constexpr const char* date = "2000-01-01T00:00:00Z";
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_TITLE, words.title.c_str());
@@ -84,7 +84,7 @@ void set_metadata(cairo_surface_t* pdf, const PictureWords& words) {
     cairo_pdf_surface_set_metadata(pdf, CAIRO_PDF_METADATA_MOD_DATE, date);
 }
 
-// What Cairo writes goes to memory, where a full disk cannot be overlooked.
+// Cairo writes the document to memory, so that a full disk cannot go unnoticed.
 Surface create_document(PixelSize size, VectorFormat format, const PictureWords& words,
                         std::vector<std::uint8_t>& bytes) {
     check(size);
@@ -97,7 +97,8 @@ Surface create_document(PixelSize size, VectorFormat format, const PictureWords&
         surface.reset(cairo_pdf_surface_create_for_stream(
             append, &bytes, points_of_a_pixel * size.width, points_of_a_pixel * size.height));
         check(cairo_surface_status(surface.get()), "create a PDF");
-        // Not the 1.7 that Cairo writes from 1.18 on: old readers, pdfTeX among them, take 1.4.
+        // PDF 1.4 instead of 1.7, the default since Cairo 1.18: old readers, pdfTeX among them,
+        // accept 1.4.
         cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
         set_metadata(surface.get(), words);
     }
@@ -115,8 +116,8 @@ void set_color(cairo_t* context, Color color) {
     cairo_set_source_rgba(context, color.red, color.green, color.blue, color.alpha);
 }
 
-// Cairo keeps them, and rounds straight and bent lines by them: every call sets its own, so that
-// what was drawn before does not tell.
+// Cairo keeps these settings between calls, and they affect how it rounds straight and bent lines:
+// every call sets its own, so that the result does not depend on earlier drawing.
 void set_ends(cairo_t* context, cairo_line_cap_t cap, cairo_line_join_t join) {
     cairo_set_line_cap(context, cap);
     cairo_set_line_join(context, join);
@@ -161,7 +162,7 @@ struct Canvas::Implementation {
     PixelView pixels() const {
         assert(!format);
         cairo_surface_flush(surface.get());
-        // Cairo aligns its pixels for the widest access it makes itself.
+        // Cairo aligns its pixels for the widest access that it makes itself.
         auto* data = static_cast<void*>(cairo_image_surface_get_data(surface.get()));
         const int stride = cairo_image_surface_get_stride(surface.get());
         return {static_cast<std::uint32_t*>(data), size.width, size.height, stride / 4,
@@ -180,7 +181,7 @@ struct Canvas::Implementation {
         if (box.left < box.right && box.top < box.bottom) touched.push_back(box);
     }
 
-    // What the present path touches, and `reach` around it.
+    // Marks the box around the present path, enlarged by `reach`, as drawn on.
     void touch_path(double reach) {
         Rect rect;
         double right = 0.0, bottom = 0.0;
@@ -189,8 +190,8 @@ struct Canvas::Implementation {
                bottom - rect.y + 2.0 * reach});
     }
 
-    // What a path touches, and `reach` around it: a box of all of a curve would be many times as
-    // much.
+    // Marks boxes along a path, each enlarged by `reach`, as drawn on: a single box around a whole
+    // curve would be many times as large.
     void touch_along(std::span<const Point> path, double reach) {
         constexpr std::size_t most_boxes = 64;
         const std::size_t together = path.size() / most_boxes + 1;
@@ -246,7 +247,7 @@ void Canvas::fill_path(Color color) {
     check(cairo_status(handle()), "draw");
 }
 
-// Corners of a rectangle reach farthest: half a line's width times the root of 2.
+// The corners of a rectangle reach farthest: half the line width times the square root of 2.
 void Canvas::stroke(double width, Color color) {
     implementation_->touch_path(0.75 * width + 1.0);
     stroke_untouched(width, color);
@@ -308,12 +309,12 @@ void Canvas::stroke_path(std::span<const Point> points, double width, Color colo
              CAIRO_LINE_JOIN_ROUND);
     cairo_set_dash(handle(), dashes.data(), static_cast<int>(dashes.size()), 0.0);
     if (is_raster()) {
-        // Cairo's time grows with the corners.
+        // Cairo's time grows with the number of corners.
         const std::vector<Point> corners = simplified(points, cairo_get_tolerance(handle()));
         trace(handle(), corners);
         implementation_->touch_along(corners, 0.5 * width + 1.0);
     } else {
-        trace(handle(), points);  // to be looked at in any size
+        trace(handle(), points);  // unsimplified, as it may be viewed at any size
     }
     stroke_untouched(width, color);
     cairo_set_dash(handle(), nullptr, 0, 0.0);

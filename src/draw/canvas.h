@@ -1,6 +1,6 @@
-// A surface to draw on: pixels, or (by the same calls) SVG and PDF. The one door to Cairo.
-// Lengths are pixels, y down: in SVG one user unit each, in PDF three quarters of a point (96 to
-// the inch). Knows nothing of gases.
+// A surface to draw on: pixels or, with the same calls, SVG and PDF. The only interface to Cairo.
+// Lengths are pixels, y down: in SVG one pixel is one user unit, in PDF three quarters of a point
+// (96 pixels per inch). Independent of gases.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,22 @@ struct _cairo;  // what Cairo's handle points to, so that text.cpp can set text 
 
 namespace carom {
 
-/// Pixels 0xAARRGGBB, colours already multiplied by alpha, in native byte order (B, G, R, A in
+/// Pixels 0xAARRGGBB, with colours premultiplied by alpha, in native byte order (B, G, R, A in
 /// memory on little-endian machines).
 struct PixelView {
     std::uint32_t* data = nullptr;
     int width = 0, height = 0;
     int stride = 0;      ///< pixels from one row to the next
-    bool opaque = true;  ///< alpha is 255 everywhere, or without a meaning
+    bool opaque = true;  ///< alpha is 255 everywhere or has no meaning
 };
 
 enum class VectorFormat { svg, pdf };
 
-/// What a picture is, for those who cannot see it and for catalogues.
+/// A description of a picture, for viewers who cannot see it and for catalogues.
 struct PictureWords {
     std::string title;
     std::string description;
-    std::string origin = {};  ///< what it was made from, for those who want to make it again
+    std::string origin = {};  ///< what it was made from, so that it can be reproduced
 };
 
 struct Circle {
@@ -42,16 +42,16 @@ struct Circle {
     Color color;
 };
 
-/// The library that draws, with its version.
+/// The name and version of the drawing library.
 std::string drawing_library();
 
 enum class Backdrop { black, transparent };
 
 class Canvas {
   public:
-    /// A raster that is black all over and stays opaque, or is transparent at first, 1 to 16384
-    /// pixels each way. Throws SystemError when there is no memory or the size is out of these
-    /// bounds; so does every drawing call that Cairo refuses.
+    /// A raster of 1 to 16384 pixels each way, at first black (and always opaque) or transparent.
+    /// Throws SystemError if there is no memory or the size is out of these bounds; so does every
+    /// drawing call that Cairo refuses.
     explicit Canvas(PixelSize size, Backdrop backdrop = Backdrop::black);
 
     /// An empty page of a vector document, within the same bounds.
@@ -61,7 +61,7 @@ class Canvas {
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
 
-    /// What file() says of a raster.
+    /// Sets the description that file() stores with a raster.
     void describe(PictureWords words);
 
     PixelSize size() const;
@@ -71,7 +71,8 @@ class Canvas {
     void fill(Rect rect, Color color);
     void fill_circle(Point center, double radius, Color color);
 
-    /// In order, later ones over earlier ones; cut at `clip`, and at what clip_to() has asked for.
+    /// Draws in order, later circles over earlier ones, clipped to `clip` and to the clips of
+    /// clip_to().
     void fill_circles(std::span<const Circle> circles, Rect clip);
 
     void stroke_circle(Point center, double radius, double width, Color color);
@@ -83,35 +84,35 @@ class Canvas {
                      std::span<const double> dashes = {});  ///< line, gap, ...; none: solid, with
                                                             ///< round joins and caps
     void fill_polygon(std::span<const Point> points, Color color);
-    void clip_to(Rect rect);  ///< until its release_clip(); the inner of two cuts what is left
+    void clip_to(Rect rect);  ///< until the matching release_clip(); nested clips intersect
     void release_clip();
 
-    /// Makes this raster the same as `ground`, of the same size: copies what has been drawn on
-    /// since it last was so, or everything if it never was.
+    /// Makes this raster equal to `ground`, which must have the same size: copies the regions drawn
+    /// on since it last equalled `ground`, or everything if it never did.
     void restore(const Canvas& ground);
 
-    /// The number of the present picture, which lasts until the next restore(). No other picture of
-    /// this process has it; 0 is none's.
+    /// The number of the present picture, which ends with the next restore(). It is unique in this
+    /// process; 0 is never used.
     std::uint64_t picture() const;
 
-    /// Boxes outside of which the pixels are those of an earlier picture of this raster. Nothing
-    /// where that is not known: of other pictures than the last one.
+    /// Boxes outside of which the pixels equal those of an earlier `picture` of this raster. None
+    /// if they are not known: only the last picture before the present one is remembered.
     std::optional<std::vector<PixelBounds>> changes_since(std::uint64_t picture) const;
 
-    /// Tells of pixels written other than by the calls above.
+    /// Marks pixels as drawn on that were written other than by the calls above.
     void touch(Rect rect);
 
-    /// The pixels, after all drawing so far; pixels_changed() and touch() must follow own writes.
-    /// Raster only.
+    /// The pixels, after all drawing so far; after writing to them call pixels_changed() and
+    /// touch(). Raster only.
     PixelView pixels();
-    PixelView pixels() const;  ///< to read
+    PixelView pixels() const;  ///< for reading
     void pixels_changed();
 
     /// The pixels as a PNG file in memory. Raster only. Throws SystemError.
     std::vector<std::uint8_t> png() const;
 
-    /// The picture as a file in memory: a PNG of a raster, otherwise the document, the same bytes
-    /// for the same drawing. A document is ended by it and takes no more drawing. Throws
+    /// The picture as a file in memory: a PNG for a raster, otherwise the document; the same
+    /// drawing gives the same bytes. This ends a document, which accepts no more drawing. Throws
     /// SystemError.
     std::vector<std::uint8_t> file();
 
@@ -121,7 +122,7 @@ class Canvas {
   private:
     void fill_path(Color color);
     void stroke(double width, Color color);
-    void stroke_untouched(double width, Color color);  ///< what it touches is told already
+    void stroke_untouched(double width, Color color);  ///< the caller has marked the pixels
 
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;

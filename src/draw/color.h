@@ -1,4 +1,4 @@
-// Colours in sRGB, and what the eye makes of them.
+// Colours in sRGB, and measures of how they are perceived.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ constexpr Color with_alpha(Color color, double alpha) {
     return color;
 }
 
-/// Reads #rrggbb; nothing if it is not that.
+/// Parses #rrggbb; none if `text` has another form.
 std::optional<Color> parse_color(std::string_view text);
 
 /// Mixes in sRGB: 0 gives `a`, 1 gives `b`.
@@ -41,21 +41,21 @@ std::string hex_of(Color color);
 double relative_luminance(Color color);
 
 /// A colour in Oklab (Ottosson 2020, "A perceptual color space for image processing"): lightness in
-/// [0, 1], green to red, blue to yellow.
+/// [0, 1], `a` from green to red, `b` from blue to yellow.
 struct Oklab {
     double lightness = 0, a = 0, b = 0;
 };
 Oklab oklab(Color color);
 
-/// How different two colours look, about 0.02 where that is just seen side by side: their distance
-/// in Oklab.
+/// The perceptual difference of two colours, their distance in Oklab: about 0.02 is just noticeable
+/// side by side.
 double difference(const Oklab& one, const Oklab& other);
 double difference(Color one, Color other);
 
 /// Contrast ratio of WCAG 2.2, dimensionless in [1, 21].
 double contrast(Color a, Color b);
 
-/// The same of two colours by their relative luminances.
+/// The contrast ratio of two colours with these relative luminances.
 double contrast_of_luminances(double a, double b);
 
 }  // namespace carom

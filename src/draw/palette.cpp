@@ -75,8 +75,8 @@ constexpr Samples magma = {
     0xfeb67c, 0xfebb81, 0xfec185, 0xfec68a, 0xfecc8f, 0xfed194, 0xfed799, 0xfddc9e, 0xfde2a3,
     0xfde7a9, 0xfcecae, 0xfcf2b4, 0xfcf7b9, 0xfcfdbf};
 
-// With the colours that are furthest from all of its own, for every viewer, on a dark ground and on
-// a light one.
+// A colour map, with the two colours (for a dark and for a light ground) that are farthest from all
+// colours of the map for every viewer.
 struct NamedMap {
     const char* name;
     const Samples& samples;
@@ -106,11 +106,13 @@ constexpr std::array on_dark = {rgb(0x80CCFA), rgb(0xFFFE1F), rgb(0x2E8874),
                                 rgb(0xA160BA), rgb(0xDCB78E), rgb(0xD15B04)};
 constexpr std::array on_light = {rgb(0x205E85), rgb(0x2E9F85), rgb(0xA681CF),
                                  rgb(0x000000), rgb(0x984400), rgb(0xC68300)};
-// No more greys than four are so far apart; lines have dashes beside, and pale disks are rings.
+// More than four greys would not be that far apart. Lines are also dashed, and pale disks are drawn
+// as rings.
 constexpr std::array in_print = {rgb(0x000000), rgb(0xE4E4E4), rgb(0x4E4E4E), rgb(0x8E8E8E)};
 
-// NetLogo's colours 105, 55 and 15, brighter or darker where the ground asks for it, and with green
-// lighter than red by so much that viewers who see no difference of hue see that.
+// NetLogo's colours 105, 55 and 15, made brighter or darker where the ground requires it, and with
+// green so much lighter than red that viewers who cannot distinguish their hues see the difference
+// in lightness.
 constexpr std::array netlogo_on_dark = {rgb(0x5A87D8), rgb(0x9CED6E), rgb(0xE5483F)};
 constexpr std::array netlogo_on_light = {rgb(0x345DA9), rgb(0x59A239), rgb(0xA21110)};
 
@@ -175,8 +177,8 @@ Color color_beside(std::string_view name, const Theme& theme) {
     return theme.dark ? map_of(name).beside_on_dark : map_of(name).beside_on_light;
 }
 
-// Even in CIE's lightness: from 61, which has a contrast of 3 with white, to 31, which nobody takes
-// for black.
+// Even steps of CIE lightness: from 61, which has a contrast of 3 with white, to 31, which nobody
+// takes for black.
 ColorMap grey_map() {
     constexpr double light = 61.0, dark = 30.5;
     constexpr int steps = 64;
@@ -212,7 +214,7 @@ ColorMap direction_map(const Theme& theme) {
         case ThemeKind::print:
             break;
     }
-    // Of five steps from black to white, which is left for what rests.
+    // Four of five steps from black to white; white is left for what is at rest.
     constexpr Color up = rgb(0x444444), left = rgb(0xA8A8A8), down = rgb(0x747474);
     return ColorMap({in_print[0], up, left, down, in_print[0]});
 }

@@ -15,8 +15,8 @@
 
 namespace carom {
 
-/// A sequential map sampled at equal steps; at(0) is its slow end, at(1) its fast end, clamped
-/// outside.
+/// A sequential colour map sampled at equal steps: at(0) is its slow end, at(1) its fast end;
+/// shares outside [0, 1] are clamped.
 class ColorMap {
   public:
     explicit ColorMap(std::vector<Color> samples) : samples_(std::move(samples)) {}
@@ -27,41 +27,46 @@ class ColorMap {
     std::vector<Color> samples_;
 };
 
-/// A perceptually uniform map by name (viridis, cividis, plasma, inferno, magma); `first` and
-/// `last` cut it, first > last turns it. Throws std::invalid_argument.
+/// A perceptually uniform map by name (viridis, cividis, plasma, inferno, magma). `first` and
+/// `last` select a part of it; first > last reverses it. Throws std::invalid_argument for an
+/// unknown name.
 ColorMap color_map(std::string_view name, double first = 0.0, double last = 1.0);
 
-/// Names that color_map knows.
+/// The names that color_map() accepts.
 std::span<const std::string> color_map_names();
 
-/// The whole of a perceptually uniform map that stands out from page and ground, with the end that
-/// stands out least first: on a dark ground slow is dark, on a light one light.
+/// The largest part of a perceptually uniform map that stands out from page and ground
+/// (least_contrast_of_marks); the end with the least contrast comes first: on a dark ground slow is
+/// dark, on a light ground light.
 ColorMap color_map_on(std::string_view name, const Theme& theme);
 
-/// Blue, green and red, as in NetLogo's models of gases, at a contrast of 3 with the ground. Three
-/// kinds are told apart by all viewers; between them the map is no scale for the colour-blind.
+/// Blue, green and red, as in NetLogo's models of gases, with a contrast of 3 to the ground. All
+/// viewers can tell the three kinds apart; the colours interpolated between them are no scale for
+/// colour-blind viewers.
 ColorMap netlogo_map(bool dark_ground);
 
-/// Slow, medium and fast: NetLogo's blue, green and red, greys in print, the same whatever the
-/// scale of a film is.
+/// The colours of slow, medium and fast: NetLogo's blue, green and red, greys in print; independent
+/// of the colour scale of the film.
 Color speed_class_color(std::size_t index, const Theme& theme);
 
-/// A colour that no viewer takes for one of a scale by name, for what has no place on it.
+/// A colour that no viewer confuses with a colour of the named map, for what has no place on that
+/// scale.
 Color color_beside(std::string_view name, const Theme& theme);
 
-/// Around the circle of directions, counterclockwise from the right, the first colour again at the
-/// end: right and left, blue and yellow or orange, are told apart by all viewers.
+/// A cyclic map of directions, counterclockwise from the right; the last colour equals the first.
+/// All viewers can tell right and left apart, blue and yellow or orange.
 ColorMap direction_map(const Theme& theme);
 
-/// Greys from light to dark by even steps, for print; all are far from black.
+/// Greys from light to dark in even steps of lightness, for print; all are far from black.
 ColorMap grey_map();
 
-/// Colours for kinds near those of Okabe and Ito, in a fixed order for each theme, greys in print;
-/// they repeat after six, in print after four. Pale greys need an edge (see edge_of).
+/// Colours for kinds of particles, close to those of Okabe and Ito, in a fixed order for each
+/// theme; greys in print. They repeat after six, in print after four. Pale greys need an edge (see
+/// edge_of).
 Color kind_color(std::size_t index, const Theme& theme);
 
-/// The same colours, the one first that is furthest from all of others, from words and from curves
-/// of theory: for kinds in a picture where the others mean something else.
+/// The colours of kind_color(), ordered by their distance from all of `others`, from words and from
+/// curves of theory, farthest first: for kinds in a picture where the others have another meaning.
 std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme);
 
 }  // namespace carom

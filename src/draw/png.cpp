@@ -19,7 +19,7 @@ void append(Bytes& bytes, std::string_view text) {
     bytes.insert(bytes.end(), text.begin(), text.end());
 }
 
-// Keyword, not compressed, in no language and with the keyword as it is.
+// The keyword, not compressed, without a language tag or a translated keyword.
 Bytes text_chunk(std::string_view keyword, std::string_view text) {
     Bytes body;
     append(body, "iTXt");

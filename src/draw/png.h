@@ -1,4 +1,4 @@
-// PNG files with words in them: what a picture is, as other formats say it. Knows no canvas.
+// Text in PNG files: the description of a picture that other formats also carry. Knows no canvas.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// A PNG with title, description and origin in it, as text in UTF-8 (chunks of type iTXt of the PNG
-/// specification, 11.3.4.5); those that are empty are left out. The pixels stay as they are.
+/// Returns the PNG with title, description and origin added as UTF-8 text (iTXt chunks, PNG
+/// specification, 11.3.4.5); empty ones are left out. The pixels are unchanged.
 std::vector<std::uint8_t> with_words(std::vector<std::uint8_t> png, const PictureWords& words);
 
 }  // namespace carom

@@ -60,7 +60,7 @@ const Theme& theme(ThemeKind kind) {
 }
 
 Color toward_ink(Color color, const Theme& theme, std::span<const Color> behind, double least) {
-    // Those behind once only: luminances take most of the time.
+    // Luminances of the background are computed only once, as they take most of the time.
     std::vector<double> luminances_behind;
     for (const Color other : behind) luminances_behind.push_back(relative_luminance(other));
     const auto stands_out = [&](Color shade) {
@@ -84,7 +84,7 @@ Color legible(Color color, const Theme& theme) {
     return toward_ink(color, theme, std::array{theme.page, theme.ground}, least_contrast_of_words);
 }
 
-// Between black and white one always has a contrast of at least √21, which is 4.58.
+// Of black and white, one always has a contrast of at least √21, i.e. 4.58.
 Color letters_on(Color fill, const Theme& theme) {
     const auto better = [&](Color a, Color b) {
         return contrast(fill, a) > contrast(fill, b) ? a : b;

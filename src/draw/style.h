@@ -1,5 +1,5 @@
-// The colours of a picture by their role, for each ground. Knows colours only: sizes and places are
-// the layout's.
+// The colours of a picture by their role, for each theme. Contains colours only; sizes and
+// positions belong to the layout.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@ namespace carom {
 
 enum class ThemeKind { light, dark, print };
 
-/// Every text colour has a contrast of at least 4.5 with page and ground, every other colour that
-/// carries a meaning at least 3 (WCAG 2.2, 1.4.3 and 1.4.11).
+/// Every text colour has a contrast of at least 4.5 with page and ground, and every other colour
+/// that carries meaning at least 3 (WCAG 2.2, 1.4.3 and 1.4.11).
 struct Theme {
     Color page;       ///< behind everything
     Color ground;     ///< inside the gas's box and behind panels that want one
@@ -26,25 +26,25 @@ struct Theme {
     bool dark = false;
 };
 
-/// Contrast ratios of WCAG 2.2 with what is behind: of words (1.4.3), of anything else that carries
-/// a meaning (1.4.11).
+/// The least contrast ratios of WCAG 2.2 with the background: of words (1.4.3), and of other marks
+/// that carry meaning (1.4.11).
 constexpr double least_contrast_of_words = 4.5, least_contrast_of_marks = 3.0;
 
 /// The colours of a theme.
 const Theme& theme(ThemeKind kind);
 
-/// The colour itself where it has the least contrast with all that is behind, else the first shade
-/// of it on the way to the ink that has, else the ink.
+/// The colour itself if its contrast with all colours of `behind` is at least `least`; otherwise
+/// the first shade on the way to the ink that has this contrast, or the ink if none has.
 Color toward_ink(Color color, const Theme& theme, std::span<const Color> behind, double least);
 
-/// A shade of the colour that stands out from page and ground: the rim of a disk, the edge of a
-/// line.
+/// A shade of the colour that stands out from page and ground, for the rim of a disk or the edge of
+/// a line.
 Color edge_of(Color color, const Theme& theme);
 
-/// The same for words, which ask for more contrast.
+/// The same for words, which need more contrast.
 Color legible(Color color, const Theme& theme);
 
-/// For letters on a fill of any colour.
+/// A colour for letters on a fill of any colour.
 Color letters_on(Color fill, const Theme& theme);
 
 }  // namespace carom

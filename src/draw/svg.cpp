@@ -16,8 +16,8 @@ void prepend_words(pugi::xml_node root, const char* name, const std::string& wor
     root.prepend_child(name).text().set(words.c_str());
 }
 
-// Cairo numbers surfaces and images through the whole process; here they count from 1 in each
-// document.
+// Cairo numbers surfaces and images consecutively for the whole process; here they are renumbered
+// from 1 in each document.
 class Renumbering : public pugi::xml_tree_walker {
   public:
     bool for_each(pugi::xml_node& node) override {

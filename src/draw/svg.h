@@ -1,4 +1,4 @@
-// What Cairo leaves out of its SVG documents. The .cpp is the one door to the XML library.
+// Completes Cairo's SVG documents with what Cairo leaves out. Only the .cpp uses the XML library.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace carom {
 
-/// The document with `<title>`, `<desc>` and `role="img"`, by which programs that read pages aloud
-/// know what the picture is, and with ids that do not tell how much was drawn before in this
-/// process. Throws SystemError when it is no SVG.
+/// Returns the document with `<title>`, `<desc>` and `role="img"`, from which screen readers know
+/// what the picture is, and with ids that do not depend on what was drawn before in this process.
+/// Throws SystemError if it is not SVG.
 std::vector<std::uint8_t> finished_svg(std::span<const std::uint8_t> document,
                                        const PictureWords& words);
 

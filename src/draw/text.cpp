@@ -35,12 +35,12 @@ struct PlacedGlyph {
     double x = 0, y = 0;  ///< from the start of the baseline
 };
 
-// A line that has been shaped. `glyphs` is empty where Pango has to draw it: colours of its own,
-// underlines, letters from other fonts.
+// A line that has been shaped. `glyphs` is empty if Pango has to draw it: with colours of its own,
+// underlines, or letters from other fonts.
 struct Line {
     Layout layout;
     TextExtent extent;
-    Rect ink;  ///< from its origin
+    Rect ink;  ///< relative to its origin
     std::vector<PlacedGlyph> glyphs;
 };
 
@@ -116,7 +116,7 @@ void place_glyphs(const PangoGlyphItem& run, int& x, std::vector<PlacedGlyph>& g
     x += run.end_x_offset;
 }
 
-// Whether a run wants more than its glyphs in the line's colour at their places.
+// Whether a run needs more than its glyphs drawn in the colour of the line at their positions.
 bool is_decorated(const PangoGlyphItem& run) {
     for (GSList* link = run.item->analysis.extra_attrs; link != nullptr; link = link->next) {
         switch (static_cast<const PangoAttribute*>(link->data)->klass->type) {
@@ -148,7 +148,8 @@ std::vector<PlacedGlyph> glyphs_of(PangoLayout* layout) {
     return glyphs;
 }
 
-// The coverage of one glyph, and where its upper left pixel lies from the pixel of its origin.
+// The coverage of one glyph, and the position of its upper left pixel relative to the pixel of its
+// origin.
 struct GlyphMask {
     Surface coverage;
     int left = 0, top = 0;
@@ -177,8 +178,8 @@ GlyphMask create_mask(PangoFont* font, PangoGlyph glyph, double shift_x, double 
     return mask;
 }
 
-// What one thread keeps. Both caches are emptied when full: what a film shows again and again is
-// soon back in them.
+// The fonts and caches of one thread. Both caches are emptied when full: what a film shows
+// repeatedly is soon cached again.
 class Typesetter {
   public:
     const Line& line(const LineKey& key) {
@@ -199,7 +200,7 @@ class Typesetter {
             .first->second;
     }
 
-    /// Words in as many lines as they need.
+    /// Lays out words in as many lines as they need.
     Layout paragraph(const LineKey& key, double width) {
         Layout layout = in_declared(key);
         if (!has_all_letters(layout)) layout = in_machine(key);
@@ -208,7 +209,7 @@ class Typesetter {
         return layout;
     }
 
-    /// Whether no font of the machine has what the line needs.
+    /// Whether the line has letters that no font of the machine provides.
     bool lacks(const LineKey& key) {
         return !has_all_letters(in_declared(key)) && !has_all_letters(in_machine(key));
     }
@@ -249,7 +250,8 @@ class Typesetter {
         return pango_layout_get_unknown_glyphs_count(layout.get()) == 0;
     }
 
-    // A font whose address is a key must not be freed, or another might come to lie there.
+    // A font whose address is used as a key must not be freed, or another font might get the same
+    // address.
     void keep(PangoFont* font) {
         if (!fonts_.contains(font))
             fonts_.emplace(font, static_cast<PangoFont*>(g_object_ref(font)));
@@ -271,7 +273,7 @@ const Line& line_of(const std::string& markup, const TextStyle& style) {
     return typesetter().line({markup, style.size, style.weight, style.tabular, style.max_width});
 }
 
-// The whole pixel before a position, and the phase after it.
+// The whole pixel at or before a position, and the sub-pixel phase after it.
 std::pair<int, int> to_grid(double position) {
     const double steps = std::floor(position * Typesetter::phases + 0.5);
     const double whole = std::floor(steps / Typesetter::phases);
@@ -313,7 +315,7 @@ void draw_halo(Canvas& canvas, Point origin, const Rect& ink, const Line& line,
     cairo_stroke(context);
 }
 
-// Whether letters, with what their edges and their halo take, reach into a raster.
+// Whether letters, including their antialiased edges and halo, reach into a raster.
 bool meets(const Rect& ink, double halo, PixelSize size) {
     const double around = halo + 2.0;
     return ink.right() + around > 0.0 && ink.bottom() + around > 0.0 &&
@@ -381,7 +383,7 @@ std::vector<std::string> missing_letters(const std::string& text) {
     };
     std::vector<std::string> letters;
     std::unordered_set<std::string> seen;
-    std::string all;  // apart, so that each is set as if alone
+    std::string all;  // separated, so that each letter is set as if alone
     for (std::size_t i = 0; i < text.size();) {
         const std::size_t next = next_code_point(text, i);
         const std::string letter = text.substr(i, next - i);

@@ -1,7 +1,8 @@
-// Text on a canvas: the one door to Pango and fontconfig. Every letter comes from one declared font
-// (Inter) through a private font configuration, so that text is the same on every machine that has
-// the font. A line with a letter that Inter lacks is set with the machine's own fonts beside it.
-// May be used in several threads at once; each keeps its own fonts and its own recent lines.
+// Text on a canvas: the only interface to Pango and fontconfig. Every letter comes from one
+// declared font (Inter) through a private font configuration, so that text is the same on every
+// machine that has the font. A line with a letter that Inter lacks is set with the machine's own
+// fonts as well. Thread safety: may be used in several threads at once; each has its own fonts and
+// its own cache of recent lines.
 #pragma once
 
 #include <string>
@@ -14,14 +15,14 @@ namespace carom {
 enum class Align { left, center, right };
 
 struct TextStyle {
-    double size = 16;  ///< height of the em, in the canvas's unit
+    double size = 16;  ///< height of the em, in the unit of the canvas
     int weight = 400;  ///< 400 to 600, or 900
     Color color = {};
     Align align = Align::left;
-    bool tabular = true;   ///< figures of equal width
+    bool tabular = true;   ///< digits of equal width
     double max_width = 0;  ///< > 0: a longer line ends in an ellipsis
-    double halo = 0;       ///< > 0: an edge of this width around the letters,
-    Color behind = {};     ///< in this colour, so that they can be read over anything
+    double halo = 0;       ///< > 0: an outline of this width around the letters,
+    Color behind = {};     ///< in this colour, so that they are legible on anything
 };
 
 struct TextExtent {
@@ -37,24 +38,24 @@ TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const 
 /// The extent without drawing.
 TextExtent measure_text(const std::string& markup, const TextStyle& style);
 
-/// Plain words in lines of at most `style.max_width`, broken where their script allows it, a word
-/// that is too long within it; the last of `most` lines holds whatever is left.
+/// Breaks plain words into lines of at most `style.max_width`, where their script allows it; a word
+/// that is too long is broken inside. The last of `most` lines holds all that is left.
 std::vector<std::string> wrapped(const std::string& words, const TextStyle& style,
                                  std::size_t most);
 
-/// The letters of a plain text that no font of this machine has, each once.
+/// The letters of a plain text that no font of this machine has, each listed once.
 std::vector<std::string> missing_letters(const std::string& text);
 
 /// A line of text as it was drawn.
 struct DrawnLine {
     std::string markup;
     double size = 0;  ///< height of the em
-    Rect ink;         ///< what its letters touch
+    Rect ink;         ///< bounding box of its letters
     bool is_cut = false;
 };
 
-/// Notes the lines that this thread draws while it lives, so that a layout can be checked for words
-/// that are cut or lie on one another. One at a time on a thread.
+/// Records the lines that this thread draws during the lifetime of the object, so that a layout can
+/// be checked for words that are cut or overlap. Only one at a time on a thread.
 class TextLog {
   public:
     TextLog();
@@ -65,10 +66,10 @@ class TextLog {
     std::vector<DrawnLine> lines;
 };
 
-/// The library that sets text, with its version.
+/// The name and version of the text library.
 std::string text_library();
 
-/// Plain text made safe as markup: & < > ' " escaped.
+/// Escapes plain text for use as markup: & < > ' ".
 std::string escape_markup(const std::string& text);
 
 /// Throws SystemError, with the Debian package to install, if the font is not on this machine.

@@ -24,8 +24,8 @@ string html(string_view letter) {
     return letter == "'" ? "&#39;" : string(letter);
 }
 
-// What begins a heading, a list or a quotation does so at the start of a line only. Braces are for
-// programs that look for {{ or {% before Markdown is read, such as Jekyll.
+// Characters that begin a heading, a list or a quotation are escaped only at the start of a line.
+// Braces are escaped for programs that look for {{ or {% before Markdown is parsed, such as Jekyll.
 string markdown(string_view letter, string_view before) {
     const bool number = before.find_first_not_of("0123456789") == string_view::npos;
     if (string_view("\\`*_[]<>&|$~{").find(letter) != string_view::npos ||
@@ -37,7 +37,7 @@ string markdown(string_view letter, string_view before) {
 
 using Letters = std::map<string, string, std::less<>>;
 
-// Letters and what stands for each, all with blanks between them.
+// Parses a table of letters and their replacements, all separated by blanks.
 Letters in_pairs(const char* words) {
     Letters letters;
     std::istringstream rest(words);
@@ -45,8 +45,8 @@ Letters in_pairs(const char* words) {
     return letters;
 }
 
-// The letters that mean something in LaTeX, or that pdfLaTeX does not know by itself, as it knows
-// them without packages, in its oldest encoding of fonts (OT1).
+// Replacements for letters that have a meaning in LaTeX, or that pdfLaTeX does not know by itself.
+// They need no packages and work in its oldest font encoding (OT1).
 const Letters& latex_letters() {
     static const Letters letters{
         {"\\", "\\textbackslash{}"},
@@ -95,7 +95,7 @@ const Letters& latex_letters() {
     return letters;
 }
 
-// Those that are a command of its mathematics, without the backslash.
+// Letters that are a command in LaTeX's math mode; the commands are given without the backslash.
 const Letters& latex_commands() {
     static const Letters letters = in_pairs(
         "× times ÷ div · cdot ⋅ cdot ∙ cdot ∗ ast ± pm ∓ mp ∘ circ ≈ approx ≃ simeq ≅ cong ∼ sim "
@@ -116,7 +116,7 @@ const Letters& latin_capitals() {
     return letters;
 }
 
-// Those above the line, and below it.
+// Superscript and subscript letters.
 const Letters& raised_letters() {
     static const Letters letters =
         in_pairs("⁰ 0 ¹ 1 ² 2 ³ 3 ⁴ 4 ⁵ 5 ⁶ 6 ⁷ 7 ⁸ 8 ⁹ 9 ⁺ + ⁻ - ⁼ = ⁽ ( ⁾ ) ⁿ n ⁱ i");
@@ -130,7 +130,7 @@ const Letters& lowered_letters() {
     return letters;
 }
 
-// In its mathematics; empty where a letter stands for itself.
+// The letter in LaTeX's math mode; empty if it needs no replacement.
 string latex_formula(string_view letter) {
     const auto found_in = [&](const Letters& letters) {
         const auto found = letters.find(letter);
@@ -147,7 +147,7 @@ string latex_formula(string_view letter) {
     return {};
 }
 
-// Two of some letters would become one other.
+// Separates pairs such as -- that TeX would join into another character (a ligature).
 string latex(string_view letter, string_view before) {
     if (string_view("-',").find(letter) != string_view::npos && before.ends_with(letter))
         return "{}" + string(letter);
@@ -157,7 +157,7 @@ string latex(string_view letter, string_view before) {
     return formula.empty() ? string(letter) : formula;
 }
 
-// The number of one code point of UTF-8; of a byte that is none, one that no letter has.
+// The code point of one UTF-8 letter; for an invalid byte, a number that no letter has.
 char32_t code_point(string_view letter) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(letter[i]); };
     if (letter.size() == 1) return byte(0) < 0x80 ? byte(0) : 0xFFFFFFFF;
@@ -166,7 +166,8 @@ char32_t code_point(string_view letter) {
     return number;
 }
 
-// What pdfLaTeX sets by itself beyond ASCII, as the LaTeX of 2022 does with Computer Modern.
+// Whether pdfLaTeX can set a letter beyond ASCII without packages: in LaTeX of 2022 with Computer
+// Modern.
 bool is_latex_letter(char32_t letter) {
     constexpr std::array<std::pair<char32_t, char32_t>, 59> ranges{
         {{0x00A1, 0x00AA}, {0x00AC, 0x00BA}, {0x00BC, 0x00CF}, {0x00D1, 0x00DD}, {0x00DF, 0x00EF},
@@ -186,14 +187,16 @@ bool is_latex_letter(char32_t letter) {
            });
 }
 
-// The blanks that stand around a text, one at either end, around what it became.
+// Puts the blanks at the ends of the original text, at most one at each end, around the converted
+// line.
 string with_blanks(const string& text, const string& line) {
     const auto is_blank = [](char c) { return c == ' ' || c == '\n'; };
     if (line.empty()) return text.empty() ? "" : " ";
     return (is_blank(text.front()) ? " " : "") + line + (is_blank(text.back()) ? " " : "");
 }
 
-// On one line, without what begins a comment, an argument or a column.
+// TeX on one line, with the characters escaped that begin a comment, a macro argument or a table
+// column.
 string escaped_tex(string_view tex) {
     string escaped;
     for (const char c : tex) {
@@ -204,7 +207,7 @@ string escaped_tex(string_view tex) {
     return escaped;
 }
 
-// With commands instead of letters of Unicode, and without packages.
+// TeX with commands instead of Unicode letters, needing no packages.
 string plain_tex(string_view tex) {
     string plain;
     for (std::size_t i = 0, next = 0; i < tex.size(); i = next) {
@@ -224,7 +227,8 @@ string plain_tex(string_view tex) {
     return plain;
 }
 
-// In TeX a blank between braces changes nothing, and {{ means something to Jekyll.
+// Puts a blank between adjacent braces: it changes nothing in TeX, and avoids {{, which has a
+// meaning in Jekyll.
 string with_braces_apart(string_view tex) {
     string apart;
     for (const char c : tex) {

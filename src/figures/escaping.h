@@ -1,4 +1,4 @@
-// Words on pages of figures, so that HTML, Markdown or LaTeX shows them as they are.
+// Escapes words on pages of figures, so that HTML, Markdown or LaTeX shows them literally.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@ namespace carom {
 
 enum class PageKind { markdown, html, latex };
 
-/// `text` as a page of this kind shows it, on one line.
+/// `text` escaped for a page of this kind, on one line.
 std::string escaped(std::string_view text, PageKind kind);
 
-/// The same of a text with formulae between `$` signs, as formula::check() takes it: in HTML as
-/// MathML, in LaTeX and Markdown as TeX.
+/// The same for a text with formulae between `$` signs, in the syntax of formula::check(). Formulae
+/// become MathML in HTML, TeX in LaTeX and Markdown.
 std::string escaped_with_formulas(std::string_view text, PageKind kind);
 
-/// The letters of a LaTeX page, each once, that pdfLaTeX cannot set without packages; LuaLaTeX and
-/// XeLaTeX may.
+/// The distinct characters of a LaTeX page that pdfLaTeX cannot set without packages. LuaLaTeX and
+/// XeLaTeX may be able to.
 std::vector<std::string> beyond_pdflatex(std::string_view page);
 
 }  // namespace carom

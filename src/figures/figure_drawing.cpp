@@ -16,7 +16,7 @@ namespace {
 
 constexpr double print_type = 6.9, slide_type = 24.0;  // points; a title of 7.9 in print
 constexpr double vector_dots = 96.0, print_dots = 300.0, slide_dots = 144.0;  // to the inch
-constexpr double tallest = 17.0;  // centimetres: what a page of a text has room for
+constexpr double tallest = 17.0;  // centimetres: the height available on a page of text
 constexpr double key_width = 6.4, key_gap = 0.8, margin = 0.8;  // units
 constexpr double under_key = 0.8;                               // units
 constexpr double strip_gap = 1.2, row_of_times = 2.2;           // units
@@ -33,7 +33,7 @@ struct Sheet {
     double box_width = 0.0;  ///< of one box of a strip
 };
 
-// What a key beside a low box needs.
+// The least height of a colour key next to a low box.
 double least_key(const Scene& scene) {
     return GasColors::least_bar + under_key +
            (scene.film.velocities ? VelocityArrows::key_height : 0.0);
@@ -60,8 +60,9 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     return sheet;
 }
 
-// Under the pictures of a strip, which are so far apart. Where they are narrow only the numbers
-// stand there, and where these do not fit either, those of every second picture or of fewer.
+// Writes the times below the pictures of a strip, whose spacing is `apart`. If the pictures are
+// narrow only the numbers are written, and if these do not fit either, only those of every second
+// picture or fewer.
 void draw_times(Canvas& canvas, const DrawContext& first, Language language, double apart,
                 const std::vector<double>& times) {
     TextStyle style = label_style(first);
@@ -102,7 +103,7 @@ void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, cons
         draw_times(canvas, {box, u, dc.theme, dc.disks}, language, first.area.width + strip_gap * u,
                    figure.spec->times);
     const double right = first.area.x + (sheet.width - 2.0 * margin - key_width) * u;
-    // Beside a low box it begins higher, and ends lower.
+    // Next to a low box the key begins higher and ends lower than the box.
     const double end = (sheet.height - margin) * u;
     const double top = std::max(first.area.y, std::min(box.y, end - least * u));
     const double bottom = std::max(box.bottom(), std::min(end, top + least * u));

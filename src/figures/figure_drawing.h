@@ -1,5 +1,5 @@
-// How a figure is drawn: as large as a text's column, its page or a slide asks, with type of the
-// size that is usual there, on pixels, as SVG or as PDF.
+// Draws a figure in the size that a text column, a page or a slide requires, with the type size
+// that is usual there, as pixels, SVG or PDF.
 #pragma once
 
 #include <array>
@@ -10,22 +10,23 @@
 
 namespace carom {
 
-/// The smallest type, points: labels of axes. Titles are 1.15 times as large.
+/// The size of the smallest type (labels of axes) in points. Titles are 1.15 times as large.
 double smallest_type(const FigureSpec& spec);
 
-/// Width and height in centimetres, to a tenth of a millimetre.
+/// Width and height in centimetres, rounded to a tenth of a millimetre.
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 
-/// Throws SceneError where the figure is one of words, and has no room for them.
+/// Throws SceneError if the figure shows words and they do not fit into it.
 void refuse_long_words(const Scene& scene, const FigureSpec& spec);
 
-/// The picture of a figure, in vectors or in pixels; `words` go with it. Of pixels there are 300 to
-/// the inch (a slide 144), vector pictures the same lengths in centimetres to a quarter of a
-/// millimetre. Throws SystemError.
+/// The picture of a figure, as vector graphics in `format` or else as pixels; `words` are stored
+/// with it. Pixel pictures have 300 pixels per inch (slides 144); vector pictures have the same
+/// lengths in centimetres to within a quarter of a millimetre. Throws SystemError.
 Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,
                    const PictureWords& words);
 
-/// What the picture shows, as numbers; of a strip with the time of each picture first.
+/// The data that the picture shows, as a table. For a strip of pictures the first column is the
+/// time.
 Table table_of(const Figure& figure);
 
 }  // namespace carom

@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-// The film's ticks without its cards, and one at each time that a figure shows: axes are the
-// film's where they do not depend on the time, moments exact.
+// The film's ticks without its cards, plus one at each time that a figure shows. So the axes are
+// those of the film unless they depend on time, and the moments have exactly the times asked for.
 std::vector<Tick> ticks_of(const Scene& scene) {
     std::vector<Tick> ticks = timeline(scene);
     std::erase_if(ticks, [](const Tick& tick) { return is_card(tick.phase); });
@@ -40,19 +40,20 @@ bool end_apart(const FigureSpec& spec) {
     });
 }
 
-// Nothing stands beside a figure.
+// The scene without the panels of its film: figures are drawn alone.
 Scene alone(Scene scene, int later) {
     scene.film.layout.panels.clear();
     scene.gas.seed = scene.seed += static_cast<std::uint64_t>(later);
     return scene;
 }
 
-// Only such kinds are asked to show several runs.
+// The cast is valid, because only figures with such panels show several runs.
 SharedPanel& shared(Panel& panel) { return dynamic_cast<SharedPanel&>(panel); }
 
 bool is_sweep(const FigureSpec& spec) { return spec.panel.kind == "sweep"; }
 
-// Of all runs of a figure that shows a sweep.
+// The total simulated time of the runs of a figure that shows a sweep; 0 if the figure does no such
+// runs.
 double time_of_sweep(const FigureSpec& spec, const Run& run) {
     if (!is_sweep(spec) || spec.panel.sweep.from) return 0.0;
     return static_cast<double>(spec.panel.sweep.sweep.runs()) * run.until;
@@ -65,8 +66,9 @@ bool shows(const Figure& figure, double time) {
 
 }  // namespace
 
-// One run of the physics, and the figures that show it: those of a scene that show more than
-// `later` seeds. Beside runs that end at other times titles speak of the end.
+// One run of the physics, and the figures that show it: those figures of a scene that show more
+// than `later` seeds. If it is compared with runs that end at other times, titles say that the end
+// is shown.
 class FigureRun::OneRun {
   public:
     OneRun(const Scene& scene, int later, bool at_ends = false)
@@ -103,8 +105,8 @@ Figure* FigureRun::OneRun::figure_of(const std::string& name) {
                                [](const Figure& figure) { return figure.spec->name; });
 }
 
-// With the second pass, which simulates nothing where the run is kept in memory. A run that shows
-// nothing is started, for its particles, and goes no further.
+// Includes the second pass, unless the run is kept in memory. A run without figures is only
+// started, to get its particles.
 double FigureRun::OneRun::time_to_simulate() const {
     const Run& run = scene_.run;
     return (tries_bits() ? 0.0 : run.equilibrate) + (figures.empty() ? 0.0 : 2.0 * run.until);
@@ -141,7 +143,8 @@ void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, const Recording
     start_.reset();
 }
 
-// Of frames that show one time the last: at a reversal the one after it.
+// The second pass. Of several frames at the same time the last counts: at a reversal, the one after
+// it.
 void FigureRun::OneRun::look(const RunsCallbacks& on_progress) {
     double now = 0.0;
     std::size_t next = 0;
@@ -211,7 +214,7 @@ const Particles& FigureRun::particles() const { return runs_.front()->particles(
 
 const std::vector<Figure>& FigureRun::figures() const { return figures_; }
 
-// All runs that a figure shows have the same axes.
+// Gives all runs that a figure shows the same axes.
 void FigureRun::fix_axes(const FigureSpec& spec, const Parts& parts) {
     Panel& first = *parts.front().figure->panel;
     if (parts.size() == 1) return first.fix_axes();
@@ -222,7 +225,7 @@ void FigureRun::fix_axes(const FigureSpec& spec, const Parts& parts) {
     shared(first).fix_axes_of_runs(others, names);
 }
 
-// Of runs that no other figure shows.
+// Makes a figure of a sweep, from runs that no other figure shows.
 Figure FigureRun::sweep_figure(const FigureSpec& spec, int threads,
                                const RunsCallbacks& on_progress) {
     const auto panel = std::make_shared<SweepPanel>(
@@ -232,7 +235,7 @@ Figure FigureRun::sweep_figure(const FigureSpec& spec, int threads,
     return {&spec, panel.get(), {{scene_.run.until, {}, panel->state()}}};
 }
 
-// The first run's figure, which shows all of them.
+// The figure of the first run, made to show all runs.
 Figure FigureRun::joined_figure(const FigureSpec& spec, const Parts& parts) {
     Figure figure = *parts.front().figure;
     figure.spec = &spec;

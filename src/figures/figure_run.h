@@ -1,8 +1,8 @@
-// The figures of a scene before they are drawn: their panels with axes that hold for the whole run,
-// as in a film, but for histograms of means, which have their own; and what they show at their
-// times. All figures of a scene share one run of the physics; those that show means of several
-// seeds share one for each of these; one that compares runs has its own, and so has one that shows
-// a sweep. A run that is too large for memory is simulated twice.
+// The figures of a scene before they are drawn: their panels, and what they show at their times.
+// Axes hold for the whole run, as in a film, except for histograms of means, which have axes of
+// their own. All figures of a scene share one run of the physics; those that show means of several
+// seeds share one run per seed; a figure that compares runs or shows a sweep has runs of its own. A
+// run that is too large for memory is simulated twice.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace carom {
 
-/// What happened until a figure's time.
+/// The state of a panel at one of a figure's times, and the collisions until then.
 struct FigureMoment {
     double time = 0.0;
     CollisionCounts collisions;
@@ -27,25 +27,25 @@ struct FigureMoment {
 struct FigureSide {
     std::string label;
     Eigen::Index particles = 0;
-    double time = 0.0;           ///< that it is seen at
-    CollisionCounts collisions;  ///< until then
-    std::string account;         ///< what a caption says of it: "mean speed 1.25"
+    double time = 0.0;           ///< simulated time at which it is shown
+    CollisionCounts collisions;  ///< until that time
+    std::string account;         ///< what the caption says about it: "mean speed 1.25"
 };
 
 /// One figure: its panel, and a moment for each of its times.
 struct Figure {
     const FigureSpec* spec;
-    Panel* panel = nullptr;  ///< of the run
+    Panel* panel = nullptr;  ///< that of the run
     std::vector<FigureMoment> moments = {};
-    std::vector<FigureSide> sides = {};  ///< of a comparison; its moments are the first one's
+    std::vector<FigureSide> sides = {};  ///< of a comparison, whose moments are the first run's
 };
 
-/// Called with the progress of the runs; any may be empty.
+/// Callbacks for the progress of the runs; any may be empty.
 struct RunsCallbacks {
-    TrialCallback trial = {};  ///< of the precision, where there is but one run
+    TrialCallback trial = {};  ///< trials that find the precision, if there is only one run
     std::function<void(double time)> begin =
-        {};  ///< the simulated time of all runs, equilibration included, in both passes
-    std::function<void(double time)> advance = {};  ///< how much more is done; from any thread
+        {};  ///< with the total simulated time of all runs: equilibration included, both passes
+    std::function<void(double time)> advance = {};  ///< time done since the last call; any thread
 
     void go_on(double time) const {
         if (advance) advance(time);
@@ -54,8 +54,8 @@ struct RunsCallbacks {
 
 class FigureRun {
   public:
-    /// Runs the physics of `scene`, of each further seed and of each run that is compared, on
-    /// `threads` threads at most. The axes are those of the scene's film, but for histograms of
+    /// Runs the physics of `scene`, of each further seed and of each run that is compared, on at
+    /// most `threads` threads. The axes are those of the scene's film, except for histograms of
     /// means. Throws SceneError (a gas cannot be placed, or does not return), Interrupted.
     explicit FigureRun(const Scene& scene, int threads = 1, const RunsCallbacks& on_progress = {});
     ~FigureRun();

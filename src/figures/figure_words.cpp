@@ -44,7 +44,7 @@ bool have_one_time(const Figure& figure) {
     });
 }
 
-// The thin spaces of numbers as such where no line breaks.
+// Replaces the thin spaces in numbers by spaces at which no line breaks.
 std::string unbroken(std::string words) {
     const std::string thin = "\u2009", narrow = "\u202F";
     for (std::size_t at = words.find(thin); at != std::string::npos; at = words.find(thin, at))
@@ -80,8 +80,8 @@ bool have_word(std::string_view words, std::string_view text) {
     return false;
 }
 
-// How a run that is compared differs from the scene, or from the others by its scene; empty where
-// its label says it.
+// How a compared run differs from the scene, or from the other runs if it is of another scene;
+// empty if its label says it.
 std::string difference(Language language, const FigureSpec& spec, const ComparedRun& run) {
     std::vector<std::string> differences;
     const bool have_one_scene = std::ranges::all_of(spec.compare, [&](const ComparedRun& other) {
@@ -153,7 +153,8 @@ std::string account_of(const Figure& figure) {
     return figure.panel->account(*figure.moments.back().state);
 }
 
-// What the scene shows is said once: with the first of its figures that says nothing itself.
+// The generated alternative text. The description of the scene is given only once, with its first
+// figure that has no text of its own.
 std::string made_alt(const FigureRun& run, const Figure& figure) {
     const Scene& scene = run.scene();
     const std::string account = account_of(figure);

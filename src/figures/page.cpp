@@ -17,8 +17,8 @@ using std::string_view;
 struct Tag {
     char sign = ' ';  ///< # ^ / ! or a blank
     string name;
-    std::size_t begin = 0, end = 0;  ///< of the text that it replaces
-    std::size_t place = 0;           ///< where its braces begin
+    std::size_t begin = 0, end = 0;  ///< range of the text that the tag replaces
+    std::size_t place = 0;           ///< position where its braces begin
 };
 
 string_view trimmed(string_view text) {
@@ -27,7 +27,7 @@ string_view trimmed(string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
 }
 
-// Where nothing but blanks stands beside a tag on its line, the whole line goes.
+// If a tag is alone on its line, apart from blanks, extends it to the whole line.
 void take_line(Tag& tag, const string& text) {
     std::size_t begin = tag.begin, end = tag.end;
     while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) --begin;
@@ -37,7 +37,7 @@ void take_line(Tag& tag, const string& text) {
     tag.end = std::min(text.size(), end + 1);
 }
 
-// The next tag; of three braces the first is a text's own: \caption{{{caption}}}.
+// The next tag. Of three braces the first belongs to the text: \caption{{{caption}}}.
 std::optional<Tag> next_tag(const string& text, std::size_t from) {
     std::size_t open = text.find("{{", from);
     if (open == string::npos) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<Tag> next_tag(const string& text, std::size_t from) {
     return tag;
 }
 
-// Words of the program, which begin with an underscore.
+// The word of the program for a name that begins with an underscore.
 std::optional<Phrase> phrase_of(const string& name) {
     if (!name.starts_with('_')) return std::nullopt;
     return Phrase{string_view(name).substr(1)};
@@ -71,7 +71,7 @@ bool is_known(Phrase phrase) {
                                [&](const phrases::Row& row) { return row[0] == phrase.english; });
 }
 
-/// A template in parts: text, a placeholder, or a stretch between two tags.
+/// A part of a template: text, a placeholder, or a section between two tags.
 struct Part {
     char sign = 't';  ///< t: text
     string text;      ///< or name
@@ -86,7 +86,7 @@ class Parser {
     std::vector<Part> parse() { return until(nullptr, {""}); }
 
   private:
-    // Scopes from the innermost to the page.
+    // Names of the enclosing lists, from the innermost to the page.
     using Scopes = std::vector<string>;
 
     std::vector<string> names_in(const Scopes& scopes) const {
@@ -147,8 +147,8 @@ class Parser {
         return parts;
     }
 
-    // What stands between a tag and the one that closes it. Lists in themselves would repeat what
-    // is in them without end.
+    // Parses the section between a tag and its closing tag. A list inside itself is refused: it
+    // would repeat without end.
     std::vector<Part> stretch(const Tag& tag, const Scopes& scopes) {
         Scopes inside = scopes;
         const bool is_list = tag.sign == '#' && names_.contains(tag.name);
@@ -176,10 +176,11 @@ class Parser {
     const Placeholders& names_;
     Errors& errors_;
     std::size_t at_ = 0, depth_ = 0;
-    bool broken_ = false;  ///< reported, and nothing after it is read
+    bool broken_ = false;  ///< an error was reported, and parsing stops
 };
 
-// What stands before a colon would be taken for the scheme of the address.
+// The URL of a file. A name with a colon gets ./ in front: text before a colon would be read as the
+// scheme.
 string address(const string& file) {
     const string encoded = percent_encoded(file, "-._~/+=:;,");
     return file.find(':') != string::npos ? "./" + encoded : encoded;
@@ -248,7 +249,7 @@ class Filler {
     Language language_;
 };
 
-// As the words that are filled in.
+// The template must be UTF-8, like the words that are filled in.
 void require_utf8(const Source& page, Errors& errors) {
     for (std::size_t i = 0, next = 0; i < page.text.size(); i = next) {
         next = next_code_point(page.text, i);

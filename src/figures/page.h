@@ -1,5 +1,4 @@
-// Pages that show figures: a template with placeholders, and what stands in for them. Knows no
-// files.
+// Pages that show figures: fills a template with placeholders. Does no file access.
 #pragma once
 
 #include <map>
@@ -12,29 +11,31 @@
 
 namespace carom {
 
-/// The names of placeholders: under "" those of the page itself, under the name of a list those
-/// inside it.
+/// The names of placeholders: under the key "" those of the page itself, under the name of a list
+/// those inside that list.
 using Placeholders = std::map<std::string, std::vector<std::string>>;
 
-/// What stands in for the placeholders of a place: words, names of files (in LaTeX as they are,
-/// elsewhere as parts of an address), files inside of the page, and lists of places.
+/// The values of the placeholders at one level of the page: words, names of files (in LaTeX as they
+/// are, elsewhere as parts of a URL), files embedded in the page, and lists, whose items have
+/// values of their own.
 struct PageFields {
     std::map<std::string, std::string> words = {};
     std::map<std::string, std::string> formulated = {};  ///< words with formulae
     std::map<std::string, std::string> files = {};
     std::map<std::string, std::string> inlined = {};  ///< addresses, as data_address() makes them
     std::map<std::string, std::vector<PageFields>> lists = {};
-    Language language = Language::english;  ///< of the page itself, for words of the program
+    Language language = Language::english;  ///< language of the page, for the program's own words
 };
 
 /// The placeholders of pages of figures.
 const Placeholders& placeholders();
 
-/// Fills a template. `{{name}}` is a text; `{{#name}}…{{/name}}` stays for each item of a list, or
-/// if there is such a text; `{{^name}}…{{/name}}` if there is none; `{{! words}}` is left out. A
-/// line that holds nothing but one of the last four leaves none. `{{_Figure}}` is a word of the
-/// program in the language of the page. Throws SceneError with the places
-/// of names that are not among `names` and of what is not closed.
+/// Fills a template. `{{name}}` is replaced by a text. `{{#name}}…{{/name}}` is repeated for each
+/// item of a list, or kept if the text is not empty; `{{^name}}…{{/name}}` is kept if there is no
+/// such item or text; `{{! words}}` is a comment and is left out. A line that contains only a tag
+/// beginning with `#`, `^`, `/` or `!` is removed. `{{_Figure}}` is a word of the program in the
+/// language of the page. Throws SceneError with the places of names that are not among `names`, and
+/// of tags that are not closed.
 std::string filled_page(const Source& page, PageKind kind, const PageFields& fields,
                         const Placeholders& names = placeholders());
 

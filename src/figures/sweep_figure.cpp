@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int steps_between = 8;  // of a curve, from one value to the next
+constexpr int steps_between = 8;  // number of steps of a curve from one value to the next
 
 std::optional<double> number_from(const std::string& text) {
     double number = 0.0;
@@ -57,7 +57,7 @@ SweepSummary read_joined(const Scene& scene, const FigureSpec& spec) {
     return summary;
 }
 
-// Of what it would run itself, without any runs.
+// The summary of the sweep that the figure would run itself, still without results.
 SweepSummary planned(const FigureSpec& spec) {
     const SweepShown& shown = spec.panel.sweep;
     return {.sweep = shown.sweep,
@@ -79,7 +79,7 @@ SweepSummary run_here(const FigureSpec& spec, int threads, const std::function<v
     return summary;
 }
 
-/// A figure of a sweep that is there.
+/// A figure of a sweep whose summary is given.
 class SweptFigure {
   public:
     SweptFigure(const Scene& scene, const FigureSpec& spec, SweepSummary summary)
@@ -112,7 +112,8 @@ class SweptFigure {
         return shown_.against == across_packing || shown_.against == across_density;
     }
 
-    // The first that has several values, unless it is said.
+    // The axis of the sweep that is plotted across: the one that is named, or else the first with
+    // several values.
     std::size_t axis_across() const {
         const std::vector<SweepAxis>& axes = summary_.sweep.axes;
         for (std::size_t k = 0; k < axes.size(); ++k)
@@ -157,7 +158,7 @@ class SweptFigure {
         return words_of_key(language, summary_.sweep.axes[across_].key, scene_.gas);
     }
 
-    // The values of the other keys, those of one value left out.
+    // The name of a line: the values of the other keys, except keys with a single value.
     std::string name_of_line(Language language, std::int64_t point) const {
         std::vector<std::string> names;
         const Changes values = summary_.sweep.values_at(point);
@@ -168,7 +169,7 @@ class SweptFigure {
         return fmt::format("{}", fmt::join(names, between_numbers(language)));
     }
 
-    // In the order of the points.
+    // The points of each line, in the order of the points.
     std::vector<std::vector<std::int64_t>> points_of_lines() const {
         std::vector<std::pair<std::string, std::vector<std::int64_t>>> lines;
         for (std::int64_t point = 0; point < summary_.sweep.points(); ++point) {
@@ -195,7 +196,7 @@ class SweptFigure {
         return *number;
     }
 
-    // Where a scene with this value of the key is across.
+    // The abscissa of a scene with this value of the key.
     std::optional<double> place_of(const Scene& scene, double key) const {
         if (shown_.against == across_packing) return packing_of(scene);
         if (shown_.against == across_density) return density_of(scene);
@@ -232,7 +233,7 @@ class SweptFigure {
         return keys;
     }
 
-    // None where there is no such gas.
+    // The scene with this value of the key; null if there is no such gas.
     std::shared_ptr<const Scene> scene_at(Changes& changes, double key) const {
         changes[across_] = fmt::format("{}={:.15g}", summary_.sweep.axes[across_].key, key);
         try {
@@ -242,8 +243,8 @@ class SweptFigure {
         }
     }
 
-    // A key that only takes whole numbers has no others between them. A curve has a gap where there
-    // is no gas.
+    // Adds the theoretical curve. For a key that takes only whole numbers there are no values in
+    // between. The curve has a gap where no gas exists.
     void add_theory(SweptLine& line, const std::vector<std::int64_t>& points) const {
         Changes changes = summary_.sweep.changes_at(points.front());
         double last = std::numeric_limits<double>::quiet_NaN();

@@ -1,4 +1,4 @@
-// The numbers of a figure that shows a sweep: of runs that it does itself, or of a joined sweep.
+// The data of a figure that shows a sweep, from runs done for the figure or from a joined sweep.
 #pragma once
 
 #include <filesystem>
@@ -9,17 +9,18 @@
 
 namespace carom {
 
-/// The summary of a joined sweep that a figure shows: beside the scene, unless its path says
-/// otherwise.
+/// The path of the summary of the joined sweep that a figure shows; relative paths start at the
+/// scene's folder.
 std::filesystem::path path_of_joined(const Scene& scene, const FigureSpec& spec);
 
-/// Refuses what swept_numbers() would refuse, but for gases that cannot be placed, before anything
-/// is run. Throws SceneError.
+/// Checks, before anything is run, for the errors that swept_numbers() would find, except gases
+/// that cannot be placed. Throws SceneError.
 void check_swept_figure(const Scene& scene, const FigureSpec& spec);
 
-/// What a figure of kind `sweep` of this scene shows. Runs what it has to on `threads` threads at
-/// most, with `on_run` after each, from any thread. Throws SceneError (there is no such number, a
-/// gas cannot be placed, the joined sweep is not there or is of another scene), Interrupted.
+/// The data that a figure of kind `sweep` of this scene shows. Does the runs that it needs on at
+/// most `threads` threads, and calls `on_run` after each, from any thread. Throws SceneError (there
+/// is no such number, a gas cannot be placed, the joined sweep is missing or is of another scene),
+/// Interrupted.
 SweptNumbers swept_numbers(const Scene& scene, const FigureSpec& spec, int threads,
                            const std::function<void()>& on_run);
 

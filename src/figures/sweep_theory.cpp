@@ -36,14 +36,14 @@ std::optional<double> pressure(const DrawnGas& gas) {
                              gas.thermal());
 }
 
-// Of each particle.
+// Collisions per particle and unit of time.
 std::optional<double> collision_rate(const DrawnGas& gas) {
     const auto rate = expected_collision_rate(gas.box(), gas.particles, gas.sample);
     if (!rate) return std::nullopt;
     return 2.0 * *rate / static_cast<double>(gas.particles.count());
 }
 
-// Of all particles, or of the species that the number names.
+// The equilibrium of all particles, or of the species that the number names.
 std::optional<EquilibriumGas> equilibrium_of(const std::string& number, const std::string& prefix,
                                              const DrawnGas& gas) {
     if (number == prefix) return equilibrium(gas.box(), gas.particles, gas.sample);
@@ -74,7 +74,7 @@ std::optional<double> value_of(const std::string& number, const DrawnGas& gas) {
     return std::nullopt;
 }
 
-// Velocities and radii may be drawn: of several seeds the mean.
+// The mean over the seeds, because velocities and radii may be random.
 std::optional<double> mean_over_seeds(
     const Scene& scene, const SeedRange& seeds,
     const std::function<std::optional<double>(const DrawnGas&)>& value) {

@@ -1,4 +1,4 @@
-// What theory says of the numbers of runs, before any is done.
+// Theoretical values of the numbers of runs, known before any run is done.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,11 @@
 
 namespace carom {
 
-/// What is exactly or well known of a number of a scene's runs in equilibrium: its mean over some
-/// seeds, which draw the velocities. Of pressures that of hard disks (Kolafa and Rottner) or of
-/// hard rods (Tonks), of energies and speeds those of equilibrium, of collisions the rate by
-/// Enskog. Nothing where none is known, and where events act on the gas.
+/// The equilibrium value, exact or a good approximation, of a number of a scene's runs, averaged
+/// over some seeds, as these determine the velocities. For pressures: the equation of state of hard
+/// disks (Kolafa and Rottner) or hard rods (Tonks); for energies and speeds: equilibrium means; for
+/// collisions: Enskog's rate. Returns nothing if no theory is known, or if surfaces or events act
+/// on the gas.
 std::optional<double> theory_of_number(const std::string& number, const Scene& scene,
                                        const SeedRange& seeds);
 
@@ -21,12 +22,13 @@ std::optional<double> theory_of_number(const std::string& number, const Scene& s
 std::optional<double> ideal_gas_of_number(const std::string& number, const Scene& scene,
                                           const SeedRange& seeds);
 
-/// Where the curve of a number is from, in words.
+/// The source of the theoretical curve of a number, in words.
 Phrase name_of_theory(const std::string& number, const Scene& scene);
 Phrase name_of_ideal_gas();
 
-/// The part of the box that particles cover, or their number in a unit of area or length; nothing
-/// for a gas that cannot be drawn.
+/// The packing fraction (part of the box that particles cover), and the number density (particles
+/// per unit of area or length). Both return nothing if the gas cannot be drawn from its
+/// distributions.
 std::optional<double> packing_of(const Scene& scene);
 std::optional<double> density_of(const Scene& scene);
 

@@ -1,4 +1,4 @@
-// Bytes as letters, for files inside of pages.
+// Base64 encoding, for files embedded in HTML pages.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace carom {
 
-/// Base64 (RFC 4648, with padding).
+/// Encodes bytes in Base64 (RFC 4648, with padding).
 std::string base64(std::string_view bytes);
 
-/// A file of a media type ("video/mp4") as an address that contains it.
+/// A data: URL that contains a file of a media type ("video/mp4").
 std::string data_address(std::string_view type, std::string_view bytes);
 
 }  // namespace carom

@@ -10,9 +10,9 @@ const char* of(Quality quality, const char* draft, const char* standard, const c
     return quality == Quality::final_ ? final_ : standard;
 }
 
-// How motion is searched for. The pattern of the diamond finds what moves a few pixels, the uneven
-// hexagons what moves many. Blocks of 8 x 8 in B frames are for many edges side by side, and a
-// second reference for what another disk had covered.
+// The motion search. The diamond pattern finds motions of a few pixels, the uneven hexagon those of
+// many. Blocks of 8 x 8 in B frames help with many edges side by side, a second reference frame
+// with what another disk had covered.
 const char* standard_search(Motion motion) {
     if (motion == Motion::fast) return ":ref=2:me=umh:analyse=i8x8,i4x4,p8x8";
     return motion == Motion::sparse ? ":ref=1:me=dia:analyse=i8x8,i4x4,p8x8" : ":ref=2:me=dia";
@@ -20,10 +20,10 @@ const char* standard_search(Motion motion) {
 
 // A constant quantiser: a gas film is alike from end to end, so that rate control would only
 // measure every frame once more, and give crowded films less quality than empty ones. What stands
-// still is taken over from the key frame, so that a fine one (ipratio) pays for the whole segment;
-// what moves is shown in a B frame for a moment, and a coarse one (pbratio) is not seen. Every
-// fourth frame is a P frame, without look-ahead (b-adapt). A segment is one group of pictures,
-// however long.
+// still is copied from the key frame, so that a fine key frame (ipratio) pays for the whole
+// segment; what moves is shown in a B frame only for a moment, and a coarse one (pbratio) is not
+// noticed. Every fourth frame is a P frame, without look-ahead (b-adapt). A segment is one group of
+// pictures, however long.
 CodecOptions h264_options(Quality quality, Motion motion) {
     const char* const parameters =
         of(quality, "qp=25:8x8dct=1",  // a film is High, which means 8x8 blocks
@@ -38,9 +38,10 @@ CodecOptions h264_options(Quality quality, Motion motion) {
              fmt::format("{}{}:keyint=infinite:{}", parameters, search, shared_h264_parameters)}};
 }
 
-// A constant quality, for the reasons that H.264 has a constant quantiser, and about the same
-// likeness. The realtime modes cost two to three times what x264 does; the other is only for the
-// final film. Without look-ahead and hidden reference frames every packet is a frame that is shown.
+// A constant quality, for the same reasons as the constant quantiser of H.264, and with about the
+// same fidelity. The realtime modes cost two to three times as much as x264; the "good" mode is
+// only for the final film. Without look-ahead and hidden reference frames every packet is a frame
+// that is shown.
 CodecOptions vp9_options(Quality quality, Motion /*motion*/) {
     return {{"deadline", of(quality, "realtime", "realtime", "good")},
             {"cpu-used", of(quality, "8", "5", "3")},

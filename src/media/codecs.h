@@ -1,5 +1,5 @@
-// The codecs of films that are video, and what each quality means to their encoders. Chosen by
-// measurement: see docs/encoding.md.
+// The codecs of video films, and the encoder settings for each quality. Chosen by measurement: see
+// docs/encoding.md.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// Options by libav's names.
+/// Encoder options (name, value), with libav's names.
 using CodecOptions = std::vector<std::pair<const char*, std::string>>;
 
 /// How the sound of a film is encoded.
@@ -22,8 +22,8 @@ struct SoundCodec {
 struct Codec {
     const char* encoder;                              ///< libav's name of it
     const char* container;                            ///< libav's name of the file format
-    std::pair<const char*, const char*> index_first;  ///< its option for that
-    bool keeps_all_metadata;                          ///< texts by any name
+    std::pair<const char*, const char*> index_first;  ///< its option (name, value) for this
+    bool keeps_all_metadata;                          ///< whether metadata of any name are stored
     CodecOptions (*encoder_options)(Quality, Motion);
     SoundCodec sound;
 };
@@ -31,8 +31,8 @@ struct Codec {
 extern const Codec h264;  ///< and AAC, in MP4
 extern const Codec vp9;   ///< and Opus, in WebM
 
-/// What every film shares, beside the length of its groups of pictures: nothing that depends on the
-/// number of cores or on the instruction set may change a byte.
+/// Settings shared by all films, except the length of their groups of pictures: the number of cores
+/// and the instruction set must not change a single byte of the result.
 inline constexpr const char* shared_h264_parameters =
     "threads=1:lookahead-threads=1:cpu-independent=1:open-gop=0:scenecut=0";
 

@@ -9,9 +9,9 @@
 namespace carom {
 namespace {
 
-// Those in docs/encoding.md ("Rough costs"), of films of 300 frames with 200 and 1,000 disks. Up to
-// 20,000 disks times hold to a third; bytes depend more on how fast all moves. The memory is that
-// of the slowest quality (docs/scaling.md).
+// The costs in docs/encoding.md ("Rough costs"), of films of 300 frames with 200 and 1,000 disks.
+// Up to 20,000 disks the times are right to a third; the bytes depend more on the speed of the
+// particles. The memory is that of the slowest quality (docs/scaling.md).
 constexpr double pixels_measured = 1920.0 * 1080.0;
 
 constexpr PowerLaw milliseconds(double at_200, double at_1000) {
@@ -36,7 +36,7 @@ constexpr FormatCost webm_cost{.core_seconds = milliseconds(23.8, 34.5),
 constexpr FormatCost gif_cost{milliseconds(13.5, 17.2), megabytes_of_300(10.6, 20.4), 0.7, 30, 0.6};
 constexpr FormatCost png_cost{milliseconds(62.2, 68.2), megabytes_of_300(73.5, 109), 0.8, 24};
 
-// Of 200 and 1000 disks at 1080p, roughly: pages are drawn one by one, and only their memory
+// Rough costs for 200 and 1000 disks at 1080p: pages are drawn one by one, and only their memory
 // counts.
 constexpr FormatCost pdf_cost{.core_seconds = mp4_cost.core_seconds,
                               .bytes = {26e3, 50e3},
@@ -54,7 +54,7 @@ std::vector<std::string> names(Use use) {
 }  // namespace
 
 double PowerLaw::at(double disks) const {
-    constexpr double few = 20.0;  // type and histograms are there with any number
+    constexpr double few = 20.0;  // text and histograms cost the same with fewer disks
     const double power = std::log(at_1000 / at_200) / std::log(5.0);
     return at_200 * std::pow(std::max(few, disks) / 200.0, power);
 }

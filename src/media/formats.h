@@ -1,5 +1,5 @@
-// The formats that carom writes, in one table: what each is called, what it can hold, what a film
-// in it costs, and what makes it.
+// The table of the output formats of carom: the name of each, what it can hold, what a film in it
+// costs, and the function that makes the writer.
 #pragma once
 
 #include <filesystem>
@@ -13,67 +13,70 @@
 
 namespace carom {
 
-/// What a frame costs at quality `standard`: through films of 200 and of 1,000 disks at 1080p.
+/// The cost of a frame at quality `standard` as a power of the number of disks, through measured
+/// films of 200 and of 1,000 disks at 1080p.
 struct PowerLaw {
     double at_200, at_1000;
     double at(double disks) const;
 };
-/// Of qualities, as factors of that of `standard`.
+/// The costs of the other qualities, as multiples of that of `standard`.
 struct QualityFactors {
     double draft = 1.0, final_ = 1.0;
     double at(Quality quality) const;
 };
 struct FormatCost {
     PowerLaw core_seconds, bytes;  ///< of a frame
-    double power_of_pixels;        ///< by which the bytes of a frame grow: outlines, not areas
-    double memory_per_pixel;       ///< bytes of a thread that draws and encodes, at most
-    double beforehand = 0.0;       ///< seconds on one core at 1080p, whatever the length
+    double power_of_pixels;   ///< exponent with which the bytes of a frame grow with its pixels: it
+                              ///< shows outlines, not areas
+    double memory_per_pixel;  ///< largest memory of a thread that draws and encodes, in bytes per
+                              ///< pixel
+    double beforehand = 0.0;  ///< fixed cost of a film: seconds on one core at 1080p
     QualityFactors seconds_by_quality = {}, bytes_by_quality = {};
 
-    /// Of a frame with so many disks and pixels, on one core.
+    /// Seconds on one core and bytes for a frame with this number of disks and of pixels.
     double frame_seconds(double disks, double pixels, Quality quality) const;
     double frame_bytes(double disks, double pixels, Quality quality) const;
-    /// On one core, whatever the length.
+    /// Seconds on one core that a film costs in addition, whatever its length.
     double seconds_before(double pixels) const;
 };
 
-/// How films in a format have sound.
+/// The sound of films in a format.
 struct FormatSound {
     const char* codec;
-    double bytes;  ///< of a second
+    double bytes;  ///< bytes per second
 };
 
 struct OutputFormat {
-    std::string name;  ///< as --format has it; behind a dot the ending of its files
+    std::string name;  ///< as given to --format; also the file name extension, after a dot
     bool stills = false, figures = false;
     std::optional<VectorFormat> vector =
-        {};                               ///< of stills and figures; none: pixels, or no picture
-    std::optional<FormatCost> film = {};  ///< of a film; none: there are no films of it
-    std::string no_transparency = {};     ///< why a film in it has none; empty: it can
+        {};  ///< vector format of stills and figures; none: they are pixels, or not possible
+    std::optional<FormatCost> film = {};  ///< cost of a film; none: the format cannot hold films
+    std::string no_transparency = {};     ///< why a film in it cannot be transparent; empty: it can
     int most_frames_per_second = 0;       ///< 0: any number
-    double large_bytes = 0.0;             ///< from which a film is large for it; 0: never
-    bool in_one_piece = false;  ///< a film in it is made by one process, and its cost is not told
+    double large_bytes = 0.0;   ///< size from which a film is large for this format; 0: never
+    bool in_one_piece = false;  ///< a film is made by one process; its cost is not reported
     std::optional<FormatSound> sound = {};  ///< none: its films are silent
-    int previews = 0;  ///< frames of the whole film from which its colours are chosen
+    int previews = 0;  ///< number of frames, from the whole film, from which its colours are chosen
     std::unique_ptr<FilmWriter> (*make_film)(const std::filesystem::path&, const VideoSettings&,
                                              int frames) = nullptr;
 };
 
-/// All of them, in the order in which they are listed.
+/// All formats, in the order in which they are listed.
 const std::vector<OutputFormat>& output_formats();
 
-/// The format of this name, which must be one.
+/// The format of this name, which must exist.
 const OutputFormat& output_format(const std::string& name);
 
-/// The format of a film at `path`: numbered PNG where it ends in a slash, otherwise by its ending;
-/// MP4 under any other name.
+/// The format of a film at `path`: numbered PNG if the path ends in a slash, otherwise according to
+/// its extension; MP4 for any other extension.
 const OutputFormat& format_of_film(const std::filesystem::path& path);
 
-/// What writes the film at `path`, of so many frames. Throws SystemError.
+/// A writer for the film at `path` with this number of frames. Throws SystemError.
 std::unique_ptr<FilmWriter> film_writer(const std::filesystem::path& path,
                                         const VideoSettings& settings, int frames);
 
-/// Names of those that can be films, films in chunks, stills or figures.
+/// The names of the formats for films, for films made in chunks, for stills and for figures.
 std::vector<std::string> film_formats();
 std::vector<std::string> chunk_formats();
 std::vector<std::string> still_formats();

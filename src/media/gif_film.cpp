@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char* encoder_name = "gif";
 
-// Bytes of an image at which its delay stands, little-endian, in hundredths of a second.
+// Offset of the delay in an image: little-endian, in hundredths of a second.
 constexpr std::size_t delay_at = 4;
 
 using Bytes = std::vector<std::uint8_t>;
@@ -39,7 +39,8 @@ void put_text(Bytes& bytes, std::string_view text) {
     bytes.insert(bytes.end(), text.begin(), text.end());
 }
 
-// In blocks of at most 255 bytes, each after its length, ended by one of length 0.
+// Appends text in blocks of at most 255 bytes, each preceded by its length, ended by a block of
+// length 0.
 void put_blocks(Bytes& bytes, std::string_view text) {
     constexpr std::size_t longest = 255;
     for (; !text.empty(); text.remove_prefix(std::min(longest, text.size()))) {
@@ -81,8 +82,8 @@ void put_comment(Bytes& bytes, const VideoSettings& settings) {
     put_blocks(bytes, text);
 }
 
-// The encoder begins its first packet with the header of a file and the colours, which the film's
-// file has already.
+// The number of bytes at the start of the encoder's first packet that hold a file header and the
+// colours, which the file of the film has already.
 std::size_t header_bytes(std::span<const std::uint8_t> packet) {
     constexpr std::size_t screen = 13, flags_at = 10;
     if (packet.size() < screen || packet[0] != 'G') return 0;
@@ -90,7 +91,7 @@ std::size_t header_bytes(std::span<const std::uint8_t> packet) {
     return screen + ((flags & 0x80) != 0 ? 3u * (2u << (flags & 7)) : 0u);
 }
 
-// A graphic control extension and an image of GIF89a, without colours of its own.
+// A graphic control extension and an image of GIF89a, without a colour table of its own.
 std::string image_of(std::span<const std::uint8_t> packet) {
     const std::span<const std::uint8_t> image = packet.subspan(header_bytes(packet));
     constexpr std::array<std::uint8_t, 3> control = {0x21, 0xf9, 0x04};
@@ -148,7 +149,8 @@ class GifFilm : public FilmWriter {
     std::int64_t bytes() const override { return bytes_; }
 
   private:
-    // Each frame is kept as the part of it that differs from the one before; the first is whole.
+    // Each frame is stored as the part that differs from the previous frame; the first one is
+    // stored whole.
     class Segment : public FilmSegment {
       public:
         explicit Segment(GifFilm& film) : film_(film), finder_(film.palette_) { libav::listen(); }
@@ -176,7 +178,7 @@ class GifFilm : public FilmWriter {
         }
         void convert(const PixelView& frame) {
             assert(frame.width == indices_->width && frame.height == indices_->height);
-            // The encoder keeps the frame before.
+            // The encoder holds a reference to the previous frame.
             libav::check_encoder(encoder_name, api().av_frame_make_writable(indices_.get()));
             for (int y = 0; y < frame.height; ++y)
                 finder_.find(frame.data + std::ptrdiff_t{y} * frame.stride,

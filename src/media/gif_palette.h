@@ -1,4 +1,4 @@
-// The 255 colours of a GIF: chosen from frames of the whole film, and found again for each pixel.
+// The 255 colours of a GIF: chosen from frames of the whole film, and looked up for each pixel.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// Opaque colours 0xffRRGGBB, and as the last one a transparent.
+/// Opaque colours 0xffRRGGBB, followed by a transparent one as the last entry.
 using GifPalette = std::array<std::uint32_t, 256>;
 constexpr int gif_colors = 255;
 
@@ -21,15 +21,16 @@ class PaletteMaker {
     ~PaletteMaker();
 
     void add(const PixelView& frame);
-    GifPalette finish();  ///< spent afterwards; at least one frame must have been added
+    GifPalette finish();  ///< requires at least one frame; the object cannot be used afterwards
 
   private:
     struct Implementation;
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// Gives each colour the nearest one of a palette, by the distance in sRGB; the first of equals. No
-/// dithering: pictures are flat, and noise on flat ground would crawl.
+/// Maps each colour to the nearest one of a palette, by the distance in sRGB; the first one if
+/// several are equally near. No dithering: pictures are flat, and noise on a flat ground would
+/// crawl.
 class ColorFinder {
   public:
     explicit ColorFinder(const GifPalette& palette);
@@ -44,7 +45,7 @@ class ColorFinder {
         std::uint8_t index;
     };
     GifPalette palette_;
-    std::vector<Known> known_;  ///< the last color met in each place of a hash table
+    std::vector<Known> known_;  ///< a hash table with the last colour met in each slot
 };
 
 }  // namespace carom

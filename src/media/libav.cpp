@@ -16,8 +16,8 @@
 namespace carom::libav {
 namespace {
 
-// libav returns "generic error in an external library" and logs what was wrong: that is kept, and
-// everything else that it would print is not.
+// libav returns "generic error in an external library" and logs what was wrong: the last logged
+// error is kept, and nothing is printed.
 thread_local std::string last_complaint;
 
 void keep_complaint(void*, int level, const char* format, va_list arguments) {
@@ -33,7 +33,8 @@ std::string words_of_loader() {
     return words != nullptr ? words : "there is no memory for its words";
 }
 
-// What the program was built with lies in a folder that the system may not search.
+// The libraries that the program was built with may lie in a folder that the system does not
+// search.
 void* load(const char* name, int version) {
 #ifdef __APPLE__
     const std::string file = fmt::format("lib{}.{}.dylib", name, version);
@@ -56,7 +57,7 @@ void* find(void* library, const char* name) {
     throw SystemError(fmt::format("cannot encode films: {}", words_of_loader()));
 }
 
-// libgcrypt, which libavformat needs, ends the program where it can open no file.
+// libgcrypt, which libavformat depends on, terminates the program if it cannot open a file.
 void require_descriptor() {
     const int descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (descriptor < 0)

@@ -1,8 +1,8 @@
-// What the files that use libav share: its functions, owning types for its handles, and the words
-// of its errors.
+// Shared by the files that use libav: its functions, owning types for its handles, and the texts of
+// its errors.
 //
-// libav's libraries are loaded when a film is first encoded. With all that they need they are 120
-// more, and take longer to load than the rest of the program by far.
+// libav's libraries are loaded when a film is first encoded. Together with their dependencies they
+// are 120 further libraries, and take much longer to load than the rest of the program.
 #pragma once
 
 extern "C" {
@@ -86,8 +86,8 @@ struct Functions {
 #undef CAROM_MEMBER
 // NOLINTEND(cppcoreguidelines-macro-usage)
 
-/// Loads them at the first call. Throws SystemError where that cannot be done: a library of the
-/// version that the program was built with is missing.
+/// The functions of libav, loaded at the first call. Throws SystemError if they cannot be loaded,
+/// e.g. because a library of the version that the program was built with is missing.
 const Functions& api();
 
 struct Free {
@@ -111,22 +111,23 @@ Owned<T> owned(T* pointer) {
     return Owned<T>(pointer);
 }
 
-/// Keeps what libav complains of from here on, on this thread, and lets it print nothing.
+/// From here on, on this thread, keeps libav's last error message (see cause_of()) and suppresses
+/// its output.
 void listen();
 
-/// The words of an error code.
+/// The text of an error code.
 std::string words_of(int error);
 
-/// The same with the last complaint.
+/// The text of an error code, with libav's last error message.
 std::string cause_of(int error);
 
-/// Throws SystemError, `cannot encode with NAME: CAUSE`, when `result` is an error.
+/// If `result` is an error, throws SystemError with the text `cannot encode with NAME: CAUSE`.
 void check_encoder(const char* name, int result);
 
-/// An empty picture with room for its pixels.
+/// A new picture with allocated but unset pixels.
 Owned<AVFrame> frame(AVPixelFormat format, int width, int height);
 
-/// An encoder by libav's name of it, not yet opened. Throws SystemError when there is none.
+/// The encoder with this libav name, not yet opened. Throws SystemError if there is none.
 Owned<AVCodecContext> encoder(const char* name);
 
 }  // namespace carom::libav

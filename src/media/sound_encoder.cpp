@@ -12,7 +12,7 @@ using libav::Owned, libav::owned, libav::api;
 SoundEncoder::SoundEncoder(const SoundCodec& codec)
     : name_(codec.encoder), context_(libav::encoder(codec.encoder)) {
     AVCodecContext& context = *context_;
-    // One channel is the same in both.
+    // With one channel, planar and interleaved samples are the same.
     context.sample_fmt =
         context.codec_id == AV_CODEC_ID_AAC ? AV_SAMPLE_FMT_FLTP : AV_SAMPLE_FMT_FLT;
     context.sample_rate = sound_rate;
@@ -21,7 +21,8 @@ SoundEncoder::SoundEncoder(const SoundCodec& codec)
     context.bit_rate = codec.bits_per_second;
     context.thread_count = 1;
     context.flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
-    // Its functions are chosen here: the plain ones, which round alike on every machine.
+    // The encoder chooses its functions when it is opened: without CPU flags it takes the plain
+    // ones, which round alike on every machine.
     constexpr int plain = 0, all_there_are = -1;
     api().av_force_cpu_flags(plain);
     const int result = api().avcodec_open2(&context, nullptr, nullptr);
@@ -79,7 +80,7 @@ void SoundEncoder::encode_waiting() {
     waiting_.clear();
 }
 
-// Of no frame: what the encoder still holds.
+// Null flushes the frames that the encoder still holds.
 void SoundEncoder::encode(const AVFrame* frame) {
     libav::check_encoder(name_, api().avcodec_send_frame(context_.get(), frame));
     while (true) {

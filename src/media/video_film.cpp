@@ -1,5 +1,4 @@
-// Films as H.264 or VP9, with sound or without: libav's encoders, its writers of files, and the
-// file itself.
+// Films as H.264 or VP9, with or without sound: libav's encoders, its muxers, and the file itself.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,7 +73,7 @@ bool same_stream(const AVCodecParameters& a, const AVCodecParameters& b) {
                       b.extradata + b.extradata_size);
 }
 
-// The texts that libavformat stores in an MP4 file; it drops every other without a word.
+// The metadata keys that libavformat stores in an MP4 file; it drops all others silently.
 constexpr std::array<std::string_view, 14> keys_of_mp4 = {
     "title",     "artist", "album",  "album_artist", "composer",    "date",     "comment",
     "copyright", "genre",  "lyrics", "grouping",     "description", "synopsis", "keywords"};
@@ -111,7 +110,7 @@ void set_chapters(AVFormatContext& context, const VideoSettings& settings) {
     }
 }
 
-// Data beside the picture: alpha planes of WebM are there.
+// Side data of a packet: WebM keeps its alpha planes there.
 void archive_side_data(Archive& archive, AVPacket& packet, int index) {
     AVPacketSideDataType type = {};
     std::vector<std::uint8_t> bytes;
@@ -127,7 +126,7 @@ void archive_side_data(Archive& archive, AVPacket& packet, int index) {
     std::ranges::copy(bytes, data);
 }
 
-// What an encoder gives of a packet, in decoding order.
+// Writes or reads the parts of a packet that an encoder sets, in decoding order.
 void archive_packet(Archive& archive, AVPacket& packet) {
     std::vector<std::uint8_t> bytes(packet.data, packet.data + packet.size);
     std::int64_t time = packet.pts;
@@ -193,11 +192,11 @@ class VideoFilm : public FilmWriter {
         VideoFilm& film_;
         Owned<AVCodecContext> context_;
         Owned<AVFrame> frame_;
-        std::uint64_t converted_ = 0;        ///< the picture that `frame_` holds
+        std::uint64_t converted_ = 0;        ///< Canvas::picture() that `frame_` holds
         Spool packets_{most_encoded_bytes};  ///< as bytes_of(), in decoding order
         Owned<AVCodecParameters> parameters_;
         AVRational time_base_ = {1, 1};
-        int reordering_ = 0;  ///< frames by which decoding runs ahead of showing
+        int reordering_ = 0;  ///< number of frames by which decoding runs ahead of showing
     };
 
     void start(const Segment& segment);
@@ -207,7 +206,7 @@ class VideoFilm : public FilmWriter {
     void write(AVPacket& packet, int stream, AVRational time_base);
     void check(int result) const;
 
-    /// What an encoder of the film says of itself, for segments that were encoded elsewhere.
+    /// The parameters of an encoder of this film, for segments that were encoded elsewhere.
     struct Template {
         Owned<AVCodecParameters> parameters;
         AVRational time_base;
@@ -254,7 +253,7 @@ void VideoFilm::Segment::add(const Canvas& canvas) {
     ++planes.pts;
 }
 
-// Of no frame: what the encoder still holds.
+// Null flushes the frames that the encoder still holds.
 void VideoFilm::Segment::encode(const AVFrame* frame) {
     check(api().avcodec_send_frame(context_.get(), frame));
     while (true) {
@@ -281,7 +280,7 @@ void VideoFilm::Segment::keep_parameters() {
     frame_.reset();
 }
 
-// Parameters are those of an encoder of the same settings; they are compared all the same, as the
+// The parameters must equal those of an encoder with the same settings; they are compared, as the
 // libraries of two machines may differ.
 void VideoFilm::Segment::archive(Archive& archive) {
     if (archive.is_reading()) {
@@ -303,7 +302,8 @@ void VideoFilm::Segment::archive(Archive& archive) {
     archive(packets_);
 }
 
-// A failed write is reported by libav late, in other words, or only by the context's error field.
+// libav reports a failed write late, with another error, or only in the error field of its I/O
+// context.
 void VideoFilm::check(int result) const {
     const int write_error = io_ ? io_->error : 0;
     if (result >= 0 && write_error >= 0) return;
@@ -317,7 +317,7 @@ void VideoFilm::start(const Segment& segment) {
     AVFormatContext* allocated = nullptr;
     check(api().avformat_alloc_output_context2(&allocated, nullptr, codec_.container, nullptr));
     format_ = owned(allocated);
-    // What was written is read back by this name, to move it behind the index.
+    // The file is read back by this name, to move its contents behind the index.
     format_->url = api().av_strdup(("file:" + file_.temporary().string()).c_str());
     AVIOContext* opened = nullptr;
     check(api().avio_open(&opened, format_->url, AVIO_FLAG_WRITE));
@@ -383,9 +383,9 @@ void VideoFilm::start_sound() {
     stream->time_base = {1, sound_rate};
 }
 
-// Packets lie in the file in the order in which they are played. In WebM the times of Opus count
-// what a decoder drops at the start; before FFmpeg 6 libavformat does not add it, and shifts the
-// pictures instead.
+// Packets are stored in the file in the order in which they are played. In WebM the time stamps of
+// Opus include the samples that a decoder drops at the start; libavformat before FFmpeg 6 does not
+// add them, and shifts the pictures instead.
 void VideoFilm::write_sound_until(std::int64_t frame) {
     if (!sound_) return;
     constexpr bool is_added = LIBAVFORMAT_VERSION_MAJOR >= 60;

@@ -37,7 +37,7 @@ constexpr double cr_scale = chroma_range / (2 * (1 - red_weight));
 constexpr std::int32_t y_red = fixed(luma_range * red_weight, luma_bits);
 constexpr std::int32_t y_green = fixed(luma_range * green_weight, luma_bits);
 constexpr std::int32_t y_blue = fixed(luma_range * blue_weight, luma_bits);
-// The weights of a chroma row sum to exactly zero, so that greys have none.
+// The weights of a chroma component sum to exactly zero, so that greys have no chroma.
 constexpr std::int32_t cb_red = fixed(-cb_scale * red_weight, chroma_bits);
 constexpr std::int32_t cb_blue = fixed(cb_scale * (1 - blue_weight), chroma_bits);
 constexpr std::int32_t cb_green = -cb_red - cb_blue;
@@ -95,8 +95,8 @@ CAROM_INLINE EightWords greens(const EightWords& above, const EightWords& below)
     return ((above >> 8) & 255u) + ((below >> 8) & 255u);
 }
 
-// Sums of two rows: those of the odd columns before the even ones, of the even ones, of the odd
-// ones. Without a constructor, which Clang 19 does not emit for versions of a function.
+// Sums over two rows of pixels: of the odd columns before the even ones, of the even columns, and
+// of the odd columns. No constructor, as Clang 19 does not emit it for multi-versioned functions.
 struct Columns {
     EightWords before, even, odd;
 };
@@ -137,8 +137,8 @@ CAROM_INLINE void chroma_block(const std::uint32_t* above, const std::uint32_t* 
     store_sixteen(cr, reds[0], reds[1]);
 }
 
-// Two rows of pixels, each with one more before its first, and what they become: two rows of luma
-// and one of each chroma.
+// Two rows of pixels, each with one extra pixel before its first, and their results: two rows of
+// luma and one of each chroma component.
 struct RowPair {
     std::array<const std::uint32_t*, 2> pixels;
     std::array<std::uint8_t*, 2> y;
@@ -172,7 +172,7 @@ std::uint32_t without_alpha(std::uint32_t pixel, std::uint32_t behind) {
     return color;
 }
 
-// Pairs of rows of a frame, each with its row of chroma.
+// The pairs of rows of a frame, each with its row of chroma.
 class RowPairs {
   public:
     RowPairs(const PixelView& frame, const YuvPlanes& planes) : frame_(frame), planes_(planes) {}
@@ -201,7 +201,8 @@ class RowPairs {
                 planes_.cr + chroma};
     }
 
-    // A block that ends at the frame's left or right edge: the pixels there are repeated beyond it.
+    // Converts a block at the left or right edge of the frame: the pixels at the edge are repeated
+    // beyond it.
     void convert_edge(const RowPair& rows, int at) const {
         std::array<std::array<std::uint32_t, 1 + block>, 2> pixels;
         std::array<std::array<std::uint8_t, block>, 2> y;
@@ -225,7 +226,7 @@ class RowPairs {
     const YuvPlanes& planes_;
 };
 
-// Which blocks must be converted.
+// Finds the blocks that must be converted.
 class ChangedBlocks {
   public:
     ChangedBlocks(const PixelView& frame, std::span<const PixelBounds> changed)
@@ -234,7 +235,7 @@ class ChangedBlocks {
                       static_cast<std::size_t>(even_size(frame.height) / 2)) {
         for (const PixelBounds& box : changed) {
             assert(box.left < box.right && box.top < box.bottom);
-            // A pixel in an odd column is seen by the chroma of the next one, too.
+            // A pixel in an odd column also contributes to the chroma of the next column.
             const int first = box.left / block;
             const int end = std::min(box.right / block + 1, in_a_row_);
             for (int pair = box.top / 2; pair <= (box.bottom - 1) / 2; ++pair)

@@ -15,11 +15,11 @@ struct YuvPlanes {
     std::uint8_t* cb = nullptr;
     std::uint8_t* cr = nullptr;
     int y_stride = 0, chroma_stride = 0;  ///< bytes from one row to the next
-    std::uint8_t* alpha = nullptr;        ///< of the size of luma, for frames that are not opaque
+    std::uint8_t* alpha = nullptr;        ///< as large as luma; for frames that are not opaque
     int alpha_stride = 0;
 };
 
-/// The next even number: sizes of 4:2:0 pictures.
+/// Rounds a size up to an even number, as 4:2:0 pictures require.
 constexpr int even_size(int size) { return size + size % 2; }
 
 /// Converts all of `frame` into planes of even_size() of its size; an odd last row or column is
@@ -28,14 +28,14 @@ constexpr int even_size(int size) { return size + size % 2; }
 /// H.264, chroma_sample_loc_type 0). Integer arithmetic: the same bytes on every machine.
 void to_yuv420(const PixelView& frame, const YuvPlanes& planes);
 
-/// The same bytes, where `planes` hold a picture that differs from `frame` in no pixel but those in
-/// `changed`: only what these boxes touch is converted.
+/// Gives the same bytes if `planes` hold a picture that differs from `frame` only in the pixels of
+/// the boxes `changed`: only what these boxes touch is converted.
 void to_yuv420(const PixelView& frame, std::span<const PixelBounds> changed,
                const YuvPlanes& planes);
 
-/// The same of a frame with alpha, full range in a plane of its own. Colours are those before they
-/// were multiplied by alpha, so that edges have no fringes on any ground; where nothing is drawn
-/// they are `behind` (0xffRRGGBB).
+/// The same conversion for a frame with alpha, which goes to its own plane in full range. Colours
+/// are taken before multiplication by alpha, so that edges have no fringes on any background; where
+/// nothing is drawn they are `behind` (0xffRRGGBB).
 void to_yuva420(const PixelView& frame, std::uint32_t behind, const YuvPlanes& planes);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// How an Archive writes and reads plain values of drawing and of scenes; those of physics are in
-// physics/archived.h.
+// Serialisation with an Archive of the plain value types of drawing and of scenes; those of physics
+// are in physics/archived.h.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// A value that several share and none changes; it may be null.
+/// A constant value that may have several owners; may be null.
 template <class T>
 void archive_parts(Archive& archive, std::shared_ptr<const T>& its) {
     std::optional<T> value;

@@ -1,4 +1,4 @@
-// The particles that a panel shows, as its scene chose them: which, their name, their colour.
+// The particles that a panel shows, as chosen in the scene: their indices, names and colours.
 #pragma once
 
 #include <optional>
@@ -10,59 +10,65 @@
 
 namespace carom {
 
-/// What the panel's `of` names, in its order; all particles where it names none.
+/// The choices that the panel's `of` lists, in its order; if it lists none, one choice of all
+/// particles.
 std::vector<Chosen> choices(const PanelSpec& spec);
 
-/// Numbers of the particles chosen, rising.
+/// The indices of the chosen particles, in ascending order.
 std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& chosen);
 std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
                                                const std::vector<Chosen>& chosen);
 
-/// The same of those that collisions can turn: without infinite masses, but where there is nothing
-/// else.
+/// The same without particles of infinite mass, whose velocities collisions do not change; a choice
+/// that has only such particles keeps them.
 std::vector<std::vector<Eigen::Index>> members_that_collide(const PanelContext& context,
                                                             const std::vector<Chosen>& chosen);
 
-/// How long a trail the scene asks for, in seconds of film, by the particle's species or else for
-/// the film; nothing where it does not say.
+/// The length of trail that the scene asks for, in seconds of film: as given for the particle's
+/// species, or else for the film; none if neither gives one.
 std::optional<double> asked_trail(const Scene& scene, const Particles& particles,
                                   Eigen::Index particle);
 
-/// Whether this is the only particle of its species, among many others: what a film is about.
+/// Whether this is the only particle of its species among many others, and so the subject of the
+/// film.
 bool is_single_among_many(const Scene& scene, const Particles& particles, Eigen::Index particle);
 
-/// "all", the species' name, "particle 3"; in English for a table.
+/// The name of a choice: "all", the species' name, or "particle 3". column_name_of() gives it in
+/// English, for tables.
 std::string name_of(const Scene& scene, const Chosen& chosen);
 std::string column_name_of(const Scene& scene, const Chosen& chosen);
 
-/// The label of a particle that is the only one of its species, or the species' name; empty for
-/// others.
+/// For a particle that is the only one of its species: its label, or the species' name if it has
+/// none. Empty for all others.
 std::string single_name(const PanelContext& context, Eigen::Index particle);
 
-/// How much of such a name is seen, from 0 to 1: in a film for its first three seconds.
+/// The opacity of such a name, from 0 to 1. A film shows names during its first three seconds only.
 double name_alpha(const PanelContext& context, const Tick& tick);
 
-/// The colour in which a species is drawn wherever species are told apart: its own, or the set's.
+/// The colour of a species wherever species are distinguished by colour: the one given in the
+/// scene, or else the default for its index.
 plot::Role species_role(const PanelContext& context, std::size_t species);
 
-/// The colour of a choice among several: the species', wherever it is told apart; single particles
-/// and all have colours that no species has by default. `place`: among the choices.
+/// The colour of one of several choices: for a species, that of species_role(); for single
+/// particles and for "all", a colour that no species has by default. `place`: index among the
+/// choices.
 plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::size_t place);
 
-/// That of the only choice is the one of bars.
+/// The same, but a single choice has the colour of bars.
 plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& chosen,
                       std::size_t place);
 
-/// Texts as one: "light and heavy", or with commas only.
+/// Joins texts to one: "light and heavy", or with commas only.
 enum class Joint { last_by_and, commas };
 plot::Text joined(Language language, const std::vector<plot::Text>& texts,
                   Joint joint = Joint::last_by_and);
 
-/// Names in their colours: "light and heavy", "particles 3 and 7"; uncoloured where there is one.
+/// The names of choices in their colours: "light and heavy", "particles 3 and 7". A single name is
+/// not coloured.
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
                     plot::Sample sample, Joint joint = Joint::last_by_and);
 
-/// "Temperature of light and heavy": what is shown, of those chosen.
+/// What is shown, with the names of the choices: "Temperature of light and heavy".
 plot::Text shown_of(const PanelContext& context, const plot::Text& what,
                     const std::vector<Chosen>& chosen, plot::Sample sample);
 

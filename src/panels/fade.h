@@ -1,4 +1,5 @@
-// Something that comes or goes: drawn as it is, and then seen through. On pixels only.
+// Fades a part of a picture in or out: it is drawn opaque, then blended with what was there before.
+// On raster canvases only.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +11,11 @@ namespace carom {
 
 class Fade {
   public:
-    /// Keeps the pixels of an area, cut at the canvas's edges.
+    /// Saves the pixels of an area, clipped to the canvas.
     Fade(Canvas& canvas, const Rect& area);
 
-    /// Leaves this share, from 0 to 1, of what has been drawn over them since.
+    /// Blends what has been drawn over the area since then with the saved pixels; `share`, from 0
+    /// to 1, is the opacity that remains.
     void leave(double share);
 
   private:

@@ -82,7 +82,8 @@ DrawContext FramePainter::context_at(const Slot& slot) {
     return {grid_.place(slot), unit_, theme_, disks_};
 }
 
-// In one line, smaller if that is enough; else in two, as large as the place allows.
+// The title is set in one line, smaller if necessary; if that does not suffice, in two lines as
+// large as the place allows.
 FramePainter::SetTitle FramePainter::set_title(const Rect& area) const {
     constexpr double largest = 1.5, smallest_in_one = 1.2, smallest = 1.0;  // units
     TextStyle style{.size = largest * unit_,
@@ -108,7 +109,7 @@ FramePainter::SetTitle FramePainter::set_title(const Rect& area) const {
     }
 }
 
-// Title and subtitle; the subtitle takes the lines that the title leaves.
+// Draws title and subtitle; the subtitle gets the lines that the title leaves.
 void FramePainter::draw_title(Canvas& canvas) const {
     const Rect area = grid_.place(scene_.film.layout.title);
     const SetTitle title = set_title(area);
@@ -198,7 +199,8 @@ std::vector<std::string> FramePainter::cut_words() {
     return cut;
 }
 
-// All of a panel, as it comes or goes: on pixels only, since stills show it whole.
+// Draws a panel that is fading in or out. On raster canvases only, since stills show panels at full
+// opacity.
 void FramePainter::draw_fading(Canvas& canvas, const PanelSet::Placed& placed,
                                const PanelState& state, double opacity) {
     const DrawContext dc = context_at(placed.slot);
@@ -273,7 +275,7 @@ void FramePainter::draw_card(Canvas& canvas, bool is_end, double alpha) const {
     }
 }
 
-// In a corner of the gas, where no clock says it.
+// Draws the factor of slow motion in a corner of the gas, if no clock shows it.
 void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
     if (tick.slow.share <= 0.0) return;
     if (std::ranges::any_of(panels_.panels(), [](const PanelSet::Placed& placed) {
@@ -300,7 +302,8 @@ void FramePainter::draw_captions(Canvas& canvas, const Tick& tick, bool still) c
     }
 }
 
-// One line, smaller if that keeps it whole; on the gas's axis where nothing stands beside the gas.
+// Draws a caption in one line, smaller if that avoids cutting it; centred on the gas if nothing is
+// beside the gas.
 void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double alpha) const {
     const LayoutSpec& layout = scene_.film.layout;
     const Rect line = grid_.place(*layout.caption);

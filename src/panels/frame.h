@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// The theme's page, behind everything that is not transparent.
+/// The colour of the theme's page; it is behind everything, unless the film is transparent.
 Color page_color(const Film& film);
 
 /// Draws frames of one film on one thread. Any number of painters may share a set whose axes are
@@ -28,13 +28,13 @@ class FramePainter {
     /// The picture of a frame, a pure function of `frame`; valid until the next call.
     const Canvas& paint(const FrameData& frame);
 
-    /// Draws the same picture on another canvas of the film's size, as a still: a caption that
-    /// or a panel that comes or goes is whole.
+    /// Draws the same picture on another canvas of the film's size, as a still: captions and panels
+    /// that are just fading in or out are drawn at full opacity.
     void paint_on(Canvas& canvas, const FrameData& frame);
 
-    /// What has no room where it stands: what the scene says and ends in an ellipsis there, "the
-    /// title", "the caption “...”", and panels whose places are too small, or missing. Needs no
-    /// axes.
+    /// Returns what does not fit into its place: texts of the scene that are cut with an ellipsis
+    /// ("the title", "the caption “...”"), and panels whose places are too small or missing. Does
+    /// not need the axes to be fixed.
     std::vector<std::string> cut_words();
 
   private:
@@ -68,7 +68,7 @@ class FramePainter {
     std::vector<CaptionSpan> captions_;
     PlotCallouts callouts_;
     std::vector<bool> grounded_;  ///< the panels whose ground is in `ground_`
-    Canvas ground_;               ///< what is the same in every frame with these panels
+    Canvas ground_;               ///< what is the same in every frame that shows these panels
     Canvas canvas_;
 };
 

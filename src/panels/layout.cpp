@@ -8,7 +8,7 @@ namespace {
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-6; }
 
-// How many stand side by side.
+// The number of places in the first row.
 std::size_t columns_of(const std::vector<Slot>& slots) {
     std::size_t columns = 1;
     while (columns < slots.size() && slots[columns].x > slots[columns - 1].x) ++columns;

@@ -1,5 +1,5 @@
-// Where things stand in a frame: a template's grid on a picture of any shape, panels in the places
-// there are. Draws nothing.
+// The layout of a frame: the grid of a template on a picture of any aspect ratio, and the places of
+// panels in it. Draws nothing.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@
 
 namespace carom {
 
-/// A template's grid, stretched to fill a picture. Text keeps its shape: its unit fits both ways.
+/// The grid of a template, stretched to fill a picture. Text is not stretched: its unit is the
+/// smaller of the two grid steps.
 class Grid {
   public:
     Grid(const LayoutSpec& layout, PictureSize size);
@@ -22,11 +23,11 @@ class Grid {
     double unit() const { return unit_; }  ///< pixels
     Rect place(const Slot& slot) const;    ///< pixels
 
-    /// So many unit() in grid units, as a width and as a height.
+    /// A length of `units` times unit(), in grid units: as a width and as a height.
     double width_of(double units) const { return units * unit_ / across_; }
     double height_of(double units) const { return units * unit_ / up_; }
 
-    /// Height over width in grid units of what has this shape in pixels.
+    /// Converts an aspect ratio (height over width) from pixels to grid units.
     double shape_of(double shape) const { return shape * across_ / up_; }
 
   private:
@@ -34,24 +35,26 @@ class Grid {
     double unit_;
 };
 
-/// The places of `count` panels, row by row. Fewer than there are places share the whole area of a
-/// regular grid of places; where these are no regular grid, the first are taken.
+/// The places of `count` panels, row by row. If there are fewer panels than places and these form a
+/// regular grid, the panels share its whole area; otherwise they take the first places.
 std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count);
 
-/// Places one below the other, of which those that have enough with less than their height (grid
-/// units; none: more is better) leave the rest to the others. Places that do not stand so, or all
-/// have enough, stay as they are. `enough` may be shorter than `slots`.
+/// Adjusts places that form one column: a place for which `enough` (height in grid units; none:
+/// more is better) is less than its height leaves the rest to the places without a limit. Places
+/// that are not in one column, or that all have a limit, are returned unchanged. `enough` may be
+/// shorter than `slots`.
 std::vector<Slot> with_heights(std::vector<Slot> slots,
                                const std::vector<std::optional<double>>& enough);
 
-/// The place of one of two boxes, and of a line of words below it.
+/// The place of one of two boxes, and of a line of text below it.
 struct PlaceBeside {
     Slot box, words;
 };
 
-/// Places for two boxes of one shape, height over width in pixels (0 of a line, which takes the
-/// height that there is), side by side or one above the other, as they are larger; in the middle of
-/// the height of `place`, at the left of what they have of its width. Words have all of that.
+/// Places for two boxes of the same aspect ratio `shape` (height over width in pixels; 0 for a
+/// line, which takes the available height): side by side or one above the other, whichever makes
+/// them larger. They are centred vertically in `place` and left-aligned in their share of its
+/// width; the lines of text have the whole share.
 std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape, const Grid& grid);
 
 }  // namespace carom

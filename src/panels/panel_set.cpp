@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-// None where the energy changes on the way, or a wall does.
+// None if the energy or a wall changes during the run.
 std::optional<EquilibriumGas> lasting_equilibrium(const Scene& scene, const Particles& particles,
                                                   const Sample& start) {
     const bool changes = std::ranges::any_of(scene.run.events, [&](const RunEvent& event) {
@@ -72,8 +72,8 @@ PanelContext PanelSet::context_of(std::size_t run) const {
     return {its.scene, its.particles, frame_count(scene().film), its.equilibrium};
 }
 
-// The box, and the row of numbers; of two runs a box of each with a line of its own numbers below,
-// and the time in the row.
+// Adds the box and the row of numbers. For two runs: a box for each with a line of its own numbers
+// below, and the row shows the time only.
 void PanelSet::add_boxes(const LayoutSpec& layout) {
     const Film& film = scene().film;
     const auto add_monitors = [&](const std::vector<Monitor>& numbers) {
@@ -135,7 +135,7 @@ std::vector<Rect> PanelSet::boxes(const Grid& grid) const {
     return all;
 }
 
-// With the number of the run that it sees.
+// Calls f(panel, run) for each panel with the index of the run that it sees.
 template <typename Function>
 void PanelSet::for_each_panel(Function&& f) const {
     for (const Placed& placed : panels_) f(*placed.panel, placed.run);
@@ -207,7 +207,7 @@ void PanelSet::fix_axes() {
     for (const Placed& placed : panels_) placed.panel->fix_axes();
 }
 
-// Boxes have one scale of colours and arrows, plots one pair of axes.
+// The boxes get common scales of colours and arrows, and each plot has common axes.
 void PanelSet::fix_axes_of_both() {
     const Beside& beside = *scene().film.beside;
     std::vector<ParticlePanel*> boxes;

@@ -1,4 +1,4 @@
-// The panels of a film in order of time, and the frame as a value.
+// The panels of a film, driven through the run in order of time, and the frame as a value.
 #pragma once
 
 #include <cstddef>
@@ -20,11 +20,11 @@ namespace carom {
 struct FrameData {
     Tick tick;
     std::vector<std::shared_ptr<const PanelState>>
-        states;  ///< one for each of the set's panels, in order; none in a card
+        states;  ///< one for each of the set's panels, in order; empty in a card
     std::size_t bytes = 0;
 };
 
-/// A run as it begins: the state at t = 0 fixes the equilibrium that curves show.
+/// A run at its beginning: the state at t = 0 determines the equilibrium that curves show.
 struct RunStart {
     Particles particles;
     Sample sample;
@@ -33,34 +33,37 @@ struct RunStart {
 };
 
 /// The panels of a film, or of figures that show one run. Their axes are fixed by a first pass over
-/// the run, or read from what another set has fixed; then they give what each frame shows.
+/// the run, or read from what another set has fixed; in the second pass they give the content of
+/// each frame.
 ///
-/// A film may show another run beside its own (Film::beside): its box, and in plots a line of each.
-/// Each run has its first pass; in the second the set takes the other's frames from its recording.
+/// A film may compare its own run with another one (Film::beside): it shows the boxes of both, and
+/// plots have a line for each. Each run has its own first pass; in the second pass the set takes
+/// the frames of the other run from its recording.
 class PanelSet {
   public:
-    /// `start` is the state at t = 0, `beside` that of the run beside it, where the film has one.
-    /// Throws SceneError where words do not fit into their place. `scene` outlives the set.
+    /// `start` is the state at t = 0; `beside` is the start of the other run, if the film has one.
+    /// Throws SceneError if a text does not fit into its place. `scene` must outlive the set.
     PanelSet(const Scene& scene, const Particles& particles, const Sample& start,
              const RunStart* beside = nullptr);
 
-    /// Panels without a place, as figures have them, of a run of so many frames.
+    /// Panels without places, as in figures, for a run of `frames` frames.
     PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
              const std::vector<PanelSpec>& specs);
     PanelSet(const PanelSet&) = delete;  // its panels refer to its particles
     PanelSet& operator=(const PanelSet&) = delete;
 
-    /// First pass, every frame in order. Cards show nothing of the gas: panels do not see them.
+    /// First pass, every frame in order. Title and end cards show nothing of the gas, so panels do
+    /// not see them.
     void survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
         survey(own, tick, sample, advanced);
     }
     void fix_axes();
 
-    /// The first pass over a whole run, from a simulation at time 0; `see` sees each frame after
-    /// the panels. Errors have their places in the scene file. `room` is for what is kept. With
-    /// `aside` panels see it, and `see` does, on a thread of their own, while the run is simulated.
-    /// With `all_collisions` `see` sees the collisions also where no panel wants them. Throws
-    /// SceneError, Interrupted.
+    /// Makes the first pass over a whole run, from a simulation at time 0; `see` is called for each
+    /// frame after the panels. Errors are reported with their places in the scene file. `room`
+    /// limits the bytes that the recording keeps. With `aside`, panels and `see` run on a separate
+    /// thread while the run is simulated. With `all_collisions`, `see` gets the collisions even if
+    /// no panel needs them. Throws SceneError, Interrupted.
     Recording record(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
                      const Recording::Room& room = {}, bool aside = false,
                      bool all_collisions = false) {
@@ -68,24 +71,24 @@ class PanelSet {
                       {.first_collisions = all_collisions, .aside = aside});
     }
 
-    /// The same for the run beside it.
+    /// The same for the other run.
     Recording record_beside(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
                             const Recording::Room& room = {}, bool aside = false) {
         return record(other, std::move(start), std::move(ticks), see, room, {.aside = aside});
     }
 
-    /// The first pass over frames of a run with none beside it, of which nothing is kept; `see`
-    /// sees each after the panels, with positions up to the frame `last_whole`, beyond it only if
-    /// the panels need them. Throws SceneError, Interrupted.
+    /// Makes the first pass without keeping a recording; there must be no other run. `see` is
+    /// called for each frame after the panels; samples have positions up to the frame `last_whole`,
+    /// and beyond it only if the panels need them. Throws SceneError, Interrupted.
     void survey_run(Simulation start, const std::vector<Tick>& ticks, int last_whole,
                     const Recording::Viewer& see);
 
-    /// Where the second pass takes the frames of the run beside it from, one for each frame_data().
-    /// Refers to the recording.
+    /// Sets the recording from which the second pass takes the frames of the other run, one for
+    /// each frame_data(). `recording` must outlive the second pass.
     void play_beside(const Recording& recording) { beside_.emplace(recording); }
 
-    /// The frames of the run beside it that the coming frame_data() will take, before number `end`
-    /// (Player::rest()). None where nothing plays beside it.
+    /// The frames of the other run that coming calls of frame_data() will take, up to but excluding
+    /// number `end` (Player::rest()). None without another run.
     std::optional<Recording> rest_beside(std::size_t end) const {
         return beside_ ? std::optional(beside_->rest(end)) : std::nullopt;
     }
@@ -93,50 +96,51 @@ class PanelSet {
     /// Writes or reads what the first pass has fixed.
     void archive(Archive& archive);
 
-    /// Writes or reads how far the second pass is: all that its frames so far have left in the
-    /// panels. A set that reads it after archive() gives, from the next frame on, the very same as
-    /// one that has given all frames before. What play_beside() plays is not part of it: it must
-    /// begin with that frame.
+    /// Writes or reads the progress of the second pass: all state that the frames so far have left
+    /// in the panels. A set that has read it after archive() gives, from the next frame on, exactly
+    /// the same frames as a set that has given all frames before. The recording of play_beside() is
+    /// not included: it must begin with that next frame.
     void archive_progress(Archive& archive);
 
-    /// Second pass, every frame in order. Numbers in words stay the same for a fifth of a second,
-    /// so that they can be read; in a still they are those of its frame, and spotlights and
-    /// callouts are whole.
+    /// Second pass, every frame in order. Numbers in texts are refreshed every fifth of a second,
+    /// so that they can be read. In a still they are those of its frame, and spotlights and
+    /// callouts are at full strength.
     FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
                          bool is_still = false);
 
-    /// Whether any panel needs the collisions on the way, in either pass.
+    /// Whether any panel needs the collisions between frames, in either pass.
     bool wants_collisions() const;
 
-    /// Whether any panel needs the distance from the return, which is measured at all frames.
+    /// Whether any panel needs return distances.
     bool wants_return_distances() const;
 
     /// A panel and its place in the template's grid.
     struct Placed {
         Slot slot;
         std::unique_ptr<Panel> panel;
-        std::optional<Showing> showing = {};  ///< none: throughout
-        std::size_t run = 0;                  ///< that it sees: 1 is the run beside the film's own
-        /// How much of it is seen in a frame, from 0 to 1.
+        std::optional<Showing> showing = {};  ///< none: always shown
+        std::size_t run = 0;                  ///< that it sees: 0 the film's own, 1 the other one
+        /// The opacity of the panel in a frame, from 0 to 1.
         double opacity(const Film& film, const Tick& tick) const;
     };
-    /// A film's gas is the first, and its panels are the last.
+    /// All panels: in a film the gas is the first, and the panels that the scene lists are the
+    /// last.
     const std::vector<Placed>& panels() const { return panels_; }
-    /// With two runs, the line below the box of one of them.
+    /// With two runs: the panel of the line of text below the box of one of them.
     const Placed& line_of_run(std::size_t run) const { return panels_[2 * run + 1]; }
     const Panel& gas() const { return *panels_.front().panel; }
     const Scene& scene() const { return runs_.front()->scene; }
 
-    /// Where the box of each run is in a picture with this grid.
+    /// The rectangle of each run's box in a picture with this grid.
     std::vector<Rect> boxes(const Grid& grid) const;
 
-    /// What happens to the gas in the box of that place in boxes().
+    /// The run that is shown in the box with this index in boxes().
     const carom::Run& run_in(std::size_t box) const { return runs_[box]->scene.run; }
 
   private:
     static constexpr std::size_t own = 0, other = 1;
 
-    /// What is known of one of the runs.
+    /// The data of one of the runs.
     struct Run {
         Run(const Scene& its_scene, const Particles& its_particles, const Sample& start);
         const Scene& scene;
@@ -160,10 +164,10 @@ class PanelSet {
     void fix_axes_of_both();
     bool refreshes_readouts(const Tick& tick) const;
 
-    std::vector<std::unique_ptr<Run>> runs_;  ///< one, or the film's own and the one beside it
+    std::vector<std::unique_ptr<Run>> runs_;  ///< one, or the film's own and the other
     std::vector<Placed> panels_;
     std::vector<std::unique_ptr<Panel>>
-        of_other_;  ///< for each panel of a film that shows two runs what sees the other one
+        of_other_;  ///< for each panel of a film with two runs, the panel of the other one
     std::optional<Recording::Player> beside_;
     bool is_film_ = true;
 };

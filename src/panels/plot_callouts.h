@@ -1,4 +1,4 @@
-// Callouts to places in plots: the words stand in their panel, beside the place.
+// Callouts to points in plots: the words are within the panel, beside the point.
 #pragma once
 
 #include <optional>
@@ -15,15 +15,16 @@ class PlotCallouts {
   public:
     explicit PlotCallouts(const PanelSet& panels);
 
-    /// Draws those of a frame; `opacities`: how much is seen of each of the set's panels.
+    /// Draws the callouts of a frame; `opacities`: the opacity of each of the set's panels, from 0
+    /// to 1.
     void draw(Canvas& canvas, const FrameData& frame, const std::vector<double>& opacities,
               bool still);
 
-    /// Notes which of them a frame shows.
+    /// Records which callouts a frame shows.
     void see(const FrameData& frame);
 
-    /// Those that no frame shows in spite of the time, as their places are beyond the axes:
-    /// “words”.
+    /// The callouts, as “words”, that no frame shows although their time came, because their points
+    /// lie beyond the axes.
     std::vector<std::string> never_shown() const;
 
   private:

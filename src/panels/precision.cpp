@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-// Of its species.
+// The place in the scene file of a particle's species.
 const Diagnostic& place_of_particle(const Scene& scene, std::int64_t particle) {
     std::size_t species = 0;
     while (species + 1 < scene.gas.species.size() && particle >= scene.gas.species[species].count)

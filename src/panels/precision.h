@@ -1,5 +1,5 @@
-// A scene's run as physics starts it: with the precision that the scene asks for, found once before
-// its film or figures begin, and its errors at their places in the scene file.
+// Starts the run of a scene with the precision that the scene asks for, which is determined once
+// before its film or figures begin, and reports errors at their places in the scene file.
 #pragma once
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace carom {
 
-/// Calls `run`; a gas that cannot be placed, a precision that cannot be reached, a perturbation
-/// that has no room, collisions without end and a surface that leaves the gas none become a
-/// SceneError with the place in the file.
+/// Calls `run` and rethrows its errors as SceneError with the place in the scene file: a gas that
+/// cannot be placed, a precision that cannot be reached, a perturbation for which there is no room,
+/// unending collisions, and a surface that leaves the gas no room.
 void with_places_of_errors(const Scene& scene, const std::function<void()>& run);
 
 /// A scene with `run.bits` set, and its simulation at time 0, equilibrated.
@@ -20,8 +20,9 @@ struct StartedScene {
     Simulation simulation;
 };
 
-/// Finds the bits where the scene leaves them to be found, which takes several runs, of which
-/// `on_progress` is told. Throws SceneError, with the place in the file; Interrupted.
+/// Determines the number of bits if the scene leaves it open; this takes several trial runs, which
+/// are reported to `on_progress`. Throws SceneError, with the place in the scene file, and
+/// Interrupted.
 StartedScene start_scene(const Scene& scene, const TrialCallback& on_progress = {});
 
 }  // namespace carom

@@ -14,7 +14,8 @@
 namespace carom {
 namespace {
 
-// Of frames in memory whose samples and collisions are in a file: enough for an hour of film.
+// The limit of memory for frames whose samples and collisions are in a file: enough for an hour of
+// film.
 constexpr std::size_t most_bytes_beside = 64 << 20;
 
 std::size_t bytes_of_sample(std::int64_t particles, int dimension) {
@@ -31,7 +32,7 @@ std::span<std::byte> room_of(Value* values, std::size_t count) {
     return std::as_writable_bytes(std::span(values, count));
 }
 
-// A frame on its way from the thread that simulates to the one that sees it.
+// A frame that is passed from the simulating thread to the observing thread.
 struct SentFrame {
     Tick tick;
     std::shared_ptr<const Sample> sample;
@@ -39,8 +40,8 @@ struct SentFrame {
     std::vector<Collision> collisions;
 };
 
-// Calls `see` on a thread of its own, for the frames that `simulate` shows meanwhile. What `see`
-// throws is of an earlier frame than what the simulation throws.
+// Calls `see` on a separate thread for the frames that `simulate` produces meanwhile. An exception
+// of `see` takes precedence over one of the simulation, as it belongs to an earlier frame.
 void see_aside(const std::function<void(const Recording::Viewer&)>& simulate,
                const Recording::Viewer& see) {
     Relay<SentFrame> relay([&](SentFrame frame) {
@@ -98,7 +99,7 @@ double Recording::time_of_last_sample() const {
     return filed_.empty() ? samples_.back().time : filed_.back().time;
 }
 
-// In memory up to its bound, from then on in the file.
+// Keeps frames in memory up to its limit, from then on in the file.
 bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, const Room& room) {
     const bool is_new = sample_count() == 0 || time_of_last_sample() != sample.time;
     Frame frame{sample_count() - (is_new ? 0 : 1), advanced, {}};
@@ -112,7 +113,7 @@ bool Recording::keep(const Sample& sample, const AdvanceResult& advanced, const 
     if (!file_ && bytes_ + of_sample + of_collisions > room.memory && room.file > 0)
         file_ = std::make_shared<ScratchFile>(room.file);
     if (file_) {
-        // What frames have beside samples and collisions stays in memory.
+        // All parts of frames except samples and collisions stay in memory.
         if (bytes_ > room.memory + most_bytes_beside ||
             !keep_in_file(sample, is_new, collisions, frame))
             return false;
@@ -214,8 +215,8 @@ Recording Recording::Player::rest(std::size_t end) const {
     return rest;
 }
 
-// Frames that share a sample share it in the part too; what is in the file is shared with the
-// whole.
+// Frames that share a sample also share it in the part. The file is shared with the whole
+// recording.
 void Recording::keep_part(const Recording& whole, std::size_t first, std::size_t end) {
     file_ = whole.file_;
     particles_ = whole.particles_;
@@ -233,7 +234,7 @@ void Recording::keep_part(const Recording& whole, std::size_t first, std::size_t
     }
 }
 
-// Without a file.
+// A copy that does not need the file.
 Recording Recording::in_memory() const {
     Recording all;
     all.ticks_ = ticks_;
@@ -271,7 +272,7 @@ bool Recording::fits(std::size_t frames, std::int64_t particles, int dimension) 
            bytes <= static_cast<double>(ScratchFile::room());
 }
 
-// What panels look up by the numbers of samples, particles and surfaces is there.
+// Whether all samples, particles and surfaces to which a frame refers by number exist.
 bool Recording::fits(const Frame& frame, const Box& box, Eigen::Index particles) const {
     const auto is_there = [&](const Collision& its) {
         const bool is_pair = its.second.is_particle();
@@ -285,7 +286,7 @@ bool Recording::fits(const Frame& frame, const Box& box, Eigen::Index particles)
             (surfaces == 0 && box.surfaces.are_plain()));
 }
 
-// Of a recording that was read.
+// Validates a recording that was read from an archive.
 bool Recording::fits_together(const Box& box, Eigen::Index particles) const {
     const auto is_next = [](const Tick& before, const Tick& tick) {
         return tick.frame - 1 == before.frame && tick.time >= before.time;

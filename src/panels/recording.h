@@ -1,6 +1,6 @@
-// The run of a film, frame by frame: simulated once, and shown again as often as it is wanted. From
-// memory, and beyond that from a temporary file; or where it is too large for both by simulating it
-// again from its start.
+// The run of a film, frame by frame: simulated once, and replayed any number of times. It is kept
+// in memory, and what exceeds that in a temporary file; a run that is too large for both is
+// replayed by simulating it again from its start.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace carom {
 
 class Archive;
 
-/// How many bytes of a run are kept: in memory, and of what is more in a temporary file.
+/// The limits of what is kept of a run, in bytes: in memory, and of the rest in a temporary file.
 struct RecordingRoom {
     static constexpr std::size_t most_memory = 128 << 20;
     std::size_t memory = most_memory;
@@ -28,38 +28,42 @@ struct RecordingRoom {
 
 class Recording {
   public:
-    /// Sees a frame: the state of the gas, and what happened since the frame before. All are valid
-    /// during the call only.
+    /// Receives a frame: the state of the gas, and what happened since the frame before. The
+    /// arguments are valid during the call only.
     using Viewer = std::function<void(const Tick&, const Sample&, const AdvanceResult&)>;
 
     using Room = RecordingRoom;
     static constexpr std::size_t most_bytes = Room::most_memory;
 
-    /// What is measured on the way, beyond the samples.
+    /// What is recorded besides the samples.
     struct Wanted {
         bool collisions = false;
         bool first_collisions = false;          ///< in the first pass only
         std::vector<double> return_times = {};  ///< in the first pass only
-        bool aside = false;  ///< the first pass is seen on a thread of its own, as it is simulated
+        bool aside = false;  ///< frames of the first pass are seen on a separate thread, in
+                             ///< parallel with the simulation
     };
 
     Recording() = default;
 
-    /// Simulates the run at the times of `ticks`, which never fall, from a simulation at time 0;
-    /// `see` sees each frame. Throws Interrupted, and what `see` and the simulation throw.
+    /// Simulates the run at the times of `ticks`, which must not decrease, from a simulation at
+    /// time 0, and calls `see` for each frame. Throws Interrupted, and what `see` and the
+    /// simulation throw.
     Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted, const Viewer& see,
               const Room& room = {});
 
-    /// Shows the frames again, in order: the same, bit for bit. Refers to the recording, of which
-    /// any number may be shown at once, on any threads.
+    /// Replays the frames in order, bit for bit the same. Holds a reference to the recording.
+    /// Thread safety: any number of players may replay one recording at the same time, each on its
+    /// own thread.
     class Player {
       public:
         explicit Player(const Recording& recording);
         Player(const Player&) = delete;
         Player& operator=(const Player&) = delete;
 
-        /// Goes on to the next frame, the first one at first. Throws Interrupted, SystemError where
-        /// a temporary file cannot be read, and std::out_of_range after the last one.
+        /// Advances to the next frame; the first call, to the first frame. Throws Interrupted,
+        /// SystemError if the temporary file cannot be read, and std::out_of_range after the last
+        /// frame.
         void next();
 
         /// The present frame; valid until next().
@@ -67,12 +71,12 @@ class Recording {
         const Sample& sample() const { return *sample_; }
         const AdvanceResult& advanced() const { return advanced_; }
 
-        /// How many frames it has shown; the next one has this number.
+        /// The number of frames shown so far, which is also the number of the next one.
         std::size_t shown() const { return next_; }
 
-        /// The frames from the next one on and before number `end`, as a recording of its own,
-        /// which shows them as this one would, bit for bit. Throws std::out_of_range where that is
-        /// beyond the last one.
+        /// The frames from the next one up to but excluding number `end`, as a separate recording,
+        /// which replays them bit for bit as this one would. Throws std::out_of_range if `end` is
+        /// beyond the last frame.
         Recording rest(std::size_t end) const;
 
       private:
@@ -80,46 +84,48 @@ class Recording {
 
         const Recording* recording_;
         std::size_t next_ = 0;
-        std::optional<Simulation> simulation_;  ///< of a run that is not kept
+        std::optional<Simulation> simulation_;  ///< used for a run that is not kept
         const Sample* sample_ = nullptr;
         AdvanceResult advanced_;
-        std::optional<std::size_t> read_;  ///< the sample that `from_file_` is
+        std::optional<std::size_t> read_;  ///< number of the sample in `from_file_`
         Sample from_file_;
-        std::vector<Collision> collisions_;  ///< of the present frame, where they are in the file
+        std::vector<Collision> collisions_;  ///< of the present frame, if read from the file
     };
 
-    /// The frames [first, end) alone: Player::rest() at the first. A run that is not kept is
-    /// simulated up to there; several parts of it are had from one Player.
+    /// The frames [first, end) alone, as Player::rest() gives them at `first`. A run that is not
+    /// kept is simulated up to there, so take several parts of it from one Player.
     Recording part(std::size_t first, std::size_t end) const;
 
-    /// Shows the frames before number `end` to a viewer, counted from the first one that is here.
+    /// Calls `see` for the frames before number `end`, counted from the first frame of this
+    /// recording.
     void play(std::size_t end, const Viewer& see) const;
 
-    /// Of the frames that are here, with their numbers in the whole film.
+    /// The ticks of the frames of this recording, with their numbers in the whole film.
     const std::vector<Tick>& ticks() const { return ticks_; }
 
-    /// Whether it is in memory or in a file. If not, each play() simulates.
+    /// Whether the run is kept in memory or in a file. If not, each play() simulates it.
     bool is_kept() const { return !start_.has_value(); }
 
-    /// How many collisions the whole run has had, walls included, and whether it keeps them.
+    /// The number of collisions in the whole run, walls included, and whether they are kept.
     double collision_count() const { return collision_count_; }
     bool keeps_collisions() const { return with_collisions_; }
 
-    /// Whether `frames` of so many particles could be kept, but for their collisions, and as long
-    /// as nothing else fills the disk.
+    /// Whether `frames` frames of this many particles could be kept, without their collisions and
+    /// if nothing else fills the disk.
     static bool fits(std::size_t frames, std::int64_t particles, int dimension);
 
-    /// Writes or reads it, a part too; of what is not kept the exact state before its first frame,
-    /// which is one of a simulation of this box and these particles in this run.
+    /// Writes or reads the recording, which may be a part. Of a run that is not kept, the exact
+    /// state before its first frame is written, which is the state of a simulation of this box and
+    /// these particles in this run.
     void archive(Archive& archive, const Box& box, const Particles& particles, const Run& run);
 
   private:
     struct Frame {
-        std::size_t sample = 0;  ///< frames that show one time share one
+        std::size_t sample = 0;  ///< index; frames of the same time share a sample
         AdvanceResult advanced;  ///< without collisions
         std::vector<Collision> collisions;
-        std::int64_t place = 0;  ///< of its collisions in the file
-        std::size_t filed = 0;   ///< how many there are
+        std::int64_t place = 0;  ///< position of its collisions in the file
+        std::size_t filed = 0;   ///< number of collisions in the file
 
         template <class Archive>
         void archive(Archive& archive) {
@@ -148,10 +154,10 @@ class Recording {
     std::vector<Tick> ticks_;
     bool with_collisions_ = false;
     double collision_count_ = 0.0;
-    std::vector<Sample> samples_;     ///< the first ones
-    std::vector<FiledSample> filed_;  ///< those after them
+    std::vector<Sample> samples_;     ///< the first samples, in memory
+    std::vector<FiledSample> filed_;  ///< the samples after them, in the file
     std::vector<Frame> frames_;
-    std::size_t bytes_ = 0;                  ///< of memory
+    std::size_t bytes_ = 0;                  ///< used in memory
     std::shared_ptr<ScratchFile> file_;      ///< none: all is in memory
     Eigen::Index particles_ = 0, axes_ = 0;  ///< of a sample in the file
     std::optional<Simulation> start_;        ///< of a run that is not kept, before its first frame

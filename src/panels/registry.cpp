@@ -33,7 +33,7 @@ std::vector<Binding<PanelSpec>> against_key() {
                      "collisions per particle since then.")};
 }
 
-// Reports a run without a reversal, and a growth law that is asked for where none is known.
+// Reports a run without a reversal, and a growth law that is asked for although none is known.
 void check_return_distance(PanelSpec& panel, const Node& node, Reading& reading) {
     check_reversal(node.is_mapping() ? *given(node, "kind") : node, reading);
     const Node* asked = given(node, "theory");
@@ -118,8 +118,8 @@ bool acts_on_gas(const Gas& gas, const Run& run) {
            });
 }
 
-// Whether collisions spread the speeds: equal beads on a line only exchange them, and so does a
-// pair.
+// Whether collisions redistribute speeds: equal beads on a line, and a single pair, only exchange
+// them.
 bool speeds_spread(const Gas& gas, const Run& run) {
     const auto common_mass = [](const Species& species) -> std::optional<double> {
         const auto* mass = std::get_if<Quantity>(&species.mass);

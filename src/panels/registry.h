@@ -1,6 +1,6 @@
-// The kinds of panel, all in one list. A new kind is a file that makes it and an entry in
-// registry.cpp: the keys that it takes, their check, the schema and the reference page follow from
-// the entry.
+// The list of all kinds of panel. A new kind needs a file that makes it and an entry in
+// registry.cpp, from which the accepted keys, their check, the schema and the reference page
+// follow.
 #pragma once
 
 #include <memory>
@@ -24,13 +24,13 @@ std::string name_of_panel(Language language, const PanelSpec& spec);
 /// validated.
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec);
 
-/// The box of a plane, or the wire; with a view that holds throughout, or what the film's camera
-/// shows.
+/// Makes the panel of the box (2-D) or of the wire (1-D), either with a constant `view` or with
+/// that of the film's camera.
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
                                       const std::optional<View>& view = {});
 
-/// A line of words under the box of one of two runs (its number is `run`): `label`, in the colour
-/// that the run has in plots, and as many of the numbers of `spec` but the time as have room.
+/// Makes the line of text under the box of run number `run` of two: `label`, in the colour that the
+/// run has in plots, and as many of the numbers of `spec`, except the time, as there is room for.
 std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
                                      const std::string& label, std::size_t run);
 

@@ -1,5 +1,5 @@
-// What a picture shows, as numbers: a table that is enough to draw it again elsewhere. Every row
-// is one thing drawn, and its first column says of what kind.
+// The content of a picture as numbers: a table that suffices to draw it again elsewhere. Each row
+// is one drawn item; the first column gives its kind.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// Nothing, words, or a number; single precision where the picture has no more.
+/// Empty, a text, or a number; in single precision if the picture has no more.
 using Cell = std::variant<std::monostate, std::string, double, float, std::int64_t>;
 
 struct Table {
@@ -17,7 +17,7 @@ struct Table {
     std::vector<std::vector<Cell>> rows = {};  ///< a cell for each column
 };
 
-/// Units of a table's columns; reduced ones, with Boltzmann's constant 1.
+/// The units of a table's columns, which are reduced units with Boltzmann's constant 1.
 namespace reduced {
 inline constexpr const char* length = "length";
 inline constexpr const char* time = "time";
@@ -29,7 +29,7 @@ inline constexpr const char* energy = "mass length^2/time^2";
 std::string column_name(const std::string& quantity, const std::string& unit);
 
 /// The table as comma-separated values (RFC 4180): a header, then a line for each row. Numbers that
-/// are not finite are empty, as nothing is drawn of them.
+/// are not finite give empty fields, as nothing is drawn for them.
 std::string csv(const Table& table);
 
 }  // namespace carom

@@ -23,7 +23,7 @@ enum class Side : std::int8_t { left, right, bottom, top };
 /// What a particle has collided with: another particle, a side of the box or another surface.
 class Partner {
   public:
-    constexpr Partner(std::int32_t particle = 0) : code_(particle) {}  // as Eigen's indices convert
+    constexpr Partner(std::int32_t particle = 0) : code_(particle) {}  // implicit: Eigen's indices
     constexpr Partner(Side side) : code_(-1 - static_cast<std::int32_t>(side)) {}
 
     /// The surface of this number: a side of the box, a partition or an obstacle (surface.h).
@@ -78,39 +78,39 @@ struct Collision {
 /// How many collisions have happened since t = 0.
 struct CollisionCounts {
     std::int64_t particle = 0;  ///< between two particles
-    std::int64_t wall = 0;      ///< of a particle with a wall
-    std::int64_t ties = 0;      ///< pairs that shared a particle and an instant with the pair just
-                                ///< before: their order is by number, not by physics
+    std::int64_t wall = 0;      ///< between a particle and a wall
+    std::int64_t ties = 0;      ///< collisions at the same instant as the previous one that share a
+                                ///< particle with it: their order is by number, not by physics
 };
 
-/// Momentum that has changed hands since t = 0, and how well contacts were met.
+/// Momentum transferred by collisions since t = 0, and the largest overlap at contact.
 struct ImpulseTotals {
     std::array<double, 4> wall{};  ///< outward momentum given to each side: left, right, bottom,
                                    ///< top; infinite after a hit by an infinite mass
     double virial = 0.0;  ///< sum over collisions of two particles of r . dp: r from the first
                           ///< to the second, dp what the second received
-    double largest_overlap = 0.0;  ///< depth at a collision of two particles, in units of their
-                                   ///< contact distance; 0 when none was ever too late
+    double largest_overlap = 0.0;  ///< largest overlap depth at a collision of two particles, in
+                                   ///< units of their contact distance; 0 if none was detected late
 };
 
-/// What happened on the way to a time.
+/// The result of an advance to a given time.
 struct AdvanceResult {
     CollisionCounts counts;  ///< since t = 0, at the end of this advance
     ImpulseTotals impulses;  ///< since t = 0, at the end of this advance
-    int reversals = 0;       ///< reversals since t = 0, those at its end included
+    int reversals = 0;       ///< reversals since t = 0, including those at the end of this advance
     std::span<const Collision>
-        collisions;  ///< of this advance only, when recording; valid until the next advance
+        collisions;  ///< of this advance only, if they are recorded; valid until the next advance
     std::optional<ReturnDistance>
         return_distance;  ///< of the present positions from those at the mirror time, if
-                          ///< Simulation::measure_return() asks for it at the present time
-    std::vector<SurfaceState> surfaces =
-        {};  ///< at its end, by their numbers; none where there are only walls that reflect
+                          ///< Simulation::measure_return() has requested it for the present time
+    std::vector<SurfaceState> surfaces = {};  ///< at the end of the advance, in the order of their
+                                              ///< numbers; empty if there are only reflecting walls
     std::optional<std::span<const VelocityChange>> velocities =
-        {};  ///< that have changed in this advance, if Simulation::follow_velocities() asks for
+        {};  ///< velocities changed in this advance, if Simulation::follow_velocities() requested
              ///< them and they are known; valid until the next advance
 };
 
-/// Told what time it is in a run, every some thousand events.
+/// Called every few thousand events with the simulated time.
 using TimeCallback = std::function<void(double time)>;
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// How an Archive writes and reads the plain values of physics.
+// Serialization by Archive of the plain values of physics.
 #pragma once
 
 #include <variant>
@@ -75,13 +75,13 @@ inline void archive_parts(Archive& archive, Sample& its) {
     archive(its.time, its.position, its.velocity);
 }
 
-/// Whether a sample that was read is of so many particles in this box.
+/// Whether a sample that was read has this number of particles and the dimension of the box.
 inline bool is_of(const Sample& its, const Box& box, Eigen::Index particles) {
     return its.position.rows() == particles && its.position.cols() == box.dimension &&
            its.velocity.rows() == particles && its.velocity.cols() == box.dimension;
 }
 
-/// Whether particles that were read are of so many species.
+/// Whether the arrays of particles that were read have consistent sizes and valid species indices.
 inline bool are_of(const Particles& its, std::size_t species) {
     return its.inverse_mass.size() == its.count() && its.species.size() == its.count() &&
            (its.species >= 0).all() && (its.species < static_cast<int>(species)).all();

@@ -1,4 +1,4 @@
-// Collisions that go on without end at one instant, or beyond the ceiling of the run.
+// Errors thrown when collisions go on without end at one instant, or exceed the limit of the run.
 #pragma once
 
 #include <cstdint>
@@ -17,25 +17,27 @@ class CollisionError : public std::runtime_error {
                             std::string hint = "")
         : std::runtime_error(what), particle_(particle), hint_(std::move(hint)) {}
 
-    /// The particle that collides so often, by its number in the gas; none: no single one does.
+    /// The number in the gas of the particle that collides so often; unset if no single particle
+    /// does.
     std::optional<std::int32_t> particle() const { return particle_; }
-    const std::string& hint() const { return hint_; }  ///< what to change
+    const std::string& hint() const { return hint_; }  ///< suggested change
 
   private:
     std::optional<std::int32_t> particle_;
     std::string hint_;
 };
 
-/// What is seen of the collisions at the ceiling of a run.
+/// Statistics of the collisions that follow the limit of a run.
 struct CollisionsSeen {
-    std::int64_t most = 0;          ///< the ceiling
-    double begin = 0.0, end = 0.0;  ///< simulated time in which they are counted
+    std::int64_t most = 0;          ///< the limit
+    double begin = 0.0, end = 0.0;  ///< interval of simulated time in which they are counted
     std::int64_t count = 0;
-    std::optional<std::int32_t> particle = {};  ///< of which more than half of them are
-    std::vector<double> place = {};             ///< of this particle
+    std::optional<std::int32_t> particle = {};  ///< the particle that takes part in more than half
+                                                ///< of them
+    std::vector<double> place = {};             ///< position of this particle
 };
 
-/// A run has reached its ceiling.
+/// Thrown when a run has reached its largest number of collisions.
 class TooManyCollisions : public CollisionError {
   public:
     explicit TooManyCollisions(const CollisionsSeen& seen);

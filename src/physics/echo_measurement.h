@@ -1,5 +1,6 @@
-// How far a reversed run is from where it was: keeps the positions at the mirror times of chosen
-// times, and compares when these come. Owns no simulation: simulation.h calls it on the way.
+// Measures how far a reversed run is from its earlier state: stores the positions at the mirror
+// times of selected times and compares them when those times are reached. Does not own a
+// simulation; Simulation (simulation.h) calls it during an advance.
 #pragma once
 
 #include <functional>
@@ -14,11 +15,11 @@
 
 namespace carom {
 
-/// When a run with these ways back, in order, was last where it should be at `time`: as long before
-/// the last reversal as `time` is after it. At the reversal itself that is the same time. None
-/// before the first reversal, where the way back has been left, and where that lies before the
-/// branch that the reversal ended. With `ends_branch`, a time that is a reversal's own belongs to
-/// the branch that it ends.
+/// The earlier time at which a run with these ways back, in order of time, should have had the
+/// positions of `time`: as long before the last reversal as `time` lies after it. At the reversal
+/// itself that is `time`. Nothing before the first reversal, after the run has left the way back,
+/// or if the mirror time lies before the branch that the reversal ended. With `ends_branch`, the
+/// time of a reversal belongs to the branch that it ends.
 std::optional<double> mirror_time(const std::vector<WayBack>& ways, double time,
                                   bool ends_branch = false);
 
@@ -28,7 +29,8 @@ class EchoMeasurement {
 
     EchoMeasurement() = default;
 
-    /// Of `times`, those that have a mirror time not before `present`; `ends_branch` as above.
+    /// Selects those of `times` whose mirror time exists and does not lie before `present`;
+    /// `ends_branch` as for mirror_time().
     EchoMeasurement(const std::vector<WayBack>& ways, std::vector<double> times, double present,
                     bool ends_branch);
 
@@ -39,11 +41,11 @@ class EchoMeasurement {
     }
     void keep(const Positions& positions);
 
-    /// To be called at each reversal: between its time and that time itself there are only the
-    /// perturbations that follow at the same instant.
+    /// To be called at each reversal. If the reversal's own time is one of those selected, only
+    /// perturbations at the same instant lie between keeping the positions and comparing them.
     void keep_at_reversal(double time, const Positions& positions);
 
-    /// The distance at `time`, if it is one of those chosen.
+    /// The return distance at `time`, if that is one of the selected times.
     std::optional<ReturnDistance> compare(double time, const Positions& positions);
 
     template <class Archive>
@@ -52,11 +54,11 @@ class EchoMeasurement {
     }
 
   private:
-    std::multimap<double, double> mirrors_;  ///< when to keep positions, and when to compare them
-    std::set<double> reversals_;             ///< chosen times that mirror themselves
-    std::map<double, ExactPositions> kept_;  ///< by the time when they are compared
-    double compared_ = std::numeric_limits<double>::quiet_NaN();  ///< the time of
-    std::optional<ReturnDistance> distance_;                      ///< the last comparison
+    std::multimap<double, double> mirrors_;  ///< mirror time and the time of the comparison
+    std::set<double> reversals_;             ///< selected times that are their own mirror time
+    std::map<double, ExactPositions> kept_;  ///< by the time of the comparison
+    double compared_ = std::numeric_limits<double>::quiet_NaN();  ///< time of the last comparison
+    std::optional<ReturnDistance> distance_;  ///< result of the comparison at that time
 };
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// Where the energy of a gas in a box with surfaces is, from its state alone.
+// The energy balance of a gas in a box with surfaces, as far as it follows from the present state.
 #pragma once
 
 #include <span>
@@ -9,10 +9,11 @@
 
 namespace carom {
 
-/// The energies of a moment, with the heat that baths have given since t = 0; without the work of
-/// driven surfaces, the heat of events and their error, which only a simulation knows: the error is
-/// 0, or none where there can be none. `states` as Simulation::surfaces() gives them. Infinite
-/// masses are not counted, and without gravity no positions need be there.
+/// The energies of a state, and the heat given by baths since t = 0. The work of driven surfaces,
+/// the heat of events and the numerical error are not included, as only a simulation knows them:
+/// the relative error is set to 0, or unset if it cannot be defined. `states` is the result of
+/// Simulation::surfaces(). Infinite masses are not counted. Without gravity the sample need not
+/// contain positions.
 EnergyAccount energies(const Box& box, const Particles& particles, const Sample& sample,
                        std::span<const SurfaceState> states);
 

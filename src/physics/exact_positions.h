@@ -1,6 +1,6 @@
-// Where all particles are at one time, to the last bit of the run's numbers; and how far apart two
-// such states are, also where no double is small enough to express it. Any function may be called
-// from any thread.
+// Positions of all particles at one time in the full precision of the run, and the distance between
+// two such states, even where it is too small for a double. All functions may be called from any
+// thread.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,8 @@ class Real;
 struct ReturnDistance {
     double largest = 0.0;
     double root_mean_square = 0.0;
-    /// Their logarithms, which go on where they are too small for a double; -infinity for 0.
+    /// Their decimal logarithms, valid even where the distances are too small for a double;
+    /// -infinity for 0.
     double log10_largest = -std::numeric_limits<double>::infinity();
     double log10_root_mean_square = -std::numeric_limits<double>::infinity();
 
@@ -39,8 +40,9 @@ class ExactPositions {
     /// Writes the positions with all their bits, or reads them.
     void archive(Archive& archive);
 
-    /// Across periodic sides the nearest image counts. Throws std::invalid_argument unless both are
-    /// states of one gas in numbers of one kind, doubles or multiprecision.
+    /// Distances of all particles between two states, by the minimum-image convention across
+    /// periodic sides. Throws std::invalid_argument unless both are states of the same gas and of
+    /// the same kind of numbers, doubles or multiprecision.
     friend ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b);
 
   private:
@@ -56,7 +58,7 @@ class ExactPositions {
 
 ReturnDistance return_distance(const ExactPositions& a, const ExactPositions& b);
 
-/// The same for two states of one gas of which only doubles are known.
+/// The same for two states of one gas that are known in doubles only.
 ReturnDistance return_distance(const Box& box, const Sample& a, const Sample& b);
 
 }  // namespace carom

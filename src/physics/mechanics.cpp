@@ -27,7 +27,7 @@ double mass_of(double inverse) {
     return best;
 }
 
-// 0 for an infinite mass.
+// Masses, with 0 in place of infinite ones.
 Eigen::ArrayXd finite_masses(const Particles& particles) {
     return (particles.inverse_mass > 0.0).select(1.0 / particles.inverse_mass, 0.0);
 }
@@ -51,7 +51,7 @@ ThermalMotion motion_of(const Box& box, const Particles& particles, const Sample
 
 }  // namespace
 
-// In four sums side by side, which the compiler can calculate together.
+// With four partial sums, which the compiler can vectorize.
 double sum_in_order(const Eigen::ArrayXd& values) {
     const Eigen::Index count = values.size(), in_fours = count / 4 * 4, in_pairs = count / 2 * 2;
     std::array<double, 4> sums{};

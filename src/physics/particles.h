@@ -1,5 +1,5 @@
-// The particles of a run: what never changes (Particles) and their state at one instant (Sample),
-// in the order in which the scene lists them.
+// The particles of a run: their constant properties (Particles) and their state at one instant
+// (Sample), both in the order in which the scene lists them.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ struct Particles {
 
     Eigen::Index count() const { return radius.size(); }
 
-    /// All have one radius and one mass.
+    /// Whether all particles have the same radius and the same mass.
     bool are_equal() const {
         return count() == 0 ||
                ((radius == radius[0]).all() && (inverse_mass == inverse_mass[0]).all());

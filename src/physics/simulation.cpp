@@ -29,7 +29,7 @@ using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventL
                           EventLoop<1, double, true>, EventLoop<2, double, true>,
                           EventLoop<1, Real, true>, EventLoop<2, Real, true>, FixedStepLoop>;
 
-// Fewer particles for each change, and looking at all of them takes less time.
+// With fewer particles per change than this, looking at all particles takes less time.
 constexpr std::size_t particles_a_change = 2;
 
 bool reverses(const RunEvent& event) {
@@ -69,7 +69,7 @@ struct Simulation::Implementation {
                             surfaces());
     }
 
-    // For a state that is read.
+    // Creates an implementation whose state will be read from an archive.
     Implementation(const Box& its_box, Particles its_particles, const Run& run)
         : box(its_box),
           particles(std::move(its_particles)),
@@ -99,7 +99,7 @@ struct Simulation::Implementation {
                         : loop_in<double, true>(box, particles, bits, most);
     }
 
-    // Of what cannot be read from one simulation into another.
+    // Identifies simulations whose states can be read into each other.
     std::string kind() {
         Archive parts;
         auto which = static_cast<std::int64_t>(loop.index());
@@ -139,7 +139,8 @@ struct Simulation::Implementation {
         sampled = false;
     }
 
-    // Through all events of the run, and past the mirror times of measure_return().
+    // Advances to a time; carries out the events of the run on the way and stores positions at the
+    // mirror times of measure_return().
     void advance_with_events(double time, const TimeCallback& on_progress) {
         for (; next_event < events.size() && events[next_event].at <= time; ++next_event) {
             const double at = events[next_event].at;
@@ -170,7 +171,8 @@ struct Simulation::Implementation {
         return {box, std::move(now.position)};
     }
 
-    // Rule for a faithful return: exactly at its time, with all predictions made anew.
+    // For an accurate return the reversal takes place exactly at its time, and all predictions are
+    // made again.
     void reverse() {
         echo.keep_at_reversal(present.time, [this] { return exact_positions(); });
         with_loop([&](auto& its) { its.reverse(present.time); });
@@ -236,7 +238,7 @@ struct Simulation::Implementation {
         return std::visit([&](const auto& its) { return its.surfaces(present.time); }, loop);
     }
 
-    // Of the present; without work, the heat of events and the size of the error.
+    // The energies at present, without the work, the heat of events and the numerical error.
     EnergyAccount energies_now() const {
         Sample now;
         std::visit([&](const auto& its) { its.sample(present.time, now); }, loop);
@@ -268,7 +270,8 @@ struct Simulation::Implementation {
     std::size_t next_event = 0;
     int bits;
     Loop loop;
-    Sample present;  ///< its time is the present; positions and velocities only when `sampled`
+    Sample present;  ///< its time is always the present time; positions and velocities are valid
+                     ///< only if `sampled`
     bool sampled = false;
     bool recording = false;
     bool is_following = false;
@@ -317,7 +320,7 @@ void Simulation::archive(Archive& archive) {
         implementation_->archive(archive);
         return;
     }
-    Simulation read = *this;  // so that this one stays as it is where the archive is refused
+    Simulation read = *this;  // so that this one remains unchanged if the archive is refused
     read.implementation_->archive(archive);
     *this = std::move(read);
 }
@@ -410,7 +413,7 @@ const Sample& VelocitySamples::after(Simulation& simulation, double time,
                 sample_.velocity(change.particle, axis) =
                     change.after.at(static_cast<std::size_t>(axis));
     } else {
-        sample_ = {};  // before the next is in memory
+        sample_ = {};  // frees it before the next one is allocated
         sample_ = simulation.sample_of_velocities();
     }
     is_known_ = true;

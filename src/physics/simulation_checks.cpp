@@ -46,7 +46,7 @@ bool is_number(const std::string& text) {
     return !text.empty() && *end == '\0' && std::isfinite(value);
 }
 
-// Whether it changes a surface, and not velocities or positions.
+// Whether the event changes a surface rather than velocities or positions.
 bool changes_surface(const RunEvent& event) {
     return std::visit(
         [](const auto& its) { return std::is_constructible_v<SurfaceAction, decltype(its)>; },

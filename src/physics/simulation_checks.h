@@ -1,5 +1,6 @@
-// What no simulation can be: boxes, particles, states, runs and events that are refused. Each
-// function throws std::invalid_argument. Functions may be called from any thread.
+// Validation of boxes, particles, states, runs and events before a simulation. The check_ functions
+// throw std::invalid_argument if their input is invalid. All functions may be called from any
+// thread.
 #pragma once
 
 #include <vector>
@@ -12,25 +13,25 @@ namespace carom {
 
 void check_box(const Box& box);
 
-/// Of a box that passes check_box(), as all below.
+/// The box must have passed check_box(), here and below.
 void check_particles(const Box& box, const Particles& particles);
 
-/// Particles, and their state.
+/// Checks particles and their initial state.
 void check_start(const Box& box, const Particles& particles, const Sample& start);
 
 void check_surfaces(const Box& box, const Run& run);
-/// Also of particles that lie in a surface.
+/// Also refuses particles that lie in a surface.
 void check_surfaces(const Box& box, const Particles& particles, const Sample& start,
                     const Run& run);
 
-/// Returns the bits.
+/// Returns the significand bits of the run.
 int check_run(const Run& run, Eigen::Index particles, const Box& box);
 
-/// Of events that are to come after `present`.
+/// Checks future events, none of which may lie before `present`.
 void check_events(const std::vector<RunEvent>& events, double present, Eigen::Index particles,
                   const Box& box);
 
-/// Whether an event needs the loop of boxes with surfaces.
+/// Whether an event requires the event loop for boxes with surfaces.
 bool needs_surfaces(const RunEvent& event);
 
 }  // namespace carom

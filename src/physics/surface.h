@@ -1,7 +1,6 @@
-// What particles meet in a box besides one another, as plain values: the sides of the box,
-// partitions across it and obstacles in it, and what each does to a particle that reaches it. The
-// simulation numbers them in one list: the sides left, right, bottom, top, then partitions, then
-// obstacles.
+// The surfaces of a box, as plain values: the sides of the box, partitions across it and obstacles
+// in it, and how each acts on a particle that hits it. The simulation numbers all surfaces
+// consecutively: the sides left, right, bottom, top, then the partitions, then the obstacles.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,16 +18,18 @@
 
 namespace carom {
 
-/// Reverses the velocity along its normal.
+/// Reflects specularly: reverses the normal component of the velocity.
 struct Reflecting {};
 
-/// A heat bath. A particle leaves it as from a gas of this temperature: the velocity along the
-/// normal has the distribution of the flux, (v m / T) exp(-m v^2 / 2T), the other is normal.
+/// A heat bath. A particle leaves it as if it came from a gas of this temperature: the normal
+/// velocity v has the distribution of the flux, (v m / T) exp(-m v^2 / 2T); the tangential velocity
+/// is normally distributed.
 struct Bath {
     double temperature = 1.0;
 };
 
-/// Moves along its normal at a given velocity, whatever hits it; after `until` it stands still.
+/// Moves along its normal at a prescribed velocity, unaffected by collisions; from `until` on it
+/// stands still.
 struct Driven {
     double velocity = 0.0;
     double until = std::numeric_limits<double>::infinity();
@@ -36,25 +37,26 @@ struct Driven {
     double velocity_at(double time) const { return time < until ? velocity : 0.0; }
 };
 
-/// Moves freely along its normal, pushed by a constant force besides what hits it.
+/// Moves freely along its normal, driven by particle impacts and a constant force.
 struct Piston {
     double mass = 1.0;
-    double force = 0.0;     ///< along x or y
+    double force = 0.0;     ///< signed, along x or y
     double velocity = 0.0;  ///< at the start
 
-    /// With all that pushes it, where gravity has this component along its normal.
+    /// The total constant force on the piston, if gravity has the component `gravity` along its
+    /// normal.
     double force_in(double gravity) const { return force + mass * gravity; }
     double kinetic_energy(double its_velocity) const {
         return 0.5 * mass * its_velocity * its_velocity;
     }
-    /// In the constant forces on it.
+    /// Potential energy in the constant forces on the piston.
     double potential_energy(double place, double gravity) const {
         return -force_in(gravity) * place;
     }
 };
 
-/// Lets particles through, or reflects them: those of some species always; the others to one side
-/// where their speed lies between two bounds.
+/// Lets particles through or reflects them. Particles of the listed species always pass; others
+/// pass in a given direction if their speed lies between the two bounds for that direction.
 struct Membrane {
     struct Speeds {
         double faster_than = std::numeric_limits<double>::infinity();
@@ -63,10 +65,10 @@ struct Membrane {
         bool admits_some() const { return faster_than < slower_than; }
     };
     std::vector<std::int32_t> species = {};  ///< indices into Gas::species
-    Speeds upward = {};                      ///< of those that move to larger x, or y
+    Speeds upward = {};                      ///< for particles that move towards larger x or y
     Speeds downward = {};
 
-    /// Whether it lets some through by their speed, as Maxwell's demon does.
+    /// Whether it selects particles by speed, like Maxwell's demon.
     bool is_demon() const { return upward.admits_some() || downward.admits_some(); }
 };
 
@@ -75,11 +77,11 @@ using Behaviour = std::variant<Reflecting, Bath, Driven, Piston, Membrane>;
 /// A straight line across the box, perpendicular to an axis. It has two sides and no thickness.
 struct Partition {
     std::string name;
-    int axis = 0;     ///< that it is perpendicular to: 0 for x, 1 for y
-    double at = 0.0;  ///< its place on that axis
-    std::vector<std::pair<double, double>> gaps = {};  ///< along the other axis, from and to
+    int axis = 0;     ///< the axis it is perpendicular to: 0 for x, 1 for y
+    double at = 0.0;  ///< position on that axis
+    std::vector<std::pair<double, double>> gaps = {};  ///< intervals along the other axis
     Behaviour behaviour = Reflecting{};
-    bool is_open = false;  ///< not there
+    bool is_open = false;  ///< absent: everything passes
 };
 
 /// A fixed body: a disk, or straight lines from corner to corner, each of which has two sides.
@@ -90,22 +92,22 @@ struct Obstacle {
     };
     struct Lines {
         std::vector<Eigen::Array2d> corners;
-        bool is_closed = false;  ///< the last is joined to the first
+        bool is_closed = false;  ///< the last corner is joined to the first
     };
     std::string name;
     std::variant<Disk, Lines> shape;
 };
 
-/// All surfaces of a box, and the acceleration of all that can move in it.
+/// All surfaces of a box, and the gravitational acceleration of everything mobile in it.
 struct Surfaces {
-    std::array<Behaviour, 4> sides{};  ///< left, right, bottom, top; where the box is not periodic
+    std::array<Behaviour, 4> sides{};  ///< left, right, bottom, top; unused along periodic axes
     std::vector<Partition> partitions = {};
     std::vector<Obstacle> obstacles = {};
     Eigen::Array2d gravity{0.0, 0.0};
-    std::uint64_t seed = 1;  ///< of the velocities that baths give; in a gas, Gas::seed counts
+    std::uint64_t seed = 1;  ///< for the velocities after a heat bath; in a gas, Gas::seed is used
 
-    /// The number of the first partition, and of the first obstacle, among all surfaces; how many
-    /// there are.
+    /// Numbers of the first partition and of the first obstacle among all surfaces, and the total
+    /// number of surfaces.
     static constexpr std::int32_t first_partition = 4;
     std::int32_t first_obstacle() const {
         return first_partition + static_cast<std::int32_t>(partitions.size());
@@ -128,13 +130,13 @@ struct Surfaces {
         const Partition* line = partition(surface);
         return line != nullptr ? line->axis : static_cast<int>(surface / 2);
     }
-    /// Whether it is a side at the end of its axis, not at the beginning: right or top.
+    /// Whether the surface is the side at the upper end of its axis: right or top.
     static bool is_far_side(std::integral auto surface) {
         return is_side(surface) && surface % 2 == 1;
     }
 
-    /// The names of all surfaces, by their numbers; those of the sides are left, right, bottom and
-    /// top.
+    /// The names of all surfaces in the order of their numbers; the sides are called left, right,
+    /// bottom and top.
     std::vector<std::string> names() const {
         std::vector<std::string> all{"left", "right", "bottom", "top"};
         for (const Partition& partition : partitions) all.push_back(partition.name);
@@ -147,7 +149,7 @@ struct Surfaces {
         return std::ranges::all_of(
             sides, [](const Behaviour& side) { return std::holds_alternative<Reflecting>(side); });
     }
-    /// Whether there is nothing but reflecting sides.
+    /// Whether the box has only reflecting sides: no partitions, no obstacles and no gravity.
     bool are_plain() const {
         return sides_reflect() && partitions.empty() && obstacles.empty() && (gravity == 0.0).all();
     }
@@ -156,36 +158,39 @@ struct Surfaces {
 /// What a surface has done since t = 0.
 struct SurfaceTotals {
     std::int64_t hits = 0;
-    Eigen::Array2d impulse{0.0, 0.0};  ///< given to it
-    double work = 0.0;                 ///< that it did on particles as it moved
-    double heat = 0.0;                 ///< that it gave to particles
+    Eigen::Array2d impulse{0.0, 0.0};  ///< momentum transferred to the surface
+    double work = 0.0;                 ///< done on particles by the moving surface
+    double heat = 0.0;                 ///< given to particles by a heat bath
 };
 
-/// The same, and what a surface is like at present.
+/// The totals of a surface together with its present state.
 struct SurfaceState : SurfaceTotals {
     struct Motion {
         double place, velocity;  ///< along its normal
     };
-    Behaviour behaviour = Reflecting{};  ///< which events of the run change
-    bool is_open = false;                ///< a partition that is not there
+    Behaviour behaviour = Reflecting{};  ///< may be changed by events of the run
+    bool is_open = false;                ///< an open partition is absent
     bool is_held = false;                ///< a piston that stands still
-    std::optional<Motion> motion = {};   ///< of one that moves, or has moved
+    std::optional<Motion> motion = {};   ///< set if the surface moves or has ever moved
 };
 
-/// Where the energy of a gas in a box with surfaces is, and what has come in since t = 0. Without
-/// error kinetic + potential + pistons grows by work + heat.
+/// Energy balance of a gas in a box with surfaces: the energies at present, and the work and heat
+/// received since t = 0. Without numerical error kinetic + potential + pistons grows by work +
+/// heat.
 struct EnergyAccount {
     double kinetic = 0.0;    ///< of the particles
-    double potential = 0.0;  ///< in gravity, of centres above the lowest that each can reach; and
-                             ///< of the constant forces on pistons, minus force times place
+    double potential = 0.0;  ///< of the particles in gravity, relative to the lowest position that
+                             ///< each centre can reach; and of the constant forces on pistons,
+                             ///< minus force times position
     double pistons = 0.0;    ///< kinetic energy of pistons
     double work = 0.0;       ///< of driven surfaces on the gas and on pistons
     double heat = 0.0;       ///< from baths, and by events that heat
-    /// Of the sum, in units of the largest of its terms; none where an infinite mass moves, or
-    /// gravity pulls at one: its energy, and what it gives to others, are in no sum.
+    /// Numerical error of the energy balance relative to its largest term. Unset if an infinite
+    /// mass moves or gravity acts on one: its energy, and the energy that it gives to others, are
+    /// not included in any of the sums.
     std::optional<double> relative_error = 0.0;
 
-    /// What is in the gas and in pistons.
+    /// Total energy of the gas and the pistons.
     double in_all() const { return kinetic + potential + pistons; }
 };
 

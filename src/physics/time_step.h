@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// Why a run in this box cannot have its time step; none where it can, or has none.
+/// Why a run in this box cannot use its time step; nothing if it can, or if it has none.
 std::optional<ProblemText> time_step_problem(const Box& box, const Run& run);
 
 }  // namespace carom

@@ -8,13 +8,15 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// Goes through a run. The path is the time as it was before the first reversal: it falls after
-// that, and what is known of it lies between its lowest and its highest place.
+// Follows a run along its path. The path coordinate equals the time until the first reversal and
+// decreases after it; the known part of the path lies between its lowest and its highest value so
+// far.
 class Walk {
   public:
     std::vector<WayBack> found() && { return std::move(found_); }
 
-    // Past what has been left out of the mirror, which nothing undoes.
+    // Advances to a time. At an event on the way that is not mirrored, and therefore not undone,
+    // the run leaves the way back.
     void advance(double time) {
         const auto is_ahead = [this](const LeftOut& one) {
             return one.direction != direction_ && direction_ * (one.path - path_) >= 0.0;
@@ -51,7 +53,7 @@ class Walk {
         std::size_t event;
     };
 
-    // What lies ahead is as if it had never been.
+    // Leaves the way back: the known path ahead is forgotten.
     void leave_at(std::size_t event) {
         if (!found_.empty() && !found_.back().event)
             found_.back() = {found_.back().begin, time_, event};

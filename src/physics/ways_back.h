@@ -1,6 +1,6 @@
-// Where a run with reversals goes back the way that it came, and what leads it off: an event that
-// is not undone, or one that happens on the way back. Perturbations do not: how far these lead away
-// is what return distances show. Plain values.
+// The ways back of a run with reversals: when the run retraces its path, and which event makes it
+// leave that path, either one that is not undone or one that happens on the way back. Perturbations
+// do not end a way back: the return distance measures their effect. Plain values.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,12 @@
 namespace carom {
 
 struct WayBack {
-    double begin;                                          ///< the reversal
-    double end = std::numeric_limits<double>::infinity();  ///< where it is left before the run has
-                                                           ///< been everywhere again, else infinite
-    std::optional<std::size_t> event = {};  ///< that leads off there, an index into the events
+    double begin;                                          ///< time of the reversal
+    double end = std::numeric_limits<double>::infinity();  ///< time at which the run leaves the way
+                                                           ///< back before it has retraced its
+                                                           ///< whole path; otherwise infinite
+    std::optional<std::size_t> event = {};  ///< the event at which it leaves, an index into the
+                                            ///< events
 };
 
 /// One for each reversal, in order of time.

@@ -1,4 +1,4 @@
-// JSON as carom writes it, and reads it back.
+// JSON as carom writes it and reads it back.
 #pragma once
 
 #include <concepts>
@@ -13,15 +13,15 @@ namespace carom {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON in UTF-8, also where a path has bytes that are none, each level indented by so many blanks;
-/// without `indent` in one line.
+/// The JSON as UTF-8 text; invalid bytes, for example of a path, are replaced. Each level is
+/// indented by `indent` blanks; with a negative `indent` all is on one line.
 inline std::string text_of(const Json& json, int indent = -1) {
     constexpr bool ascii_only = false;
     return json.dump(indent, ' ', ascii_only, Json::error_handler_t::replace);
 }
 
-/// The value of a text; discarded (and neither object nor array) where it is no JSON, or nested
-/// deeper than carom writes any.
+/// Parses a text. Returns a discarded value (neither object nor array) if it is not JSON, or is
+/// nested deeper than any JSON that carom writes.
 inline Json json_in(std::string_view text) {
     constexpr int deepest = 32;
     constexpr bool may_throw = false;
@@ -29,7 +29,8 @@ inline Json json_in(std::string_view text) {
     return Json::parse(text, nullptr, may_throw);
 }
 
-/// The value of a whole number. Throws Json::exception where it is none, or too large.
+/// The value of a whole number. Throws Json::exception if the JSON is not a whole number, or if it
+/// does not fit into `Number`.
 template <std::integral Number>
 Number whole_in(const Json& json) {
     const auto value = json.get_ref<const Json::number_integer_t&>();

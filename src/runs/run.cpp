@@ -22,7 +22,7 @@
 namespace carom {
 namespace {
 
-// Counts events up to each reversal and the return, and takes the return distance.
+// Counts the events up to each reversal and up to the return, and records the return distance.
 class ReversalWatch {
   public:
     ReversalWatch(const Run& run, Simulation& simulation) {
@@ -38,7 +38,7 @@ class ReversalWatch {
         simulation.measure_return(returns, true);
     }
 
-    /// When to look next; infinite after the last time.
+    /// The next time at which look() must be called; infinite after the last one.
     double next_time() const {
         return next_ < marks_.size() ? marks_[next_].time : std::numeric_limits<double>::infinity();
     }
@@ -76,7 +76,7 @@ class ReversalWatch {
     std::size_t next_ = 0;
 };
 
-// The places of what can move, over the samples.
+// Mean, spread and last value of the positions of movable surfaces, over the samples.
 class SurfaceWatch {
   public:
     explicit SurfaceWatch(const Box& box) : box_(box), names_(box.surfaces.names()) {}
@@ -120,7 +120,7 @@ class SurfaceWatch {
 };
 
 std::int64_t sample_count(const Run& run) {
-    constexpr double rounding = 1e-9;  // an end at exactly k steps must not get a sliver after it
+    constexpr double rounding = 1e-9;  // no tiny interval after exactly k steps by round-off
     return 1 + static_cast<std::int64_t>(
                    std::max(1.0, std::ceil(run.until / run.sample_every - rounding)));
 }
@@ -130,8 +130,8 @@ double sample_time(const Run& run, std::int64_t index) {
     return static_cast<double>(index) * run.sample_every;
 }
 
-// Of the bytes of all positions and velocities, which are little-endian on all machines that carom
-// knows.
+// The fingerprint of the bytes of all positions and velocities. These are little-endian on all
+// machines that carom supports.
 std::string fingerprint_of(const Simulation& simulation) {
     static_assert(std::endian::native == std::endian::little);
     GrowingFingerprint all;
@@ -145,11 +145,12 @@ std::string fingerprint_of(const Simulation& simulation) {
 }
 
 bool can_be_followed(const Simulation& simulation, const RunTakers& take) {
-    constexpr Eigen::Index least = 1'000;  // below, looking at all takes no time
+    constexpr Eigen::Index least = 1'000;  // below, looking at all particles takes no time
     return !take.sample && !take.collisions && simulation.particles().count() >= least;
 }
 
-// How far a run goes in one step, so that of all its collisions few are in memory at a time.
+// Chooses how far a run advances in one step, so that only a few of its collisions are in memory at
+// a time.
 class StepLength {
   public:
     /// The end of the next step on the way to `time`.
@@ -158,7 +159,8 @@ class StepLength {
         return std::min(time, std::max(now + span_, std::nextafter(now, time)));
     }
 
-    /// After a step of `length` with so many collisions. A gas at rest may begin to move.
+    /// Adapts the step to the rate in the last step, of `length` with so many collisions. Growth is
+    /// limited, because a gas at rest may begin to move.
     void see(double length, std::size_t collisions) {
         constexpr double aim = 4096.0, most_growth = 2.0;
         const double per_time = static_cast<double>(collisions) / length;
@@ -169,7 +171,7 @@ class StepLength {
     void begin(double length) { span_ = length; }
 
   private:
-    double span_ = 0.0;  ///< 0: as far as is asked for
+    double span_ = 0.0;  ///< 0: no limit
 };
 
 class Course {
@@ -186,7 +188,7 @@ class Course {
           following_(can_be_followed(simulation_, take)),
           on_progress_(on_progress),
           watch_(watch) {
-        constexpr Eigen::Index enough = 1'000;  // with less to see it is not worth a thread
+        constexpr Eigen::Index enough = 1'000;  // with fewer a thread does not pay
         if (take_.aside && simulation_.particles().count() >= enough)
             aside_.emplace([](const Work& work) { work(); });
         advanced_.surfaces = simulation_.surfaces();
@@ -230,9 +232,9 @@ class Course {
   private:
     using Work = std::function<void()>;
 
-    static constexpr double first_step = 1e-6;  // of the run, when nothing is known of its rate
+    static constexpr double first_step = 1e-6;  // fraction of the run, while the rate is unknown
 
-    // Here or aside, after all that was given before.
+    // Does work here or on the other thread, after all work that was given before.
     void give(Work work) {
         Work timed = [this, work = std::move(work)] {
             const Stopwatch watch;
@@ -245,7 +247,8 @@ class Course {
             timed();
     }
 
-    // What is true after the present advance, for work that may outlast it.
+    // The result of the last advance without references to data that the next advance invalidates,
+    // for work that may run later.
     AdvanceResult lasting() const {
         AdvanceResult advanced = advanced_;
         advanced.collisions = {};
@@ -272,13 +275,13 @@ class Course {
         });
     }
 
-    // Waits for what was given.
+    // Waits until all work that was given is done.
     void settle() {
         if (aside_) aside_->settle();
     }
 
-    // In two parts, so that no more than one of them is in memory. What is wanted depends on what
-    // was seen before.
+    // Takes the positions and the velocities of a sample one after the other, so that only one of
+    // the two is in memory. Whether positions are wanted depends on the samples before.
     void see_parts() {
         settle();
         if (statistics_.wants_positions(advanced_)) {
@@ -308,7 +311,7 @@ class Course {
         if (on_progress_.reached) on_progress_.reached(now);
     }
 
-    // Stops at reversals and returns on the way.
+    // Advances to `time`, stopping at reversals and returns on the way.
     void go_on_to(double time) {
         for (advances_ = 0; now_ < time; ++advances_) {
             throw_if_interrupted();
@@ -323,7 +326,7 @@ class Course {
         }
     }
 
-    // The collisions of a step of this length.
+    // Passes on the collisions of a step of this length.
     void hand_on(double length) {
         const std::span<const Collision> collisions = advanced_.collisions;
         step_.see(length, collisions.size());
@@ -348,8 +351,8 @@ class Course {
     AdvanceResult advanced_;
     int advances_ = 0;  ///< since the last sample
     double now_ = 0.0;
-    double taking_seconds_ = 0.0;       ///< of what was given; while it works, its own
-    std::optional<Relay<Work>> aside_;  ///< the last: its work needs all others until it ends
+    double taking_seconds_ = 0.0;       ///< of given work; changed only by the thread that does it
+    std::optional<Relay<Work>> aside_;  ///< last member, destroyed first: its work uses all others
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The physics alone: from a scene to its samples and statistics, without a picture.
+// Runs the physics only: from a scene to its samples and statistics, without pictures.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,15 @@
 
 namespace carom {
 
-/// One reversal of all velocities, and how well the gas found its way back.
+/// One reversal of all velocities, and how accurately the gas returned to its initial state. The
+/// return ends at `home`: at 2 at, or earlier if the way back is left before (ways_back.h). There
+/// is a `distance` only if the run lasts until `home` and no other reversal comes before.
 struct ReversalReport {
     double at = 0.0;
-    double home = 0.0;  ///< 2 at, or where the way back is left before (ways_back.h)
-    std::optional<ReturnDistance> distance = {};  ///< from where it was, at `home`: if the run goes
-                                                  ///< on so long and no other reversal lies before
-    std::int64_t events_out = 0;                  ///< collisions in [0, at], with walls too
-    std::optional<std::int64_t> events_back = {};  ///< in (at, home], if the run goes on so long
+    double home = 0.0;                            ///< time of the return
+    std::optional<ReturnDistance> distance = {};  ///< from the initial state, at `home`
+    std::int64_t events_out = 0;  ///< collisions in [0, at], including those with walls
+    std::optional<std::int64_t> events_back = {};  ///< in (at, home], if the run lasts that long
 };
 
 /// Wall-clock seconds.
@@ -31,63 +32,65 @@ struct RunSeconds {
     double total = 0.0;
     double prepare = 0.0;   ///< placement and equilibration
     double simulate = 0.0;  ///< from time 0
-    double samples = 0.0;   ///< statistics, and what takes the samples; at the same time as the
-                            ///< simulation where they have a thread of their own
+    double samples = 0.0;   ///< statistics and SampleTaker; concurrent with the simulation if they
+                            ///< have a thread of their own
 };
 
-/// What a surface has done in a run, and where it was.
+/// The totals and the positions of a surface in a run.
 struct SurfaceReport {
     std::string name;
     SurfaceTotals totals;
     struct Position {
-        double mean, deviation, last;  ///< over the samples, at the end
+        double mean, deviation, last;  ///< over the samples; last: at the end
     };
-    std::optional<Position> position = {};  ///< of one that moves, or has moved
+    std::optional<Position> position = {};  ///< only of a surface that moves or has moved
 };
 
 struct RunReport {
     std::int64_t particles = 0;
-    int bits = bits_of_double;  ///< of the numbers it calculated with
+    int bits = bits_of_double;  ///< precision of the numbers used in the calculation
     std::int64_t samples = 0;
     RunSummary summary;
     CollisionCounts collisions;
     std::vector<ReversalReport> reversals;  ///< in order of time
     RunSeconds seconds;
-    std::vector<SurfaceReport> surfaces = {};   ///< by their numbers; none in a plain box
-    std::optional<EnergyAccount> account = {};  ///< where there are any
-    std::string state = {};  ///< fingerprint of all positions and velocities at the end, every bit
+    std::vector<SurfaceReport> surfaces = {};   ///< in order of their numbers; none in a plain box
+    std::optional<EnergyAccount> account = {};  ///< only if there are surfaces, or heat was added
+    std::string state = {};  ///< fingerprint of all bits of the final positions and velocities
 };
 
-/// All events: collisions between particles and with walls.
+/// The number of all events: collisions between particles and with walls.
 std::int64_t events_of(const CollisionCounts& counts);
 
-/// Takes each sample in order of time; all are valid during the call only.
+/// Called with each sample in order of time. The arguments are valid during the call only.
 using SampleTaker =
     std::function<void(const Particles&, const Sample&, const std::vector<SurfaceState>& surfaces)>;
 
-/// Takes collisions in the order in which they happened, some thousand at a time; they are valid
-/// during the call only. A sample comes after all that happened up to its time.
+/// Called with collisions in the order in which they happened, some thousand at a time. They are
+/// valid during the call only. All collisions up to the time of a sample are passed before that
+/// sample.
 using CollisionTaker = std::function<void(const Particles&, std::span<const Collision>)>;
 
-/// What takes the results of a run as they come; either may be empty. With `aside` they are called,
-/// and statistics are made, on a thread of their own while the run goes on: the same, in the same
-/// order.
+/// The receivers of a run's results; either may be empty. With `aside` they are called, and
+/// statistics are computed, on a separate thread while the run goes on; results and order are the
+/// same.
 struct RunTakers {
     SampleTaker sample = {};
     CollisionTaker collisions = {};
     bool aside = false;
 };
 
-/// Called with the progress of a run; any may be empty.
+/// Callbacks for the progress of a run; any may be empty.
 struct RunCallbacks {
-    TrialCallback start = {};            ///< of the trials of the precision and the equilibration
-    std::function<void()> started = {};  ///< at time 0
-    std::function<void(double)> reached = {};  ///< this simulated time, many times a second
+    TrialCallback start = {};  ///< in the trials that find the precision, and in the equilibration
+    std::function<void()> started = {};        ///< at time 0
+    std::function<void(double)> reached = {};  ///< with the simulated time, many times a second
 };
 
-/// Runs `scene` from time 0 to its end with a sample at every multiple of `run.sample_every` and at
-/// the end. Throws SceneError (the gas cannot be placed), Interrupted, and what `take` and the
-/// callbacks throw. May be called from several threads. What is taken changes nothing in the run.
+/// Runs `scene` from time 0 to its end, with a sample at every multiple of `run.sample_every` and
+/// at the end. `take` does not influence the run. Throws SceneError (the gas cannot be placed),
+/// Interrupted, and what `take` and the callbacks throw. Thread safety: may be called from several
+/// threads.
 RunReport run_physics(const Scene& scene, const RunTakers& take = {},
                       const RunCallbacks& on_progress = {});
 

@@ -17,8 +17,8 @@ namespace {
 using Row = std::pair<RunNumber, std::optional<double>>;
 using Rows = std::vector<Row>;
 
-// Of a scene, and of one of its runs; without one all values are missing. One list for both: names
-// and values cannot come apart.
+// A scene and, optionally, one of its runs; without a run all values are missing. Names and values
+// are made by the same list, so that they cannot disagree.
 struct Source {
     const Scene& scene;
     const RunReport* report;
@@ -39,7 +39,7 @@ struct Source {
 
 bool is_infinite(const Species& species) { return std::holds_alternative<Infinite>(species.mass); }
 
-// The mean over all particles of finite mass of what is a mean of each species.
+// The mean over all particles of finite mass, computed from the means of each species.
 std::optional<double> over_species(const Scene& scene, const RunSummary& summary,
                                    std::optional<double> SpeciesMeans::*mean) {
     double sum = 0.0, count = 0.0;
@@ -54,14 +54,14 @@ std::optional<double> over_species(const Scene& scene, const RunSummary& summary
     return sum / count;
 }
 
-// Of each particle, in a unit of time; each collision has two of them.
+// Collisions per particle and unit of time; each collision involves two particles.
 double collision_rate(const Scene& scene, const RunReport& report) {
     return 2.0 * static_cast<double>(report.collisions.particle) /
            (static_cast<double>(report.particles) * scene.run.until);
 }
 
-// All paths together, over the collisions that they are parted by. How many of these are with
-// infinite masses is not counted.
+// The total path length of all particles, divided by the number of their collisions. Not available
+// with infinite masses, because collisions with these are not counted separately.
 std::optional<double> mean_free_path(const Scene& scene, const RunReport& report) {
     if (std::ranges::any_of(scene.gas.species, is_infinite)) return std::nullopt;
     const std::optional<double> speed = over_species(scene, report.summary, &SpeciesMeans::speed);
@@ -112,7 +112,7 @@ void add_conserved(Rows& rows, const Source& from) {
                     from.of_summary([](const RunSummary& its) { return its.largest_overlap; })});
 }
 
-// Of several species each has a mean.
+// Adds the means of each species, if there are several.
 void add_species(Rows& rows, const Source& from) {
     const std::vector<Species>& all = from.scene.gas.species;
     for (std::size_t k = 0; all.size() > 1 && k < all.size(); ++k) {
@@ -154,7 +154,7 @@ void add_surface(Rows& rows, const Source& from, const std::string& name) {
                     })});
 }
 
-// Walls that only reflect have the pressures above.
+// Whether there are surfaces to report. Walls that only reflect are covered by the pressures above.
 bool has_surfaces(const Scene& scene) {
     return !scene.gas.box.surfaces.are_plain() ||
            std::ranges::any_of(scene.run.events, [](const RunEvent& event) {

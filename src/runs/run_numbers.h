@@ -1,5 +1,5 @@
-// The numbers that a run is summed up in, each with a name and a unit: a table of the same rows for
-// all runs of a scene, so that runs can be listed, averaged and drawn against what is varied.
+// The numbers that summarise a run, each with a name and a unit. The list is the same for all runs
+// of a scene, so that runs can be tabulated, averaged and plotted against a varied parameter.
 #pragma once
 
 #include <string>
@@ -12,15 +12,16 @@ namespace carom {
 /// One of the numbers of a run.
 struct RunNumber {
     std::string name;  ///< "virial pressure"
-    std::string unit;  ///< in words: "energy/area"; empty: a pure number
+    std::string unit;  ///< in words: "energy/area"; empty: dimensionless
     bool operator==(const RunNumber&) const = default;
 };
 
-/// Those of a scene's runs, in the order of lists and tables: which they are depends on its box,
-/// its species, its surfaces and its reversals, not on what happens.
+/// The numbers of a scene's runs, in the order of lists and tables. Which numbers there are depends
+/// on the scene's box, species, surfaces and reversals, not on what happens in a run.
 std::vector<RunNumber> numbers_of_runs(const Scene& scene);
 
-/// Their values in a run of that scene: NaN where a number has no meaning for it, or is infinite.
+/// The values of numbers_of_runs() in a run of that scene, in the same order: NaN if a number has
+/// no meaning for the run or is infinite.
 std::vector<double> values_of(const Scene& scene, const RunReport& report);
 
 }  // namespace carom

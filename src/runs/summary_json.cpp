@@ -26,7 +26,7 @@ double number_of(const Json& json) {
 
 std::string name_of_share(double share) { return fmt::format("{}", share); }
 
-// 0.15 is a number for readers; what is none stays text.
+// Writes a value such as 0.15 as a JSON number; one that is not a number stays text.
 Json value_of(const std::string& text) {
     const Json json = json_in(text);
     return json.is_number() ? json : Json(text);

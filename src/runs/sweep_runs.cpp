@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-// What is wrong with one run says which it is.
+// Throws the error of a run with the run named in each message.
 [[noreturn]] void refuse_run(const Sweep& sweep, std::int64_t run, const SceneError& error) {
     std::vector<Diagnostic> diagnostics = error.diagnostics();
     for (Diagnostic& one : diagnostics)

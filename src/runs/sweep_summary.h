@@ -1,5 +1,5 @@
-// What the runs of a sweep give together, as it is written once they are all there, and read by
-// figures: JSON with all digits, the same for any number of chunks that the runs were done in.
+// The summary of a sweep, written when all runs are done and read by figures: JSON with all digits,
+// independent of the number of chunks in which the runs were done.
 #pragma once
 
 #include <string>
@@ -11,29 +11,29 @@
 
 namespace carom {
 
-/// One combination of values.
+/// The results at one point of the sweep (one combination of values).
 struct PointSummary {
     std::int64_t runs = 0;
-    std::vector<NumberStatistics> numbers = {};  ///< in the summary's order
+    std::vector<NumberStatistics> numbers = {};  ///< in the order of SweepSummary::numbers
 };
 
 struct SweepSummary {
     std::string carom = {};  ///< version of the program that made the runs
-    std::vector<std::pair<std::string, std::string>> build = {};  ///< what else they depend on
-    std::string scene = {};                                       ///< its file, as it was given
+    std::vector<std::pair<std::string, std::string>> build = {};  ///< what else results depend on
+    std::string scene = {};  ///< path of its file, as the user gave it
     std::string title = {};
-    std::vector<std::string> overrides = {};  ///< laid over it at all points
+    std::vector<std::string> overrides = {};  ///< changes to the scene that apply at all points
     std::string physics = {};  ///< SceneSource::physics, without the values of a point
     Sweep sweep = {};
     std::vector<RunNumber> numbers = {};
     std::vector<PointSummary> points = {};  ///< of each point of the sweep
 };
 
-/// One JSON object, indented, ends with a line break; null where a number is missing.
+/// One JSON object, indented, ending with a line break; null if a number is missing.
 std::string text_of(const SweepSummary& summary);
 
-/// Reads it back; `name` stands for it in messages. Throws SystemError where it is no such summary,
-/// or of another version of the format.
+/// Reads back what text_of() gave; `name` denotes it in messages. Throws SystemError if it is not
+/// such a summary, or has another format version.
 SweepSummary sweep_summary(std::string_view text, const std::string& name);
 
 }  // namespace carom

@@ -38,7 +38,8 @@ std::string species_words(Language language, const Species& species, int dimensi
                    : say(language, "{}, {},", noun, start);
 }
 
-// Where the particles are, and what becomes of those that leave through a periodic side.
+// The words for where the particles are, and for what happens to those that leave through a
+// periodic side.
 struct BoxWords {
     std::string where, passage;
 };
@@ -70,7 +71,7 @@ BoxWords words_of(Language language, const Box& box) {
     return {say(language, "in a box of {} by {} with solid walls", width, height), ""};
 }
 
-// "particles slower than 2"; empty where it lets none through.
+// "particles slower than 2"; empty if it lets none through.
 std::string passing_words(Language language, const Membrane::Speeds& speeds) {
     if (std::isinf(speeds.faster_than)) return "";
     const bool from = speeds.faster_than > 0.0, to = std::isfinite(speeds.slower_than);
@@ -271,7 +272,7 @@ std::string words_of(Language language, const MirroredEvent& mirrored, const Run
                : "";
 }
 
-// Empty where the gas goes on the way it came.
+// Returns an empty text if the gas returns the way it came.
 std::string words_of(Language language, const WayBack& way, const Run& run) {
     if (!way.event || way.end >= run.until) return "";
     const RunEvent& event = run.events.at(*way.event);

@@ -1,4 +1,4 @@
-// What a scene shows, in words for those who cannot see it, in a language.
+// Descriptions of what a scene shows, in a given language, for readers who cannot see the film.
 #pragma once
 
 #include <string>
@@ -8,43 +8,44 @@
 
 namespace carom {
 
-/// What the film shows, in a plain sentence or two.
+/// Returns what the film shows, in a few plain sentences.
 std::string describe(const Scene& scene);
 
-/// "1 disk", "30 beads": of a gas in so many dimensions.
+/// Returns a count of particles, "1 disk" or "30 beads", for a gas of the given dimension.
 std::string particles_counted(Language language, long long count, int dimension);
 
-/// "The left wall", "The partition “divider”", "The obstacle “peg”": by its number (surface.h).
+/// Returns the name of a surface, given its number (surface.h): "The left wall", "The partition
+/// “divider”", "The obstacle “peg”".
 std::string name_of_surface(Language language, std::int32_t surface, const Gas& gas);
 
-/// What one does that stands across an axis, as it follows its name: "is a heat bath of temperature
-/// 2".
+/// Returns the predicate of a sentence about a surface across an axis, to follow its name: "is a
+/// heat bath of temperature 2".
 std::string words_of(Language language, const Behaviour& behaviour, const Gas& gas, int axis);
 
-/// What surfaces there are and what they do, each in a sentence without its full stop; none if
-/// there are only walls that reflect. Obstacles and gravity come last, a sentence each.
+/// Returns a sentence, without its full stop, for each surface and its behaviour; empty if there
+/// are only reflecting walls. The obstacles together and gravity come last, in one sentence each.
 std::vector<std::string> words_of_surfaces(Language language, const Gas& gas);
 
-/// "Particle 3 is moved by 1.00×10⁻²⁰": a whole sentence without its full stop.
+/// Returns a whole sentence without its full stop: "Particle 3 is moved by 1.00×10⁻²⁰".
 std::string words_of(Language language, const Perturbation& nudge);
 
-/// What happens to a surface or to the heat of the gas, as above: "The partition “divider” opens";
-/// empty for other events.
+/// Returns what an event does to a surface or to the heat of the gas, as a sentence without its
+/// full stop: "The partition “divider” opens"; empty for other events.
 std::string words_of_surface_event(Language language, const RunEvent& event, const Gas& gas);
 
-/// What happens at a time: "time 190, on the way back", "The partition “divider” closes".
+/// What happens at a time, in words: "time 190, on the way back", "The partition “divider” closes".
 struct Happening {
     double at;
     std::string when, words;
 };
 
-/// What happens to surfaces and to the heat of the gas; then what of it comes again after a
-/// reversal; then where the gas does not go on the way it came.
+/// Returns what happens to surfaces and to the heat of the gas; then the events that recur mirrored
+/// in time after a reversal; then the times at which the gas departs from the way it came.
 std::vector<Happening> happenings(Language language, const Run& run, const Gas& gas);
 
-/// What the events of a run do, in whole sentences; empty if there are none. Of many nudges only
-/// how many they are, and so of many events of surfaces; those that come again after a reversal are
-/// last.
+/// Returns what the events of a run do, in whole sentences; empty if there are none. Many nudges,
+/// or many changes of surfaces and heat, are summarised by their number. Events that recur after a
+/// reversal come last.
 std::string words_of_events(Language language, const Run& run, const Gas& gas);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// All limits of the scene language. A scene may come from a stranger: what exceeds a limit is
-// refused with the number and the limit, before memory is taken.
+// All limits of the scene language. A scene may come from an untrusted source: a value beyond a
+// limit is refused, with the value and the limit in the message, before memory is allocated for it.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// An upper (or lower) limit and what it counts.
+/// An upper (or lower) limit and the words that say what it limits.
 struct Limit {
     double value;
     std::string_view meaning = {};  ///< empty: messages do not name the limit
@@ -18,7 +18,7 @@ struct Limit {
 /// "the limit is 200 species"; empty if it has no meaning.
 std::string to_text(const Limit& limit);
 
-/// A bound as a message writes it: 2000000, 1e12.
+/// A bound as messages show it: 2000000, 1e12.
 std::string number_text(double value);
 
 inline constexpr Limit most_file_bytes{4 << 20, "bytes in a scene or template file"};
@@ -78,7 +78,7 @@ inline constexpr Limit most_bins{1'000, "bins of a histogram"};
 inline constexpr Limit most_chosen{8, "choices of particles drawn together"};
 inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid"};
 
-// Of scenes in documents of others, on demand (classroom.h).
+// Narrower limits for scenes embedded in other documents; they apply only on request (classroom.h).
 inline constexpr Limit most_classroom_seconds{120, "seconds of a film, with --limits classroom"};
 inline constexpr Limit most_classroom_frames{7'200, "frames of a film, with --limits classroom"};
 inline constexpr Limit most_classroom_side{

@@ -33,7 +33,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A scene of a newer format may hold anything: nothing else in it is looked at.
+// A scene of a newer format may contain anything, so that nothing else in it is checked.
 void refuse_newer_format(const Node& root) {
     const Node* version = find(root, "carom");
     if (version == nullptr) return;
@@ -56,7 +56,8 @@ void refuse_figure_set(const Node& root) {
     errors.throw_if_any();
 }
 
-// Of the box that a scene asks for, before it is checked: keys and forms depend on it.
+// Returns the dimension of the box that a scene gives, before the scene is checked: keys and forms
+// depend on it.
 int dimension_of(const Node& root) {
     const Node* box = find(root, "box");
     if (box == nullptr) return 2;
@@ -70,17 +71,17 @@ int dimension_of(const Node& root) {
     return is_misspelt ? 1 : 2;
 }
 
-/// What a scene and its template say, and where: checked for form.
+/// The trees of a scene and its template; their form has been checked.
 struct Tree {
     Node root;
     int dimension = 2;  ///< of the box
-    Node film;          ///< the scene's, laid over the template's
+    Node film;          ///< the scene's `film`, completed by its template
     Node template_file;
     std::string template_name;
 };
 
-// Where the name of the film's template is written; the scene, if it is the usual one; nothing if
-// there is a mistake in it.
+// Returns the node with the name of the film's template; a node in the scene with the default name
+// if none is given; nothing if the name contains a mistake.
 std::optional<Node> template_asked(const Tree& tree) {
     if (const Node* asked = given(tree.film, "template")) return *asked;
     if (find(tree.film, "template") != nullptr) return std::nullopt;
@@ -89,7 +90,7 @@ std::optional<Node> template_asked(const Tree& tree) {
     return usual;
 }
 
-// Those beside the scene that `resources` has come first, wherever the scene is now.
+// Templates whose texts are in `resources.files` take precedence, wherever the scene is now.
 std::optional<TemplateFile> template_file(const Node& asked, const fs::path& scene,
                                           const SceneResources& resources, Errors& errors) {
     for (const fs::path& path :
@@ -135,7 +136,8 @@ double usual_sample_every(const Scene& scene, bool has_film) {
     return scene.run.until / steps;
 }
 
-// Where the first surface is written that does more than reflect; gravity, if there is none.
+// Returns the node of the first surface that does more than reflect; if there is none, that of
+// gravity or of the box.
 const Node& first_acting(const SceneDraft& draft, const PlacedSurfaces& placed) {
     for (std::size_t k = 0; k < placed.nodes.size(); ++k)
         if (placed.nodes[k] != nullptr &&
@@ -145,7 +147,7 @@ const Node& first_acting(const SceneDraft& draft, const PlacedSurfaces& placed) 
     return draft.gravity.node != nullptr ? *draft.gravity.node : *draft.box->node;
 }
 
-// The surfaces of the box from the draft, and the numbers of those that events name.
+// Sets the surfaces of the box from the draft, and their numbers in events that name them.
 void place_surfaces(SceneDraft& draft, Errors& errors) {
     const BoxDraft box = draft.box.value_or(BoxDraft{});
     std::vector<std::string> species;
@@ -162,7 +164,7 @@ void place_surfaces(SceneDraft& draft, Errors& errors) {
     draft.surfaces_place = place_of(first_acting(draft, placed));
 }
 
-// The gas and the run from the draft of the scene, which they are checked with.
+// Completes the gas and the run from the draft of the scene, and checks them.
 void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     draft.gas.seed = draft.seed;
     draft.marks = draft.written_run.marks;
@@ -220,7 +222,7 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
     return draft;
 }
 
-// A link in the scene's folder may lead anywhere.
+// Refuses a file outside the scene's folder, to which a symbolic link may lead.
 void require_in_folder(const fs::path& file, const Node& asked) {
     const fs::path folder = file.parent_path();
     std::error_code error;
@@ -235,7 +237,7 @@ void require_in_folder(const fs::path& file, const Node& asked) {
     errors.throw_if_any();
 }
 
-// All that a scene was made of, but for what carom brings along.
+// Returns everything that a scene was made from, except files that are part of carom.
 SceneSource source_of(const Tree& tree, const Source& source, const SceneResources& resources,
                       const Overrides& overrides) {
     SceneSource all{source.name, source.text, "", overrides, run_fingerprint(tree.root)};

@@ -1,4 +1,4 @@
-// From a YAML file to a Scene, or to all its errors at once.
+// Loads a Scene from a YAML file, or reports all errors of the file at once.
 #pragma once
 
 #include <filesystem>
@@ -12,42 +12,44 @@
 
 namespace carom {
 
-/// What the command line lays over a scene, after the file and before validation: KEY.PATH=VALUE,
-/// with a key path (counted lists: gas.0.count) and a YAML value each; the last wins.
+/// Values set on the command line, applied to the scene after the file is read and before it is
+/// validated: KEY.PATH=VALUE, with a key path (list items by number: gas.0.count) and a YAML value.
+/// Of several for one key the last wins.
 using Overrides = std::vector<std::string>;
 
-/// What messages call such a change, and show as its text: "--set KEY.PATH=VALUE".
+/// Returns such a change as messages name and quote it: "--set KEY.PATH=VALUE".
 std::string text_of_change(const std::string& change);
 
-/// What the scene is for. A scene that says nothing of a film is one of 1 second for each unit of
-/// time where a film is wanted, and has none where only the physics is.
+/// What the scene is loaded for. A scene without `film` gets a film with 1 second per unit of
+/// simulated time if a film is wanted, and has none if only the physics is.
 enum class Wanted { film, physics };
 
-/// What carom brings along for scenes.
+/// What loading a scene needs besides its file.
 struct SceneResources {
     std::filesystem::path templates;  ///< the folder that holds films/
-    PanelKinds panels;                ///< all kinds of panel (panels/registry.h); lives on
-    FileTexts files = {};             ///< read in place of what these paths lead to
-    bool is_classroom = false;        ///< whether scenes are held to its limits (classroom.h)
+    PanelKinds panels;     ///< all kinds of panel (panels/registry.h); must stay valid from then on
+    FileTexts files = {};  ///< texts to use instead of the files at these paths
+    bool is_classroom = false;  ///< whether the narrower limits of classroom.h apply
 };
 
 /// The path that stands for standard input.
 inline constexpr std::string_view standard_input = "-";
 
-/// Loads and validates; of standard_input all that is there, as `<stdin>` in the working folder.
-/// Throws SceneError with every diagnostic of the file.
+/// Loads and validates a scene. The path `standard_input` reads standard input to its end, as a
+/// file `<stdin>` in the working folder. Throws SceneError with all diagnostics of the file.
 Scene load_scene(const std::filesystem::path& path, const SceneResources& resources,
                  const Overrides& overrides = {}, Wanted wanted = Wanted::film);
 
-/// The same without what it lists under `figures`, for figures of others that show its run.
+/// Loads a scene without its `figures`, for figures of other scenes that show its run.
 Scene load_run(const std::filesystem::path& path, const SceneResources& resources,
                const Overrides& overrides);
 
-/// load_run() from text for its physics alone; its template is looked for beside the path `name`.
+/// Like load_run(), from text and for the physics alone; templates are looked for in the folder of
+/// the path `name`.
 Scene load_run_text(const std::string& text, const std::string& name,
                     const SceneResources& resources, const Overrides& overrides);
 
-/// load_scene() from text; `name` stands in for the path in messages.
+/// Like load_scene(), from text; `name` replaces the path in messages.
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const SceneResources& resources, const Overrides& overrides = {},
                       Wanted wanted = Wanted::film);

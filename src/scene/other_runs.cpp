@@ -13,7 +13,8 @@
 namespace carom {
 namespace {
 
-// The scene of a compared run, as `reload` makes it of overrides, with that figure alone.
+// Returns the scene of a compared run, loaded by `reload` with the run's overrides and with that
+// figure alone.
 Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides overrides,
                      const ReloadCompared& reload) {
     overrides.insert(overrides.end(), run.values.begin(), run.values.end());
@@ -33,13 +34,14 @@ Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides
     throw SceneError({std::move(error)});
 }
 
-// Of a sweep at least the first and the last point.
+// Returns the number of scenes that a figure loads; for a sweep at least those of the first and the
+// last point.
 std::size_t scenes_of(const FigureSpec& figure) {
     if (figure.panel.kind != "sweep") return figure.compare.size();
     return figure.panel.sweep.from ? 0 : 2;
 }
 
-// Of the figures only the one of this name: what is asked of the others is not of this run.
+// Keeps only the figure of this name: the others need not be valid for this run.
 void keep_figure(Node& root, const std::string& name) {
     Node* list = find(root, "figures");
     if (list == nullptr || !list->is_list()) return;
@@ -58,7 +60,8 @@ Node without(Node mapping, const std::string& key) {
     return mapping;
 }
 
-// A film ends with its own scene's run, and its callouts are about that.
+// Replaces the film, and the end of the run, by those of the scene itself, without its callouts,
+// which refer to the scene's own run.
 void take_film(Node& root, const ScenePart& part) {
     const auto put = [](Node& mapping, const char* key, const Node& value) {
         if (Node* own = find(mapping, key)) {
@@ -77,7 +80,7 @@ void take_film(Node& root, const ScenePart& part) {
         put(*run, "until", *part.until);
 }
 
-// What the two runs of a film must share.
+// Checks what the two runs of a film must have in common.
 std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other) {
     const Box &box = scene.gas.box, &its = other.gas.box;
     if (box.dimension != its.dimension || (box.size != its.size).any())
@@ -100,8 +103,9 @@ std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other
     return std::nullopt;
 }
 
-// The film's times, words and callouts are those of the scene itself; what refers to particles is
-// the other's own.
+// Gives the second run the film of the scene itself, with its times, except for what refers to
+// particles, which is the second run's own. It has no captions and callouts: those of the film are
+// the scene's.
 void take_shared(Scene& other, const Film& film) {
     Film its = film;
     its.panels = std::move(other.film.panels);

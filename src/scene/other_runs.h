@@ -1,5 +1,5 @@
-// The runs that a scene is shown with: those that its figures compare, and the one beside its
-// film's own. Each is a scene, which the loader makes anew.
+// The further runs that a scene is shown with: those that its figures compare, and the second run
+// of its film. Each is a scene of its own, which the loader reads again with other values.
 #pragma once
 
 #include <functional>
@@ -12,9 +12,9 @@
 
 namespace carom {
 
-/// A scene as another's: of a run that a figure compares, that figure is the only one that is
-/// looked at, if it is here; of the run beside a film's, the film and the end of the run are the
-/// other's.
+/// The part of a scene that is loaded for another scene. For a run that a figure compares, only
+/// that figure is read, if the scene has it. For the second run of a film, the film and the end of
+/// the run are taken from the other scene.
 struct ScenePart {
     std::optional<std::string> figure = {};
     const Node* film = nullptr;
@@ -23,25 +23,26 @@ struct ScenePart {
     bool is_whole() const { return !figure && film == nullptr; }
 };
 
-/// Leaves of a scene what the part is.
+/// Reduces a scene's tree to such a part.
 void keep_part(Node& root, const ScenePart& part);
 
-/// Throws SceneError where so many compared runs, each a scene of its own in time and memory, would
-/// be too much.
+/// Throws SceneError if loading all compared runs, each a scene of its own, would take too much
+/// time and memory.
 void refuse_many_scenes(const Scene& scene);
 
-/// The scene with overrides, of its figures only the one of this name.
+/// Loads the scene with overrides and, of its figures, only the one of this name.
 using ReloadCompared = std::function<Scene(const std::string& figure, const Overrides&)>;
 
-/// Loads the runs that figures compare. Throws SceneError with the mistakes of all of them.
+/// Loads the runs that figures compare. Throws SceneError with the errors of all of them.
 void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompared& reload);
 
-/// The scene in a file beside this one, or this one where there is no name, as a part.
+/// Loads, as a part, the scene in a file in the same folder, or the scene itself if the name is
+/// empty.
 using ReloadBeside =
     std::function<Scene(const std::string& file, const ScenePart&, const Overrides&)>;
 
-/// Loads the run beside the film's, if there is one; the film's times, words and callouts are those
-/// of the scene itself. Throws SceneError.
+/// Loads the second run that a film shows, if there is one. The film's times, captions and callouts
+/// are those of the scene itself. Throws SceneError.
 void load_beside(Scene& scene, const Node& root, const Overrides& overrides,
                  const ReloadBeside& reload);
 

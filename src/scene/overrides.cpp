@@ -78,14 +78,14 @@ Node* enter(Node& node, const Source& source, const Step& step, Errors& errors) 
     return nullptr;
 }
 
-// A colour may be given as it is: on the command line `#` begins no comment.
+// A colour may be given without quotes: on the command line `#` does not begin a comment.
 std::optional<Node> read_value(const Source& source, std::size_t begin, Errors& errors) {
     if (begin >= source.text.size() || source.text[begin] != '#')
         return read_yaml(source, errors, begin);
     return key_node(source, {source.text.substr(begin), begin});
 }
 
-// The change begins at `begin` of the source's text.
+// Applies the change that begins at byte `begin` of the source's text.
 void apply(const Source& source, std::size_t begin, Node& scene, Errors& errors) {
     const std::size_t sign = source.text.find('=', begin);
     std::optional<Node> value = read_value(source, sign + 1, errors);

@@ -1,6 +1,7 @@
-// What a kind of panel is to the scene language: its name, what it can do (which decides the keys
-// that it takes), keys of its own, and what makes it. The list of all kinds is in
-// panels/registry.cpp; the loader gets it as a value, because scene/ knows no panels.
+// A kind of panel as the scene language sees it: its name, its abilities (which decide the keys
+// that it takes), its own keys, and the function that creates it. The list of all kinds is in
+// panels/registry.cpp; it is passed to the loader as a value, because scene/ does not depend on
+// panels/.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +21,10 @@ namespace carom {
 class Panel;
 struct PanelContext;
 
-/// What a kind of panel can do. Each gives it the keys named here.
+/// The abilities of a kind of panel. Each gives it the keys named here.
 enum class Ability {
     bars,         ///< a histogram: `bins`, `range`, `fit`, `mean_now`, `mean_start`
-    from_zero,    ///< of numbers that are never negative: so is `range`
+    from_zero,    ///< its values are never negative, and neither is `range`
     of,           ///< shows particles that the scene chooses: `of`
     pair,         ///< `of` is two particles; without it the first two that collide
     two,          ///< `of` is two particles, and is required
@@ -40,30 +41,30 @@ enum class Ability {
 
 /// One kind of panel.
 struct PanelKind {
-    std::string name;   ///< as scenes write it
-    Phrase words;       ///< as captions and transcripts do
+    std::string name;   ///< as in scenes
+    Phrase words;       ///< as in captions and transcripts
     std::string shows;  ///< a sentence for the reference page, in Markdown
     std::unique_ptr<Panel> (*make)(const PanelContext&, const PanelSpec&) = nullptr;
     std::set<Ability> abilities = {};
 
-    /// Keys that this kind alone takes.
+    /// Keys that only this kind takes.
     std::vector<Binding<PanelSpec>> keys = {};
 
-    /// Reports what is wrong with a panel of this kind beyond the single values; the node is the
-    /// panel's mapping, or its name alone.
+    /// Reports errors of a panel of this kind beyond those of single values; the node is the
+    /// panel's mapping, or the name of its kind alone.
     std::function<void(PanelSpec&, const Node&, Reading&)> rule = {};
 
-    /// Whether it has something to show of a gas and its run: a film that names no panels has those
-    /// of its template's list that do. None: always.
+    /// Returns whether the panel has something to show for a gas and its run. A film that lists no
+    /// panels gets those of its template's list for which this is true. Empty: always.
     std::function<bool(const Gas&, const Run&)> suits = {};
 
     /// Whether it has axes that a callout can point to.
     bool has_plot = true;
 
-    /// Of a kind for figures only: what to do in films instead; empty: it is for both.
+    /// For a kind that is only for figures: what to do in films instead; empty: for films, too.
     std::string in_films_instead = {};
 
-    /// Of the kind that shows the gas: names of the colours that it can have from slow to fast.
+    /// For the kind that shows the gas: the names of its colour scales from slow to fast.
     std::vector<std::string> palettes = {};
 
     bool can(Ability ability) const { return abilities.contains(ability); }
@@ -71,7 +72,7 @@ struct PanelKind {
 
 using PanelKinds = std::span<const PanelKind>;
 
-/// The kind of this name; null if there is none.
+/// Returns the kind of this name; null if there is none.
 inline const PanelKind* kind_of(PanelKinds kinds, std::string_view name) {
     const auto found = std::ranges::find(kinds, name, &PanelKind::name);
     return found == kinds.end() ? nullptr : &*found;

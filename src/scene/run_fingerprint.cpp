@@ -7,7 +7,8 @@
 namespace carom {
 namespace {
 
-// With the lengths of texts and lists: nothing else reads so.
+// Appends an unambiguous text of a node: because it contains the lengths of texts and lists,
+// different nodes have different texts.
 void add_text_of(const Node& node, std::string& text) {
     text += fmt::format("{}{}:{}{}", static_cast<int>(node.kind), node.quoted ? "q" : "",
                         node.text.size(), node.text);

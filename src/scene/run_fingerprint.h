@@ -1,5 +1,5 @@
-// What a scene says of its gas and its run, without the seed and without what only its pictures
-// show, as one short text.
+// A short text that identifies the gas and the run of a scene, regardless of the seed and of keys
+// that affect only its pictures.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace carom {
 
-/// Scenes with the same fingerprint have the same gas and run but for the seed, and for defaults
-/// that their films give; layout, comments, words and figures may differ.
+/// Returns the fingerprint of a scene. Scenes with equal fingerprints have the same gas and run
+/// except for the seed and for defaults that depend on their films; layout, comments, words and
+/// figures may differ.
 std::string run_fingerprint(const Node& scene);
 
 }  // namespace carom

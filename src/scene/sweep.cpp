@@ -21,7 +21,7 @@ std::optional<Number> number_from(const std::string& text) {
     return number;
 }
 
-// At separators that do not stand in brackets, braces or quotes.
+// Splits a text at separators outside brackets, braces and quotes.
 std::vector<std::string> parts_of(const std::string& text, char separator) {
     std::vector<std::string> parts{""};
     int depth = 0;
@@ -54,7 +54,7 @@ struct Spacing {
     std::int64_t count;
 };
 
-// Nothing where it is no FIRST:LAST:N.
+// Returns nothing if the text does not have the form FIRST:LAST:N.
 std::optional<Spacing> spacing_from(const std::string& text) {
     const std::vector<std::string> parts = parts_of(text, ':');
     if (parts.size() != 3) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<Spacing> spacing_from(const std::string& text) {
     return Spacing{*first, *last, *count};
 }
 
-// What is written is the value: 0.15 and not 0.15000000000000002.
+// The value is the text that is written: 0.15 and not 0.15000000000000002.
 std::vector<std::string> values_of(const Spacing& spacing, const std::string& text) {
     if (spacing.count < 2 || spacing.count > static_cast<std::int64_t>(most_points.count()))
         throw SweepError(fmt::format("{}: expected from 2 to {} values, found {}", text,
@@ -80,7 +80,7 @@ std::vector<std::string> values_of(const Spacing& spacing, const std::string& te
     return values;
 }
 
-// FIRST:LAST without a number of values, or with one that is none.
+// Refuses FIRST:LAST without a valid number of values.
 void refuse_colons(const std::string& values, const std::string& axis) {
     const std::vector<std::string> parts = parts_of(values, ':');
     if (parts.size() > 1 && number_from<double>(trimmed(parts[0])) &&

@@ -1,6 +1,6 @@
-// What is varied over the runs of a sweep, as a plain value: seeds, and keys of the scene with the
-// values that each takes. Its runs are numbered from 0; all seeds of a point follow one another.
-// Runs nothing (runs/).
+// The parameters that a sweep varies, as a plain value: seeds, and keys of the scene with the
+// values that each takes. Runs are numbered from 0, all seeds of one point consecutively. This file
+// runs nothing (runs/ does).
 #pragma once
 
 #include <cstdint>
@@ -11,22 +11,22 @@
 
 namespace carom {
 
-/// Seeds from the first to the last.
+/// Consecutive seeds, both ends included.
 struct SeedRange {
     std::uint64_t first = 1, last = 1;
     std::int64_t count() const { return static_cast<std::int64_t>(last - first) + 1; }
     bool operator==(const SeedRange&) const = default;
 };
 
-/// A key of the scene, KEY.PATH as for --set, and the values that it takes, as they are written.
+/// A key of the scene, KEY.PATH as for --set, and the values that it takes, as texts.
 struct SweepAxis {
     std::string key;
     std::vector<std::string> values;
     bool operator==(const SweepAxis&) const = default;
 };
 
-/// Each combination of values of the axes is a point, at which there is a run with each seed; of
-/// points that follow one another the last axis changes first. Without axes there is one point.
+/// Each combination of values of the axes is a point, at which there is one run with each seed.
+/// Points are numbered with the last axis varying fastest. Without axes there is one point.
 struct Sweep {
     std::vector<SweepAxis> axes = {};
     SeedRange seeds = {};
@@ -38,34 +38,34 @@ struct Sweep {
         return seeds.first + static_cast<std::uint64_t>(run % seeds.count());
     }
 
-    /// The values at a point, one of each axis.
+    /// Returns the values at a point, one for each axis.
     std::vector<std::string> values_at(std::int64_t point) const;
 
-    /// What is laid over the scene at a point, as KEY.PATH=VALUE.
+    /// Returns the values at a point as overrides of the scene, KEY.PATH=VALUE.
     std::vector<std::string> changes_at(std::int64_t point) const;
 
     bool operator==(const Sweep&) const = default;
 };
 
-/// A sweep is not written as it has to be.
+/// The text of a sweep has a wrong form or a value that is not allowed.
 class SweepError : public std::runtime_error {
   public:
     explicit SweepError(const std::string& what, std::string hint = "")
         : std::runtime_error(what), hint_(std::move(hint)) {}
-    const std::string& hint() const { return hint_; }  ///< how to mend it; may be empty
+    const std::string& hint() const { return hint_; }  ///< how to correct it; may be empty
 
   private:
     std::string hint_;
 };
 
-/// Reads FIRST:LAST, or N for 1:N. Throws SweepError.
+/// Parses FIRST:LAST, or N for 1:N. Throws SweepError.
 SeedRange seed_range(const std::string& text);
 
-/// Reads KEY=FIRST:LAST:N, N equally spaced values with both ends, to 15 digits; or
+/// Parses KEY=FIRST:LAST:N, N equally spaced values including both ends, rounded to 15 digits; or
 /// KEY=VALUE,VALUE,... Throws SweepError.
 SweepAxis sweep_axis(const std::string& text);
 
-/// Throws SweepError where an axis is given twice, is the seed, or there are more points or runs
+/// Throws SweepError if an axis is given twice or is the seed, or if there are more points or runs
 /// than a sweep may have.
 void check_sweep(const Sweep& sweep);
 

@@ -14,14 +14,14 @@ namespace {
 constexpr const char* range_hint =
     "values in equal steps are written KEY=FIRST:LAST:N, for instance gas.0.radius=0.1:0.4:7";
 
-// The first of the mistakes, at the figure.
+// Returns the first of the errors, at the place of the figure.
 Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& changes,
                      const SceneError& error) {
     const Diagnostic& first = error.diagnostics().front();
     Diagnostic diagnostic = figure.panel.place;
     diagnostic.message =
         fmt::format("with {} the scene is not valid: {}", fmt::join(changes, ", "), first.message);
-    // A number that is refused is no mistyped range.
+    // If all values are numbers, the error is not due to a mistyped range.
     const bool is_number = std::ranges::all_of(changes, [](const std::string& change) {
         return parse_number(change.substr(change.find('=') + 1)).has_value();
     });
@@ -29,7 +29,8 @@ Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& c
     return diagnostic;
 }
 
-// Of more points than may be looked at those that are spread evenly, with the first and the last.
+// Loads the scene at the points of a sweep; if there are more than `most`, at points spread evenly,
+// including the first and the last.
 void check_points(const FigureSpec& figure, std::int64_t most, std::vector<Diagnostic>& errors) {
     const SweepShown& shown = figure.panel.sweep;
     const std::int64_t points = shown.from ? 0 : shown.sweep.points();

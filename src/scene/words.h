@@ -1,5 +1,5 @@
-// The words that scenes have for the values of an enum: one table for each enum, which reading,
-// messages, the schema and the reference page share.
+// The words for the values of each enum in scenes: one table per enum, shared by reading, messages,
+// the schema and the reference page.
 #pragma once
 
 #include <array>
@@ -10,15 +10,15 @@
 
 namespace carom {
 
-/// A value of an enum, and how scenes write it.
+/// A value of an enum and its word in scenes.
 template <typename E>
 struct EnumWord {
     E value;
     std::string_view word;
 };
 
-/// The table of an enum, in the order in which messages list its words. A value that is not in it
-/// has no word: it is the default that nothing needs to be written for.
+/// The table of an enum, in the order in which messages list the words. A value without an entry
+/// has no word: it is the default, which is never written.
 template <typename E>
 inline constexpr std::array<EnumWord<E>, 0> enum_words{};
 

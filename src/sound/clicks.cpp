@@ -9,7 +9,7 @@ namespace carom {
 namespace {
 
 constexpr double decay_seconds = 0.015, rise_seconds = 0.001;
-constexpr double recovery = 1.06;  // of the gain from block to block, at most
+constexpr double recovery = 1.06;  // largest factor by which the gain rises from block to block
 
 // Far below half a step of 16 bits, whatever the loudness.
 constexpr double silence = 1e-6;
@@ -31,7 +31,7 @@ double pitch_of(int number) {
 
 double damping(double seconds) { return std::exp(-1.0 / (seconds * sound_rate)); }
 
-// The largest sample of an answer: it lies within a few rise times and periods.
+// The largest sample of a response, which occurs within a few rise times and periods.
 double largest_answer(double angle) {
     constexpr int enough = sound_rate / 50;
     double largest = 0.0;
@@ -68,7 +68,8 @@ void ClickMixer::mix_until(std::int64_t end) {
     while (mixed_ + block <= end) mix_block();
 }
 
-// Adds what they ring in a block to its sum; `strikes` are theirs, in order.
+// Adds the response of these oscillators during a block to its sum; `strikes` are the clicks that
+// excite them, in order.
 void ClickMixer::ring(Oscillators& its, std::span<const Strike> strikes, int first,
                       Block& sum) const {
     auto strike = strikes.begin();
@@ -103,7 +104,7 @@ void ClickMixer::mix_block() {
         return one.sample < mixed_ + block;
     });
     const std::span<Strike> now(strikes_.begin(), later);
-    // Those of one pitch at one sample are alike, so that their order means nothing.
+    // Strikes of one pitch at the same sample are identical, so that their order does not matter.
     std::ranges::sort(
         now, {}, [](const Strike& one) { return std::pair(one.oscillator / lanes, one.sample); });
     Block sum{};
@@ -127,8 +128,8 @@ void ClickMixer::mix_block() {
     mixed_ += block;
 }
 
-// Of the block that waits: from its gain on to one that suits the next block too, so that neither
-// goes beyond the largest sample.
+// Finishes the waiting block: its gain changes linearly from gain_ to a value that also suits the
+// next block, so that neither block exceeds the largest sample.
 void ClickMixer::settle_gain(double next) {
     const double end = std::min({most_here_, next, recovery * gain_});
     for (int n = 0; n < block; ++n) {

@@ -1,5 +1,5 @@
-// The sound of a film: a click for each collision of its run, when the film shows it, the higher
-// the larger its impulse is.
+// The sound of a film: a click for each collision of its run, at the time when the film shows it;
+// the larger the impulse, the higher the pitch.
 #pragma once
 
 #include <cstdint>
@@ -14,31 +14,32 @@
 
 namespace carom {
 
-/// Hz of a collision whose impulse is the reference; twice the impulse is an octave higher.
+/// The pitch in Hz of a collision whose impulse equals the reference impulse; twice the impulse
+/// sounds an octave higher.
 inline constexpr double reference_pitch = 880.0;
 
-/// The impulse of a collision that sounds at reference_pitch where the scene does not say it: the
-/// momentum of a particle of the mean mass and the mean kinetic energy. `start` is the energy at
-/// time 0. Where all are at rest the mean potential energy counts instead, and without any it is
-/// 1. Particles of infinite mass are left out. In units of the scene.
+/// The default reference impulse, used if the scene does not give one: the momentum of a particle
+/// of the mean mass and the mean kinetic energy, in units of the scene. `start` is the energy at
+/// time 0. If all particles are at rest, the mean potential energy is used instead; if that is not
+/// above 0 either, the impulse is 1. Particles of infinite mass are left out.
 double usual_impulse(const Particles& particles, const EnergyAccount& start);
 
-/// The sound of frames of a film, made as its run is simulated. The frame number k shows the run at
-/// a time, and so does the beginning of its k-th frame in sound; between two frames time passes
-/// evenly. What happens at time 0 sounds when the gas is first shown. Not for sharing between
-/// threads.
+/// The sound of frames of a film, made while its run is simulated. The start of the k-th frame in
+/// the sound corresponds to the time that frame number k shows; between two frames time passes
+/// uniformly. What happens at time 0 sounds when the gas is first shown. Not thread-safe.
 class FilmSound {
   public:
-    /// Of frames [first, end) of a film with these `ticks`, its timeline, which need not outlive
-    /// this; `particles` do. The film has a sound (Film::sound).
+    /// For frames [first, end) of a film. `ticks` is its timeline, which need not outlive this
+    /// object; `particles` must. The film must have a sound (Film::sound).
     FilmSound(const Film& film, const std::vector<Tick>& ticks, const Particles& particles,
               const EnergyAccount& start, int first, int end);
 
-    /// Each frame of the timeline in order, with the collisions since the one before.
+    /// To be called for each frame of the timeline in order, with the collisions since the previous
+    /// frame.
     void see(const Tick& tick, const AdvanceResult& advanced);
 
-    /// After the last frame: samples_before(end - first) of them, all within the loudness of the
-    /// film.
+    /// To be called after the last frame. Returns samples_before(end - first) samples, all within
+    /// the loudness of the film.
     std::vector<std::int16_t> samples();
 
   private:
@@ -46,10 +47,10 @@ class FilmSound {
 
     const Particles& particles_;
     int fps_, first_, end_;
-    int first_shown_ = 0;  ///< frame of the gas
+    int first_shown_ = 0;  ///< the first frame that shows the gas
     double reference_;
     ClickMixer mixer_;
-    double time_before_ = 0.0;  ///< of the frame before
+    double time_before_ = 0.0;  ///< time of the previous frame
     std::vector<std::int16_t> samples_;
 };
 

@@ -1,13 +1,13 @@
-// How sound is sampled.
+// The sampling rate of sound.
 #pragma once
 
 #include <cstdint>
 
 namespace carom {
 
-inline constexpr int sound_rate = 48'000;  ///< samples in a second, of one channel
+inline constexpr int sound_rate = 48'000;  ///< samples per second, one channel
 
-/// How many samples lie before a frame of a film, counted from its first one.
+/// The number of samples before a frame of a film, counted from its first frame.
 constexpr std::int64_t samples_before(std::int64_t frame, int frames_per_second) {
     return frame * sound_rate / frames_per_second;
 }

@@ -9,11 +9,11 @@
 namespace carom {
 namespace {
 
-constexpr int steps = 512;            // of heights
-constexpr double scale_heights = 20;  // beyond which nothing is left
+constexpr int steps = 512;            // intervals of the tabulated heights
+constexpr double scale_heights = 20;  // above which the density is taken as 0
 
-// Of an exponential that ends at `a`: its mean, its variance, and the logarithm of its integral
-// over `a`.
+// For the density exp(-x) cut off at x = `a`: its mean, its variance, and the logarithm of its
+// integral over [0, a] divided by `a`.
 double mean_of(double a) { return a < 1e-4 ? 0.5 * a : 1.0 - a / std::expm1(a); }
 double variance_of(double a) {
     if (a < 1e-2) return a * a / 12.0;
@@ -22,12 +22,12 @@ double variance_of(double a) {
 }
 double log_integral_of(double a) { return a < 1e-9 ? 0.0 : std::log(-std::expm1(-a) / a); }
 
-// All but the height of one particle.
+// All degrees of freedom of the gas except the height of one particle.
 struct Others {
     double freedoms, gravity;
     std::vector<FallingKind> kinds;
 
-    // The sum over all particles of a function of m g height / T.
+    // The sum of `function` over all these particles, evaluated at m g height / T with T = 1 / b.
     double sum(double b, double (*function)(double)) const {
         double all = 0.0;
         for (const FallingKind& one : kinds)
@@ -35,8 +35,8 @@ struct Others {
         return all;
     }
 
-    // The logarithm of their volume of phase space at an energy, but for a constant: at the saddle
-    // point b, where their mean energy is that.
+    // The logarithm of their phase-space volume at an energy, up to a constant: evaluated at the
+    // saddle point b, at which their mean energy equals the given one.
     double log_volume(double energy) const {
         if (!(energy > 0.0)) return -std::numeric_limits<double>::infinity();
         const auto excess = [&](double b) {
@@ -91,14 +91,14 @@ namespace {
 
 constexpr std::size_t most_kinds = 20;
 
-// The particles by what the law says of them: by mass, and by how far they can fall.
+// The particles grouped into kinds that share one law: by mass, and by how far they can fall.
 struct Falling {
     double energy = 0.0;
     std::vector<FallingKind> kinds = {};
     std::vector<std::size_t> kind_of = {};  // of each particle
 };
 
-// `drift`: the velocity that they keep as a whole.
+// `drift`: the conserved velocity of the centre of mass.
 Falling falling(const Box& box, const Particles& particles, const Sample& start, int axis,
                 const Eigen::ArrayXd& drift) {
     const double gravity = box.surfaces.gravity[axis], size = box.size[axis];
@@ -134,7 +134,8 @@ std::vector<std::vector<double>> barometric_densities(
     const Box& box, const Particles& particles, const Sample& start, int axis, const Cells& slabs,
     const std::vector<std::vector<Eigen::Index>>& groups) {
     if ((particles.inverse_mass == 0.0).any()) return {};
-    // What they keep along the other axis is neither energy nor freedom that they share.
+    // The motion of the centre of mass along the other axis is conserved: it takes no part in the
+    // energy and the degrees of freedom that the particles share.
     const bool is_joined = box.dimension == 2 && conserves_momentum(box, particles, 1 - axis);
     Eigen::ArrayXd drift = Eigen::ArrayXd::Zero(box.dimension);
     if (is_joined) drift[1 - axis] = momentum(particles, start)[1 - axis] / masses(particles).sum();

@@ -1,5 +1,5 @@
-// Where a particle of an ideal gas is in gravity, for any number of particles that share a fixed
-// energy: the barometric law, and what remains of it when they are few.
+// The height distribution of a particle of an ideal gas in gravity, for any number of particles
+// that share a fixed total energy: the barometric law and its corrections for few particles.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,34 +13,41 @@
 
 namespace carom {
 
-/// Particles of one kind, between the lowest and the highest place that they reach.
+/// Particles of one kind, and the distance between the lowest and the highest position that their
+/// centres can reach.
 struct FallingKind {
     double mass = 1.0, count = 1.0;
     double height = 1.0;
 };
 
-/// The density of a particle at a height is proportional to the volume of phase space that is left
-/// to all others, which is found at the saddle point of its Laplace transform: in a column without
-/// a lid that is exact for any number, (1 - m g h / E)^(d N / 2 + N - 2) (Velasco, Roman and White
-/// 1996), under a lid it errs in the second order of 1/N. For many particles it is exp(-m g h / T).
+/// The probability density of a particle's height is proportional to the phase-space volume left to
+/// all other particles, which is evaluated at the saddle point of its Laplace transform. In a
+/// column without a lid this is exact for any number of particles,
+/// (1 - m g h / E)^(d N / 2 + N - 2) (Velasco, Roman and White 1996). Under a lid the error is of
+/// second order in 1/N. For many particles the density becomes exp(-m g h / T).
 class BarometricLaw {
   public:
-    /// `freedoms`: d N of the kinetic energy, less those of conserved momenta. `energy`: of all,
-    /// kinetic and potential, above that of all at rest in their lowest places. `kind`: which one.
+    /// `freedoms`: the degrees of freedom of the kinetic energy, d N less one for each conserved
+    /// momentum. `energy`: the total kinetic and potential energy, measured from the state with all
+    /// particles at rest in their lowest positions. `kind`: index in `kinds` of the particle that
+    /// the law is for.
     BarometricLaw(double freedoms, double energy, double gravity,
                   const std::vector<FallingKind>& kinds, std::size_t kind);
 
-    /// The probability to be below a height.
+    /// The probability that the particle is below `height`, measured from the lowest position of
+    /// its kind.
     double share_below(double height) const;
 
   private:
-    double step_;                ///< of heights
-    std::vector<double> below_;  ///< the probability to be below each
+    double step_;                ///< between tabulated heights
+    std::vector<double> below_;  ///< the probability to be below each tabulated height
 };
 
-/// Of each group of particles, in each of the slabs along an axis that gravity acts along, for an
-/// ideal gas with the energy of a sample. Empty where it has none: with infinite masses, fewer than
-/// three degrees of freedom or more than twenty kinds of particles.
+/// The expected density of each group of particles in each slab, for an ideal gas with the energy
+/// of the sample `start`; the slabs lie side by side along `axis`, along which gravity acts.
+/// Indexed [group][slab]; number of particles per area. Empty where there is no such law: with
+/// infinite masses, energy not above 0, fewer than three degrees of freedom or more than twenty
+/// kinds of particles.
 std::vector<std::vector<double>> barometric_densities(
     const Box& box, const Particles& particles, const Sample& start, int axis, const Cells& slabs,
     const std::vector<std::vector<Eigen::Index>>& groups);

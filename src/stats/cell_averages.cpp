@@ -79,13 +79,13 @@ CellAverages::Point CellAverages::at(const Sample& sample, Eigen::Index i) const
     return point;
 }
 
-// Of all time in one.
+// Without a window there is a single slice for all time.
 std::int64_t CellAverages::slice_number(double time) const {
     if (!wanted_.window) return 0;
     return static_cast<std::int64_t>(std::floor(time * slices_of_window / *wanted_.window));
 }
 
-// None beyond sides that move.
+// -1 for a position outside the cells, as it can be with sides that move.
 Eigen::Index CellAverages::cell_at(const Eigen::Array2d& place) const {
     std::array<Eigen::Index, 2> at{0, 0};
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
@@ -113,7 +113,8 @@ void CellAverages::see(const Sample& sample, std::span<const Collision> collisio
     const bool is_moment = wanted_.window == 0.0;
     const bool integrates = !is_first_ && !is_moment && until > from_;
     if (integrates && wanted_.window) {
-        // Whole slices only: what is older than the first is not looked at.
+        // Only whole slices count: the start of the window is rounded to the edge of a slice, and
+        // what is older is skipped.
         const double length = *wanted_.window / slices_of_window;
         start_ = static_cast<double>(slice_number(start_ + 0.5 * length)) * length;
         while (!slices_.empty() && slices_.front().number < slice_number(start_ + 0.5 * length))
@@ -125,7 +126,7 @@ void CellAverages::see(const Sample& sample, std::span<const Collision> collisio
     });
     if (integrates) {
         if (wanted_.temperature) add_temperatures();
-        // The time itself, of each slice.
+        // Adds the time that has passed to each slice.
         for (double time = std::max(from_, start_); time < until;) {
             double end = until;
             if (wanted_.window)
@@ -157,7 +158,8 @@ void CellAverages::fly(const PathPiece& piece) {
     if (to > time) stay(piece, time, to);
 }
 
-// The times at which it goes from cell to cell, and from slice to slice.
+// Adds the times at which the particle passes from cell to cell, or time passes from slice to
+// slice.
 void CellAverages::add_crossings(const PathPiece& piece, double from, double to) {
     const auto add = [&](double after) {
         const double time = piece.from + after;
@@ -201,7 +203,7 @@ void CellAverages::add_crossings(const PathPiece& piece, double from, double to)
 
 void CellAverages::stay(const PathPiece& piece, double from, double to) {
     const double span = to - from, middle = 0.5 * (from + to) - piece.from;
-    const Eigen::Array2d velocity = piece.velocity_after(middle);  // its mean, too
+    const Eigen::Array2d velocity = piece.velocity_after(middle);  // also the mean
     const Eigen::Index cell = cell_at(piece.place_after(middle));
     if (cell < 0) return;
     CellSums& sums = slice_at(0.5 * (from + to));
@@ -217,8 +219,8 @@ void CellAverages::stay(const PathPiece& piece, double from, double to) {
 
 namespace {
 
-// Of the particles in a cell, in a frame that falls since a time: only those that lie on a floor
-// are accelerated in it.
+// Moments of the particles in a cell, in a frame that has been in free fall since a given time: in
+// this frame only particles that lie on a floor are accelerated.
 struct CellMotion {
     int count = 0;
     double mass = 0.0, squares = 0.0, products = 0.0, squares_gained = 0.0;
@@ -234,12 +236,13 @@ struct CellMotion {
         squares_gained += its * acceleration.square().sum();
     }
 
-    // Twice the energy of the motion about their centre of mass.
+    // Twice the kinetic energy of the motion relative to their centre of mass.
     double thermal(double time) const {
         const double all = squares + time * (2.0 * products + time * squares_gained);
         return std::max(0.0, all - (momentum + time * force).square().sum() / mass);
     }
-    // Its integral: constant where all fall alike, else a parabola.
+    // The integral of thermal() over time: its integrand is constant where all particles fall
+    // alike, otherwise a parabola (Simpson's rule is exact).
     double thermal(double from, double to) const {
         const double first = thermal(from);
         if (squares_gained == 0.0) return (to - from) * first;
@@ -249,7 +252,7 @@ struct CellMotion {
 
 }  // namespace
 
-// Through all comings and goings of each cell, in order of time.
+// Goes through all entries and exits of particles, cell by cell, in order of time.
 void CellAverages::add_temperatures() {
     struct Change {
         Eigen::Index cell;

@@ -1,5 +1,6 @@
-// What particles do in the cells of a box, averaged over a while: how many are there, how fast, and
-// how hot. Times of residence are exact, by free flights between collisions; nothing is sampled.
+// Averages over time of the particles in the cells of a box: their number, mean speed and velocity,
+// and temperature. The times that particles spend in cells are exact, computed from the free
+// flights between collisions, not from samples.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,36 +17,39 @@
 
 namespace carom {
 
-/// Equal cells that cover a box, or a line: numbered along x first, from the lower left.
+/// Equal cells that cover a box, in one or two dimensions: numbered along x first, from the lower
+/// left.
 struct Cells {
     Eigen::Array2i count{1, 1};
-    Eigen::Array2d size{1.0, 1.0};  ///< of one; along y of a line 1
-    Eigen::Array2d box{1.0, 1.0};   ///< of all
+    Eigen::Array2d size{1.0, 1.0};  ///< of one cell; along y 1 in one dimension
+    Eigen::Array2d box{1.0, 1.0};   ///< of the whole grid
 
     Eigen::Index all() const { return Eigen::Index{count[0]} * count[1]; }
-    double area() const { return size.prod(); }  ///< of a line a length
+    double area() const { return size.prod(); }  ///< a length in one dimension
     Region region(Eigen::Index cell) const;
 };
 
-/// So many along the longer side of a box, as square as that allows.
+/// `along_longer` cells along the longer side of the box, and as many along the other as make them
+/// most nearly square.
 Cells square_cells(const Box& box, int along_longer);
 
-/// So many side by side along an axis.
+/// `count` slabs side by side along an axis.
 Cells slabs(const Box& box, int axis, int count);
 
-/// Sums over the particles in each cell, integrated over time; of a moment, sums.
+/// Sums over the particles in each cell, integrated over time; for a single moment the plain sums.
 struct CellSums {
-    double time = 0.0;               ///< that was integrated over; of a moment 1
-    Eigen::ArrayXd particles;        ///< their number
+    double time = 0.0;               ///< length of the integration; 1 for a single moment
+    Eigen::ArrayXd particles;        ///< number of particles
     Eigen::ArrayXd speed;            ///< of |v|
     Eigen::ArrayXXd velocity;        ///< a column for each axis
-    Eigen::ArrayXd thermal_energy;   ///< of m (v - u)^2, u the velocity of the centre of mass of
-                                     ///< those that are in the cell at that moment
-    Eigen::ArrayXd thermal_freedom;  ///< of n - 1, where there are n > 0 of finite mass
+    Eigen::ArrayXd thermal_energy;   ///< sum of m (v - u)^2, u being the velocity of the centre of
+                                     ///< mass of the particles that are in the cell at that time
+    Eigen::ArrayXd thermal_freedom;  ///< of n - 1, for n > 0 particles of finite mass in the cell
 
-    /// Each cell's mean number, and the mean of the others over its particles. The temperature is
-    /// thermal energy over freedom and dimension: without bias for any number in the cell and
-    /// any time. NaN where there is nothing to divide by.
+    /// The mean number of particles in each cell, and the means of the other quantities per
+    /// particle. The temperature is the thermal energy divided by thermal freedom and dimension, an
+    /// unbiased estimate for any number of particles in the cell and any time. NaN where the
+    /// divisor is 0.
     Eigen::ArrayXd mean_particles() const { return particles / time; }
     Eigen::ArrayXd mean_speed() const { return speed / particles; }
     Eigen::ArrayXXd mean_velocity() const { return velocity.colwise() / particles; }
@@ -56,30 +60,31 @@ struct CellSums {
     }
 };
 
-/// Follows a run.
+/// Accumulates the cell averages of a run.
 class CellAverages {
   public:
-    /// Which particles, and over what.
+    /// Which particles are averaged, over which time, and what is computed.
     struct Wanted {
-        std::vector<bool> members = {};     ///< of all particles; empty: all of them
-        std::optional<double> window = {};  ///< time before the present, 0: the present alone;
-                                            ///< none: since the start
-        bool temperature = false;           ///< otherwise it is left out, which is faster
+        std::vector<bool> members = {};     ///< one flag for each particle; empty: all of them
+        std::optional<double> window = {};  ///< length of time before the present; 0: the present
+                                            ///< moment only; none: all since the start
+        bool temperature = false;  ///< whether temperatures are computed; without them it is faster
     };
 
     CellAverages(const Box& box, const Particles& particles, const Cells& cells, Wanted wanted,
                  std::vector<double> velocity_changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before. Throws
-    /// CollisionError for a particle that goes through a million cells between two of them, as it
-    /// can in a periodic box.
+    /// Takes the next sample. Samples must come in order of time, each with all collisions since
+    /// the previous one. Throws CollisionError if a particle crosses more than a million cells
+    /// between two collisions or samples, as it can in a periodic box.
     void see(const Sample& sample, std::span<const Collision> collisions);
 
-    /// Over the window, to a thirty-second of it; over what has passed where that is less. Of the
-    /// moment where no time has passed. After the first see().
+    /// The sums over the window, whose start is resolved to 1/32 of its length, or over the whole
+    /// time so far if that is shorter. Sums of the last sample alone where no time has passed or
+    /// the window is 0. Requires a call of see().
     CellSums sums() const;
 
-    /// Writes or reads all that was seen; what is wanted is not part of it.
+    /// Writes or reads the accumulated state; `wanted` is not part of it.
     void archive(auto& archive) { archive(paths_, slices_, moment_, is_first_, from_); }
 
   private:
@@ -87,12 +92,12 @@ class CellAverages {
         double time = 0.0;
         Eigen::Array2d place{0.0, 0.0}, velocity{0.0, 0.0};
     };
-    /// A stay of a particle in a cell.
+    /// An interval of time that a particle spends in a cell.
     struct Stay {
         Eigen::Index cell;
         double from, to;
-        Eigen::Array2d velocity;      ///< at `from_`, had it been on this path then
-        Eigen::Array2d acceleration;  ///< less gravity
+        Eigen::Array2d velocity;      ///< extrapolated along this path to the time `from_`
+        Eigen::Array2d acceleration;  ///< minus gravity
         double mass;
     };
     struct Slice {
@@ -122,11 +127,11 @@ class CellAverages {
     Eigen::Array2d gravity_{0.0, 0.0};
     std::deque<Slice> slices_;
     CellSums moment_;
-    bool is_first_ = true;         ///< nothing has been seen
-    double from_ = 0.0;            ///< the time of the sample before
+    bool is_first_ = true;         ///< no sample has been seen
+    double from_ = 0.0;            ///< time of the previous sample
     double start_ = 0.0;           ///< of the window
     std::vector<double> crossed_;  ///< scratch: times
-    std::vector<Stay> stays_;      ///< since the sample before
+    std::vector<Stay> stays_;      ///< since the previous sample
 };
 
 }  // namespace carom

@@ -6,7 +6,7 @@
 namespace carom {
 
 void Displacements::fly(Eigen::Index particle, double time, const Eigen::Array2d& after) {
-    if (time < time_[particle]) return;  // on the way to the first sample
+    if (time < time_[particle]) return;  // a collision before the first sample
     moved_.row(particle) += (time - time_[particle]) * velocity_.row(particle);
     time_[particle] = time;
     velocity_.row(particle) = after.head(velocity_.cols()).transpose();
@@ -31,7 +31,8 @@ Eigen::ArrayXXd Displacements::operator()(const Sample& sample,
     moved_ += velocity_.colwise() * (sample.time - time_);
     time_ = sample.time;
     velocity_ = sample.velocity;
-    // Straight flights give the number of turns around the box, positions all digits.
+    // The straight flights determine only how often a particle has gone around the periodic box;
+    // the positions supply the displacement to full precision.
     for (Eigen::Index axis = 0; axis < moved_.cols(); ++axis) {
         const Eigen::ArrayXd inside = position.col(axis) - start_.col(axis);
         const double period = box_.is_periodic(axis) ? box_.size[axis] : 0.0;

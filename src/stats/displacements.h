@@ -1,5 +1,5 @@
-// How far particles have come since a time, on through periodic sides, and the straight line that
-// fits a growth.
+// The displacements of particles since a given time, continued through periodic sides, and the
+// least-squares straight line through points.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@ class Displacements {
   public:
     Displacements(const Box& box, double from) : box_(box), from_(from) {}
 
-    /// N x d, of a sample; all samples in order, with the collisions on the way. NaN before the
-    /// time.
+    /// Returns the displacements at a sample, N x d; NaN before the start time. Must be called for
+    /// all samples in order of time, each with the collisions since the previous one.
     Eigen::ArrayXXd operator()(const Sample& sample, std::span<const Collision> collisions);
 
   private:
@@ -34,7 +34,7 @@ struct LineFit {
     double at(double x) const { return mean_y + slope * (x - mean_x); }
 };
 
-/// Of as many values of each; the slope is finite if two of x differ.
+/// `x` and `y` must be of equal length; the slope is finite if at least two values of x differ.
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// The entropy of a gas for each particle, counted over cells: of velocities, which is Boltzmann's
-// -H, and of positions.
+// The entropy per particle of a gas, from counts in cells: of the velocities (Boltzmann's -H) and
+// of the positions.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,21 +12,21 @@
 namespace carom {
 
 /// -sum p ln p, averaged over the particles of finite mass, where p is the share of a kind's
-/// particles in a cell of velocity; dimensionless. It is 0 when all of a kind move alike, and
-/// rises to what the same count gives in equilibrium. Kinds are those of kinds_of(): species have
-/// no part in it.
+/// particles in a velocity cell; dimensionless. It is 0 when all particles of a kind move alike,
+/// and rises to the value that the same counting gives in equilibrium (in_equilibrium()). Kinds are
+/// those of kinds_of(): the species does not matter.
 class VelocityEntropy {
   public:
-    /// Cells are of equal size in velocities measured in thermal ones, sqrt(T / m), at the
-    /// temperature of `start`, which is above 0; what lies beyond four of them belongs to the
-    /// outermost cells.
+    /// The cells are of equal size in units of the thermal velocity sqrt(T / m), at the temperature
+    /// of `start`, which must be above 0. Velocity components beyond four thermal velocities fall
+    /// into the outermost cells.
     VelocityEntropy(const Particles& particles, const ThermalMotion& start);
 
-    /// Of velocities, N x dimension.
+    /// The entropy of these velocities, N x dimension.
     double of(const Eigen::ArrayXXd& velocity) const;
 
-    /// The mean of the same for velocities that are spread evenly over the energy sphere, in so
-    /// many dimensions: what counting leaves of equilibrium's.
+    /// The mean entropy of velocities distributed uniformly over the energy sphere, in `dimension`
+    /// dimensions: the equilibrium value that counting in cells gives for this number of particles.
     double in_equilibrium(int dimension) const;
 
   private:
@@ -38,20 +38,21 @@ class VelocityEntropy {
     int cells_per_axis_;
 };
 
-/// -sum p ln p over the particles of finite mass, p the share of them in a cell of the box;
+/// -sum p ln p, where p is the share of the particles of finite mass that are in a cell of the box;
 /// dimensionless. Particles that spread over a K times larger area gain ln K.
 class PositionEntropy {
   public:
-    /// `along_longer`: how many cells are along the longer side; none: as many as leave about five
-    /// particles in each, an even number.
+    /// `along_longer`: the number of cells along the longer side; if empty, the even number that
+    /// leaves about five particles in each cell.
     PositionEntropy(const Box& box, const Particles& particles, std::optional<int> along_longer);
 
-    /// Of positions, N x dimension. What is beyond sides that have moved belongs to the outermost
-    /// cells.
+    /// The entropy of these positions, N x dimension. Positions beyond sides that have moved count
+    /// in the outermost cells.
     double of(const Eigen::ArrayXXd& position) const;
 
-    /// The mean of the same for points that are spread evenly over the whole box: what counting
-    /// leaves of ln(cells). The exact sum over the binomial distribution.
+    /// The mean entropy of points distributed uniformly over the whole box: the value below
+    /// ln(cells) that counting a finite number of points gives. Computed exactly, as a sum over the
+    /// binomial distribution.
     double of_even_spread() const;
 
     const Cells& cells() const { return cells_; }

@@ -16,13 +16,14 @@ double beta_below(double a, double b, double x) {
     return x >= 1.0 ? 1.0 : Eigen::numext::betainc(a, b, x);
 }
 
-// Sums over all values below an edge, of one value: its chance, its energy, its momentum; of the
-// last two what is left when their means are taken away, in standard deviations.
+// Integrals of the distribution of one value up to an edge: of the probability, of the energy and
+// of the momentum; energy and momentum are standardised, i.e. relative to their means and in units
+// of their standard deviations.
 struct Below {
     double chance, energy, momentum;
 };
 
-// An energy's share u of the most it can be: Beta(a, b).
+// For u, an energy divided by the largest possible one: Beta(a, b) distributed.
 Below energies_below(double a, double b, double u) {
     const double mean = a / (a + b);
     const double deviation = std::sqrt(a * b / (a + b + 1.0)) / (a + b);
@@ -30,7 +31,7 @@ Below energies_below(double a, double b, double u) {
     return {chance, mean * (beta_below(a + 1.0, b, u) - chance) / deviation, 0.0};
 }
 
-// A component of velocity, of either sign, whose energy has a share of that kind with a = 1/2.
+// For a component of velocity of either sign; its share of the energy is Beta(1/2, b) distributed.
 Below velocities_below(double b, double root) {
     const double u = root * root;
     const double side = root < 0.0 ? -1.0 : 1.0;
@@ -70,7 +71,7 @@ Expected pooled(const Expected& expected, std::vector<double>& observed) {
             some.conserved[c].moment.back() += expected.conserved[c].moment[k];
         opens = some.count.back() >= least_expected;
     }
-    if (!opens && some.count.size() > 1) {  // what is left at the end joins its neighbour
+    if (!opens && some.count.size() > 1) {  // the rest at the end joins its neighbour
         const auto join = [](std::vector<double>& list) {
             const double last = list.back();
             list.pop_back();
@@ -84,9 +85,9 @@ Expected pooled(const Expected& expected, std::vector<double>& observed) {
     return some;
 }
 
-// With conserved sums given, the statistic is a sum of squares of independent normal numbers with
-// these variances, from the least on, and with 1 for all others: 1 less the parts of the sums that
-// the classes see.
+// With fixed conserved sums, the statistic is a sum of squares of independent normal variables.
+// Returns the variances below 1, smallest first: 1 less the parts of the sums that the classes
+// resolve. All other variances are 1.
 std::vector<double> lesser_weights(const Expected& expected) {
     const auto sums = static_cast<Eigen::Index>(expected.conserved.size());
     const auto classes = static_cast<Eigen::Index>(expected.count.size());
@@ -100,7 +101,8 @@ std::vector<double> lesser_weights(const Expected& expected) {
                          std::sqrt(std::min(1.0, one.share) / (expected.count[at] * one.values));
         }
     }
-    // There are as many parts as sums or, if these are fewer, as classes.
+    // The number of parts is the smaller of the numbers of sums and of classes; the smaller matrix
+    // of products is used.
     const Eigen::MatrixXd products =
         sums <= classes ? Eigen::MatrixXd(seen.transpose() * seen) : seen * seen.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(products, Eigen::EigenvaluesOnly);
@@ -116,8 +118,9 @@ double chi_squared_tail(double statistic, double freedom) {
     return Eigen::numext::igammac(0.5 * freedom, 0.5 * statistic);
 }
 
-// The first of the weighted squares is taken out: over its normal number z = most * sin(angle) the
-// integrand goes on evenly beyond both ends, where the rule of trapezoids is at its best.
+// Integrates over the normal variable z of the first weighted square and calls itself for the rest.
+// With z = most * sin(angle) the integrand continues smoothly beyond both ends, where the
+// trapezoidal rule is most accurate.
 double weighted_tail(double statistic, double freedom, std::span<const double> weights) {
     if (statistic <= 0.0) return 1.0;
     if (weights.empty()) return freedom > 0.0 ? chi_squared_tail(statistic, freedom) : 0.0;
@@ -132,7 +135,7 @@ double weighted_tail(double statistic, double freedom, std::span<const double> w
     const double far = weight < 1.0 ? 10.0 / std::sqrt(1.0 - weight) : whole;
     const double most = std::min(far, whole);
     double sum = 0.0;
-    for (int i = 0; i < steps; ++i) {  // at the last end the integrand is 0
+    for (int i = 0; i < steps; ++i) {  // at the upper end the integrand is 0
         const double angle = 0.5 * std::numbers::pi * i / steps;
         const double z = most * std::sin(angle);
         const double rest = weighted_tail(statistic - weight * z * z, freedom, others);

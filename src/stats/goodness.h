@@ -1,5 +1,6 @@
-// Goodness of fit: whether counts in classes are what an equilibrium gives, by Pearson's
-// chi-squared test, for values that conservation laws tie together. Knows no bars and no words.
+// Goodness of fit: Pearson's chi-squared test of whether counts in classes agree with an
+// equilibrium distribution, for values that are correlated by conservation laws. Independent of how
+// histograms are drawn and described.
 #pragma once
 
 #include <optional>
@@ -10,61 +11,67 @@
 
 namespace carom {
 
-/// The chance of more than `statistic` in a chi-squared distribution with `freedom` degrees of
-/// freedom, which need not be whole. Both positive.
+/// The probability that a chi-squared variable with `freedom` degrees of freedom (not necessarily
+/// an integer) exceeds `statistic`. Both must be positive.
 double chi_squared_tail(double statistic, double freedom);
 
-/// The same for a chi-squared distribution of `freedom` degrees, none included, and squares of
-/// further normal numbers times `weights`, not negative. Accurate to 1e-3 of itself or better.
+/// The same tail probability for the sum of a chi-squared variable of `freedom` degrees of freedom
+/// (0 is allowed) and squares of further standard normal variables, each times one of `weights`
+/// (not negative). Relative error 1e-3 or less.
 double weighted_tail(double statistic, double freedom, std::span<const double> weights);
 
-/// A sum over all particles that never changes, as far as the counted values have a part in it.
+/// A conserved sum over all particles, such as the energy, described by its relation to the counted
+/// values.
 struct Conserved {
     std::vector<double> moment;  ///< for each class: the expected sum, over the values in it, of
-                                 ///< the conserved thing, brought to mean 0 and variance 1
-    double share = 0.0;          ///< of these values in the variance of the whole sum
-    double values = 0.0;         ///< how many there are
+                                 ///< the conserved quantity, standardised to mean 0 and variance 1
+    double share = 0.0;          ///< share of the counted values in the variance of the whole sum
+    double values = 0.0;         ///< number of counted values
 };
 
-/// What is expected of counts in classes.
+/// The expected counts in classes, and the conserved sums that correlate them.
 struct Expected {
     std::vector<double> count;
     std::vector<Conserved> conserved;
 };
 
-/// Of the sums of counts in the same classes of independent runs, each with conserved sums of its
-/// own. That their distributions differ is left out: of N particles it changes the variances by
-/// their Nth part, as do the energies' correlations of higher order, which are left out too, and
-/// with energies drawn by Boltzmann's distribution the two have opposite signs.
+/// The expectation for counts summed over independent runs with the same classes, each with its own
+/// conserved sums. Two effects are neglected, each a relative change of order 1/N of the variances
+/// for N particles: the distributions differ from run to run, and energies have correlations of
+/// higher order. For energies drawn from the Boltzmann distribution the two effects have opposite
+/// signs.
 Expected together(const std::vector<Expected>& runs);
 
 enum class TestedQuantity { speed, energy, velocity };
 
-/// What is expected of `particles` particles of one mass, `values_each` components of velocity of
-/// each of them, in the classes below the first of some rising edges, between them and from the
-/// last on. Exact for a finite gas: energy shares are Beta distributed (see theory.h).
+/// The expected counts for `particles` particles of one mass, with `values_each` values (components
+/// of velocity) for each particle, in the classes that rising `edges` bound: below the first edge,
+/// between neighbouring edges, and from the last edge on. Exact for a finite gas: the shares of the
+/// energy are Beta distributed (see theory.h).
 Expected expected_counts(const EquilibriumGas& gas, TestedQuantity quantity,
                          const std::vector<double>& edges, double particles, double values_each);
 
 struct ChiSquared {
     double statistic = 0.0;
     double freedom = 0.0;  ///< degrees of freedom
-    double p = 1.0;        ///< the chance of a larger statistic
+    double p = 1.0;        ///< probability of a larger statistic
     int classes = 0;       ///< after pooling
 };
 
-/// What each class must have in Pearson's test after pooling, and how many there must be.
+/// The least expected count of each class in Pearson's test after pooling, and the least number of
+/// classes.
 inline constexpr double least_expected = 5.0;
 inline constexpr int fewest_classes = 3;
 
 /// Pearson's test. Neighbouring classes are pooled from the lowest on until at least 5 values are
-/// expected in each. The number of values is given, and so are the conserved sums: instead of a
-/// chi-squared distribution of (classes - 1) degrees the statistic has that of a sum of squares of
-/// which as many as there are sums weigh less than 1, by the part of each that the classes see
-/// (compare Chernoff and Lehmann 1954, doi:10.1214/aoms/1177728726). Of more than two such weights
-/// the two least are taken as they are, the others by their sum. Degrees of freedom are the mean of
-/// this distribution, the sum of the weights; p is its tail. Nothing where fewer than three
-/// classes are left.
+/// expected in each. The number of values is fixed, and so are the conserved sums. Instead of a
+/// chi-squared distribution of (classes - 1) degrees of freedom, the statistic therefore follows
+/// that of a sum of (classes - 1) squared normal variables, in which as many as there are conserved
+/// sums have a weight below 1: 1 less the part of each sum that the classes resolve (compare
+/// Chernoff and Lehmann 1954, doi:10.1214/aoms/1177728726). If there are more than two such
+/// weights, the two smallest are treated exactly and the others through their sum. The degrees of
+/// freedom are the mean of this distribution, the sum of the weights; p is its tail probability.
+/// Returns nothing if fewer than three classes are left.
 std::optional<ChiSquared> pearson(const std::vector<double>& observed, const Expected& expected);
 
 }  // namespace carom

@@ -14,10 +14,10 @@ constexpr std::int64_t most_fine_bins = 100'000;
 
 }  // namespace
 
-// At least a thousand bins up to the largest value of the first sample, at most ten thousand.
+// The largest value of the first sample spans at least a thousand and at most ten thousand bins.
 void GrowingHistogram::make_room(double largest) {
     if (!(largest > 0.0) || !std::isfinite(largest)) return;
-    constexpr int least_exponent = -300;  // below, powers of ten lose their digits
+    constexpr int least_exponent = -300;  // smaller powers of ten lose digits
     if (!has_scale_)
         set_exponent(
             std::max(least_exponent, static_cast<int>(std::floor(std::log10(largest))) - 3));
@@ -55,14 +55,14 @@ void GrowingHistogram::set_exponent(int exponent) {
     bins_per_unit_ = std::pow(10.0, -exponent);
 }
 
-// A decimal number to the last digit: 3 bins of 0.1 end at 0.3.
+// Accurate to the last digit of the decimal number: 3 bins of 0.1 end at 0.3.
 double GrowingHistogram::edge(std::int64_t bin) const {
     const auto count = static_cast<double>(bin);
     return exponent_ < 0 ? count / bins_per_unit_ : count * width_;
 }
 
 std::int64_t GrowingHistogram::bin_of(double value) const {
-    // Of at most 10^5 bins: farther from an edge than any rounding error.
+    // With at most 10^5 bins this distance from an edge exceeds any rounding error.
     constexpr double clear = 1e-9;
     const double place = value * bins_per_unit_;
     auto bin = static_cast<std::int64_t>(place);
@@ -79,7 +79,7 @@ std::vector<std::int64_t> GrowingHistogram::fine_counts() const {
     return counts;
 }
 
-// To within a fine bin.
+// Accurate to the width of a fine bin.
 double GrowingHistogram::quantile(const std::vector<std::int64_t>& fine, double total,
                                   double share) const {
     const double wanted = share * total;
@@ -92,7 +92,7 @@ double GrowingHistogram::quantile(const std::vector<std::int64_t>& fine, double 
     return edge(static_cast<std::int64_t>(bin)) + within * width_;
 }
 
-// The least of 1, 2, 5, 10, 20, ... fine bins that is as wide.
+// The smallest of 1, 2, 5, 10, 20, ... fine bins that together are at least `width` wide.
 std::int64_t GrowingHistogram::bins_together(double width) const {
     const double fine = width / width_;
     for (std::int64_t decade = 1;; decade *= 10)

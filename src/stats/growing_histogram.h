@@ -1,6 +1,6 @@
-// A histogram of all values of a run, whose range nobody knows before its end: bins grow with the
-// values, none is lost, and memory stays the same however many there are. For the report of
-// `carom run`; see histogram.h for the others.
+// A histogram of all values of a run whose range is not known in advance: the bins widen as larger
+// values arrive, no value is lost, and the memory does not depend on the number of values. Used for
+// the report of `carom run`; see histogram.h for the other histograms.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,42 +11,44 @@ namespace carom {
 
 /// Counts between edges: bin k holds [edges[k], edges[k + 1]).
 struct BinnedCounts {
-    std::vector<double> edges;  ///< from 0, one more than counts
+    std::vector<double> edges;  ///< from 0 on; one more than there are counts
     std::vector<std::int64_t> counts;
 };
 
-/// Values are of at least 0; those that are infinite or no number are left out.
+/// Values must not be negative; infinite values and NaN are ignored.
 class GrowingHistogram {
   public:
     using Values = Eigen::Ref<const Eigen::ArrayXd>;
 
-    /// Makes the bins wide enough for a value. Those of one sample are counted after a single call
-    /// with their largest, so that the width does not depend on their order.
+    /// Widens the bins until they can hold the value `largest`. Call it once per sample with the
+    /// sample's largest value before counting, so that the width does not depend on the order of
+    /// the values.
     void make_room(double largest);
 
     /// Counts values once.
     void add(const Values& values) { count(values, 0, 1); }
 
-    /// Counts values once in every sample from the next on, until replace() or hold_none().
+    /// Counts the values once in every following sample (see count_held()), until replace() or
+    /// hold_none().
     void hold(const Values& values) { count(values, 1, -samples_); }
 
-    /// Of the values that are held, others take the place of some.
+    /// Replaces some of the held values, `before`, by others, `after`.
     void replace(const Values& before, const Values& after) {
         count(before, -1, samples_);
         count(after, 1, -samples_);
     }
     void hold_none();
 
-    /// A sample: all that is held is counted once.
+    /// Completes a sample: counts all held values once.
     void count_held() { ++samples_; }
 
-    /// All counts in bins of a round width (1, 2 or 5 times a power of ten): the least that is not
-    /// below Freedman and Diaconis' (1981), 2 IQR n^(-1/3), which is kept between 1/200 and 1/20 of
-    /// the largest value. One bin from 0 to 1 when there is no value above 0.
+    /// Returns all counts in bins of a round width (1, 2 or 5 times a power of ten): the smallest
+    /// that is not below the width by Freedman and Diaconis (1981), 2 IQR n^(-1/3), limited to
+    /// between 1/200 and 1/20 of the largest value. One bin from 0 to 1 if no value is above 0.
     BinnedCounts counts() const;
 
   private:
-    /// In a fine bin: counted are `offset`, and `held` for each sample.
+    /// The count of a fine bin is `offset` plus `held` times the number of samples.
     struct Bin {
         std::int64_t held = 0, offset = 0;
     };
@@ -60,7 +62,7 @@ class GrowingHistogram {
     double quantile(const std::vector<std::int64_t>& fine, double total, double share) const;
     std::int64_t bins_together(double width) const;
 
-    std::int64_t samples_ = 0;                  ///< so many calls of count_held()
+    std::int64_t samples_ = 0;                  ///< number of calls of count_held()
     bool has_scale_ = false;                    ///< set by the first value above 0
     int exponent_ = 0;                          ///< fine bins are 10^exponent_ wide
     double width_ = 1.0, bins_per_unit_ = 1.0;  ///< 10^exponent_ and 10^-exponent_

@@ -8,7 +8,7 @@ namespace carom {
 Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins) {
     Histogram result{bins, std::vector<std::int64_t>(static_cast<std::size_t>(bins.count)), 0, 0};
     const double scale = bins.count / (bins.high - bins.low);
-    // Of bins so narrow that the scale is infinite the quotient is not.
+    // If the bins are so narrow that the scale overflows to infinity, the quotient is still finite.
     const auto place = [&](double value) {
         return std::isfinite(scale) ? (value - bins.low) * scale
                                     : (value - bins.low) / (bins.high - bins.low) * bins.count;

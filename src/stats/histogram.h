@@ -1,6 +1,6 @@
-// Histograms with fixed edges, and the rule that chooses the edges. Here one set of values is
-// counted; RunningHistogram has the mean of such counts over the samples of a window, and
-// GrowingHistogram finds its own edges while it counts.
+// Histograms with fixed edges, and the rule that chooses the edges. Histogram counts one set of
+// values; RunningHistogram averages such counts over the samples of a window, and GrowingHistogram
+// finds its own edges while it counts.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,8 +18,8 @@ struct Bins {
     void archive(auto& archive) { archive(low, high, count); }
 };
 
-/// Counts of values in bins; those outside are counted apart: the three always add up to the number
-/// of values.
+/// Counts of values in bins, below them and above them; the three always add up to the number of
+/// values.
 struct Histogram {
     Bins bins;
     std::vector<std::int64_t> counts;  ///< one for each bin
@@ -27,16 +27,16 @@ struct Histogram {
     void archive(auto& archive) { archive(bins, counts, below, above); }
 };
 
-/// Bins values: bin k holds [edge(k), edge(k + 1)), the last its upper edge too. NaN counts as
-/// above.
+/// Counts values in bins: bin k holds [edge(k), edge(k + 1)), the last bin also its upper edge. NaN
+/// counts as above.
 Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins);
 
-/// Width of the bins by Freedman and Diaconis (1981), 2 IQR n^(-1/3), for `n` values whose
-/// quartiles are `spread` apart.
+/// The bin width by Freedman and Diaconis (1981), 2 IQR n^(-1/3), for `n` values with the
+/// interquartile range (IQR) `spread`.
 double freedman_diaconis_width(double spread, double n);
 
-/// Number of bins of that width over [low, high] for samples of size `n` like `values`; within
-/// [fewest, most].
+/// The number of bins of that width over [low, high] for samples of size `n` distributed like
+/// `values`; at least `fewest` and at most `most`.
 int freedman_diaconis(const std::vector<double>& values, double n, double low, double high,
                       int fewest, int most);
 

@@ -10,7 +10,8 @@
 namespace carom {
 namespace {
 
-// Particles looked at in all audits of a run: half a second or so, whatever its size.
+// The number of particles checked for overlaps in a whole run: about half a second of work,
+// whatever the size of the gas.
 constexpr double most_audited = 2e6;
 
 std::optional<double> if_finite(double value) {
@@ -44,7 +45,7 @@ struct RunStatistics::Bodies {
 
     Eigen::Index count() const { return speed.size(); }
 
-    // To be called when the velocities and the species are there; `inverse` are the masses.
+    // To be called once `velocity` and `species` are set; `inverse` are the inverse masses.
     void complete(const Eigen::Ref<const Eigen::ArrayXd>& inverse) {
         const Eigen::ArrayXd square = velocity.square().rowwise().sum();
         mass = 1.0 / inverse;
@@ -84,8 +85,8 @@ void RunStatistics::see(const Sample& sample, const AdvanceResult& advanced) {
     see_velocities(sample, advanced, false);
 }
 
-// Of large gases not before half of all particles have collided: until then it is nearly the
-// same that would be seen.
+// In large gases positions are wanted again only after half of all particles have collided: until
+// then a check would find nearly the same as before.
 bool RunStatistics::wants_positions(const AdvanceResult& advanced) const {
     constexpr std::int64_t particles_a_collision = 4;
     if (audited_ == 0 || samples_between_audits_ == 1) return true;
@@ -142,7 +143,7 @@ bool RunStatistics::see_changes(double time, std::span<const VelocityChange> cha
     return true;
 }
 
-// All particles anew. In blocks, which stay in the processor's caches.
+// Recomputes the sums from all particles, in blocks that fit the processor's caches.
 void RunStatistics::tally(const Sample& sample, bool is_followed) {
     if (is_followed_) {
         speeds_.hold_none();
@@ -200,8 +201,8 @@ void RunStatistics::tally(const Bodies& bodies) {
     }
 }
 
-// As thermal_motion(), by what is known of the present sample: the kinetic energy less that of the
-// drift. None where so much is taken away that digits are lost.
+// Like thermal_motion(), computed from the sums of the present sample: the kinetic energy less that
+// of the drift. None if the drift is so large that the difference would lose digits.
 std::optional<ThermalMotion> RunStatistics::present_motion() const {
     constexpr double most_drift = 1.0 / 16.0;
     ExactSum all;
@@ -224,7 +225,7 @@ void RunStatistics::finish(double time, const ThermalMotion& motion,
     last_.momentum.resize(box_.dimension);
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
         last_.momentum[axis] = momentum_[static_cast<std::size_t>(axis)].value();
-    // Each sample is added up by itself: a sum of millions of terms would lose digits.
+    // Each sample is summed separately: a running sum of millions of terms would lose digits.
     for (std::size_t s = 0; s < sums_.size(); ++s) {
         energy.add(tallies_[s].energy);
         sums_[s].energy += tallies_[s].energy.value();

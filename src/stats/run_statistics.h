@@ -1,6 +1,6 @@
-// What a whole run was like, from its samples: means over time, histograms, and how well the
-// conserved quantities and the hardness of the particles were kept. Memory does not grow with the
-// number of samples.
+// Statistics of a whole run from its samples: means over time, histograms, and how well the
+// conserved quantities and the hardness of the particles were preserved. Memory does not grow with
+// the number of samples.
 #pragma once
 
 #include <array>
@@ -19,25 +19,25 @@
 
 namespace carom {
 
-/// One species: means over its particles and the samples.
+/// Means over the particles of one species and the samples.
 struct SpeciesMeans {
     std::int64_t count = 0;
-    std::optional<double> energy;  ///< nothing for an infinite mass that moves
+    std::optional<double> energy;  ///< none with an infinite mass that moves
     std::optional<double> speed;
 };
 
-/// Numbers without a meaning for this gas are absent: the energy with a moving infinite mass, the
-/// pressure on walls that are not there; where surfaces act, the error of the energy of the gas
-/// alone, and pressures that hold for a gas of one density only.
+/// Quantities that have no meaning for this gas are absent: the energy with a moving infinite mass,
+/// the pressure on walls if there are none; where surfaces act, the error of the energy of the gas
+/// alone, and pressures that hold only for a gas of uniform density.
 struct RunSummary {
     std::optional<double> energy_initial, energy_final;
     std::optional<double> largest_energy_error;  ///< over the samples, relative to the initial
                                                  ///< energy; 0 when that is 0
     std::vector<std::optional<double>> momentum_initial, momentum_final;  ///< by axis
-    double largest_overlap = 0.0;           ///< at collisions and in samples (in large gases not in
-                                            ///< all of them), in units of the contact distance
-    std::optional<double> pressure_since;   ///< when its measurement begins
-    std::optional<double> wall_pressure;    ///< from when on the gas has had one
+    double largest_overlap = 0.0;  ///< at collisions and in samples (of large gases only in some
+                                   ///< samples), in units of the contact distance
+    std::optional<double> pressure_since;   ///< start of the measurement of `wall_pressure`
+    std::optional<double> wall_pressure;    ///< over the time since which the gas has had a single
                                             ///< pressure; a force in 1-D
     std::optional<double> virial_pressure;  ///< from time 0 to the end
     std::optional<double> temperature;      ///< mean over the samples (ThermalMotion)
@@ -45,46 +45,47 @@ struct RunSummary {
     BinnedCounts speeds, energies;  ///< of all particles in all samples
 };
 
-/// Sums over the particles of a sample are exact, rounded once: they are the same however a sample
-/// was given.
+/// Sums over the particles of a sample are exact and rounded only once: they do not depend on
+/// whether a sample was given whole or by its changes.
 class RunStatistics {
   public:
-    /// For a run of about `samples` samples; `species` is the number of species. The particles must
-    /// outlive it.
+    /// For a run of about `samples` samples with `species` species. The particles must outlive this
+    /// object.
     RunStatistics(const Box& box, const Particles& particles, int species, std::int64_t samples);
 
-    /// The next sample in order of time, and what happened by then.
+    /// Takes the next sample in order of time, and what has happened until then.
     void see(const Sample& sample, const AdvanceResult& advanced = {});
 
-    /// The same in parts. First, if they are wanted, the positions of the sample, which are looked
-    /// at for overlaps; no velocities need be there.
+    /// The same as see() in separate steps. First, if wants_positions(), the positions of the
+    /// sample, which are checked for overlaps; its velocities may be missing.
     bool wants_positions(const AdvanceResult& advanced) const;
     void see_positions(const Sample& sample, const AdvanceResult& advanced);
 
-    /// Then its velocities; no positions need be there. With `is_followed` the next ones may be
-    /// given by their changes.
+    /// Then its velocities; the positions may be missing. With `is_followed`, the next sample may
+    /// be given by its velocity changes (see_changes()).
     void see_velocities(const Sample& sample, const AdvanceResult& advanced, bool is_followed);
 
-    /// Or of its velocities all that differ from the sample before, which was followed or seen so,
-    /// too. False, and they are not seen, if they must be seen whole: the gas drifts faster than it
-    /// is hot.
+    /// Alternatively, all velocities that differ from the previous sample, which must have been
+    /// given with `is_followed` or by see_changes() itself. Returns false, and ignores the sample,
+    /// if it must be given whole by see_velocities(): the energy of the drift is too large a part
+    /// of the kinetic energy to be subtracted accurately.
     bool see_changes(double time, std::span<const VelocityChange> changes,
                      const AdvanceResult& advanced);
 
-    /// The statistics of all samples seen, at least one, the last of them at the end of the
-    /// `advanced`, which gives the impulses since time 0.
+    /// The statistics of all samples seen. Requires at least one sample; the last one must be at
+    /// the end of `advanced`, which gives the impulses since time 0.
     RunSummary summary(const AdvanceResult& advanced) const;
 
   private:
-    /// Of one species, over the samples.
+    /// Sums over the samples, for one species.
     struct Sums {
         double energy = 0.0, speed = 0.0;
     };
-    /// Of one species in the present sample.
+    /// Sums over the particles of one species in the present sample.
     struct Tally {
         ExactSum energy, speed;
     };
-    /// Some particles, of which the sums are made: one entry for each.
+    /// Some of the particles, to be added to the sums: one entry for each.
     struct Bodies;
     struct Totals {
         double energy = 0.0;
@@ -102,10 +103,10 @@ class RunStatistics {
     std::int64_t samples_between_audits_;
     std::int64_t seen_ = 0;
     std::int64_t audited_ = 0;              ///< samples whose positions were seen
-    std::int64_t collisions_at_audit_ = 0;  ///< that had happened by the last of these
+    std::int64_t collisions_at_audit_ = 0;  ///< number of collisions at the last of these
     double time_ = 0.0;                     ///< of the last sample
     bool worked_on_ = false;                ///< an infinite mass moves
-    bool is_followed_ = false;              ///< the last sample can be changed into the next
+    bool is_followed_ = false;              ///< the next sample may be given by its changes
     std::vector<Tally> tallies_;            ///< by species
     std::array<ExactSum, 2> momentum_;      ///< by axis
     double mass_ = 0.0;                     ///< of all
@@ -114,7 +115,7 @@ class RunStatistics {
     double largest_energy_error_ = 0.0;
     double largest_overlap_ = 0.0;
     double thermal_energy_ = 0.0;      ///< summed over the samples
-    double degrees_of_freedom_ = 0.0;  ///< that share it, of one sample
+    double degrees_of_freedom_ = 0.0;  ///< sharing this energy, in one sample
     std::vector<Sums> sums_;           ///< by species, over its particles and the samples
     std::vector<std::int64_t> counts_;
     GrowingHistogram speeds_, energies_;

@@ -67,7 +67,7 @@ void RunningHistogram::add_piece(double time, const Sampled& now) {
     if (window_) pieces_.push_back(std::move(piece));
 }
 
-// What rounding has left in the sums goes whenever all pieces have become older ones.
+// Rounding errors in the sums are cleared whenever all pieces have become older ones.
 void RunningHistogram::drop_first() {
     if (older_.empty()) {
         Moments from_here;
@@ -106,7 +106,7 @@ MeanHistogram RunningHistogram::mean() const {
         result.above = static_cast<double>(one.above);
         return result;
     }
-    // Less than this is what rounding leaves of what was taken away.
+    // A number below this is a rounding error left by subtraction.
     constexpr double none = 1e-12;
     const auto share = [&](double sum) {
         const double number = sum / sum_.weight;

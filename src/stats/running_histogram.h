@@ -1,6 +1,6 @@
-// The mean of histograms over time: of the present sample alone, of the time since the start, or of
-// a while before the present. With it the mean and deviation of the values. For the bars of the
-// histogram panels; see histogram.h for the others.
+// The mean of histograms over time: of the present sample only, over all time since the start, or
+// over a window before the present; together with the mean and standard deviation of the values.
+// Used for the bars of the histogram panels; see histogram.h for the other histograms.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,35 +12,36 @@
 
 namespace carom {
 
-/// Mean counts in bins over a time, and the moments of all finite values in it.
+/// Mean counts in bins over a time, and the mean and deviation of all finite values in it.
 struct MeanHistogram {
     Bins bins;
     std::vector<double> counts = {};  ///< one for each bin
     double below = 0.0, above = 0.0;
-    double mean = 0.0;       ///< of them; NaN where there are none
-    double deviation = 0.0;  ///< root of the mean square about the mean
+    double mean = 0.0;       ///< of all finite values; NaN if there are none
+    double deviation = 0.0;  ///< standard deviation: the root of the mean square about the mean
     void archive(auto& archive) { archive(bins, counts, below, above, mean, deviation); }
 };
 
 class RunningHistogram {
   public:
-    /// Means over time since the first sample, or over `window` before the last one; with a window
-    /// shorter than the time between samples, of the last one alone. Between two samples half of
-    /// the time counts for each (trapezoidal rule): more samples in some parts of the time do not
-    /// change the mean.
+    /// Averages over the time since the first sample, or over `window` before the last one; if the
+    /// window is shorter than the time between samples, only the last sample counts. The
+    /// trapezoidal rule weights samples (half of the time between two samples for each), so that
+    /// denser samples in some parts of the time do not change the mean.
     RunningHistogram(const Bins& bins, std::optional<double> window);
 
-    /// The next sample; times must not fall. Its cost does not grow with the window.
+    /// Takes the next sample; times must not decrease. The cost does not grow with the window.
     void add(double time, const Eigen::ArrayXd& values);
 
-    /// Of at least one sample. Its cost does not grow with the window.
+    /// The mean histogram; requires at least one sample. The cost does not grow with the window.
     MeanHistogram mean() const;
 
     /// Writes or reads the samples so far; bins and window are not part of it.
     void archive(auto& archive) { archive(pieces_, sum_, last_, time_, older_, newer_); }
 
   private:
-    // Sums that two sets of values add up to those of both (Chan, Golub and LeVeque 1983).
+    // Moments that can be combined: those of two sets of values give those of the union (Chan,
+    // Golub and LeVeque 1983).
     struct Moments {
         double count = 0.0, mean = 0.0, squares = 0.0;  ///< times weights
         void join(const Moments& other);
@@ -51,7 +52,7 @@ class RunningHistogram {
         Moments moments;
         void archive(auto& archive) { archive(histogram, moments); }
     };
-    // The time between two samples, with both.
+    // An interval between two samples, with the sums of both samples.
     struct Piece {
         double end = 0.0, weight = 0.0;
         Sampled both;
@@ -70,12 +71,14 @@ class RunningHistogram {
 
     Bins bins_;
     std::optional<double> window_;
-    std::deque<Piece> pieces_;  // of the window; none without one
+    std::deque<Piece> pieces_;  // the pieces in the window; empty without a window
     Sum sum_;                   // of all pieces that count
     Sampled last_;
     std::optional<double> time_;  // of the last sample
-    // Moments can be joined, not taken apart without loss: a queue of two stacks. Of the older
-    // pieces those from each one on, the first at the end; of the newer all together.
+    // Moments can be combined but not subtracted without loss, so the window is a queue made of two
+    // stacks. `older_` holds, for each older piece, the moments from that piece to the end of the
+    // older ones, with the oldest piece at the back; `newer_` holds the moments of all newer pieces
+    // together.
     std::vector<Moments> older_;
     Moments newer_;
 };

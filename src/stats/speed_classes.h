@@ -1,4 +1,4 @@
-// Slow, medium and fast: below 0.5, up to 1.5, and above 1.5 of a mean speed.
+// Speed classes: slow is below 0.5, medium from 0.5 to 1.5, and fast above 1.5 times a mean speed.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,12 +6,13 @@
 
 namespace carom {
 
-/// 0 slow, 1 medium, 2 fast, beside a mean speed (the bounds themselves are medium).
+/// The class of a speed relative to a mean speed: 0 slow, 1 medium, 2 fast (the bounds themselves
+/// are medium).
 inline int speed_class(double speed, double mean) {
     return speed < 0.5 * mean ? 0 : speed > 1.5 * mean ? 2 : 1;
 }
 
-/// The shares of slow, medium and fast among `speeds`, at least one; they add up to 1.
+/// The shares of slow, medium and fast among `speeds`, which must not be empty; they add up to 1.
 inline std::array<double, 3> class_shares(const Eigen::ArrayXd& speeds, double mean) {
     std::array<double, 3> counts{};
     for (const double speed : speeds)

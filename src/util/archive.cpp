@@ -8,7 +8,8 @@
 namespace carom {
 namespace {
 
-// "carom", a byte that no text holds, and what tells that line ends were not translated.
+// "carom", a byte that no text contains, and a line end that shows whether line ends were
+// translated.
 constexpr std::string_view signature{"carom\xff\r\n", 8};
 constexpr std::uint32_t version = 1;
 constexpr std::size_t fingerprint_size = 32;
@@ -72,7 +73,7 @@ void Archive::bytes(void* data, std::size_t size) {
     at_ += size;
 }
 
-// A wrong number must not make a list that no memory holds.
+// A corrupt size must not make the list larger than memory.
 std::size_t Archive::size_of(std::size_t size, std::size_t bytes) {
     auto whole = static_cast<std::uint64_t>(size);
     number(whole);

@@ -1,6 +1,6 @@
-// Values as bytes that another process can read back: numbers, text, lists and nested values, in
-// one order that writing and reading share. Little-endian; with a version, a length and a
-// fingerprint, so that what is cut short or changed is refused as a whole.
+// Serialises values to bytes that another process can read back: numbers, text, lists and nested
+// values, in one order shared by writing and reading. Little-endian; with a version, a length and a
+// fingerprint, so that truncated or modified data are refused as a whole.
 #pragma once
 
 #include <algorithm>
@@ -31,14 +31,14 @@ concept Archivable = requires(T& value, Archive& archive) {
     value.archive(archive);
 };
 
-/// A value whose parts are listed by a function beside it, `archive_parts(archive, value)`: for
-/// types of modules that know no archive.
+/// A value whose parts are listed by a free function, `archive_parts(archive, value)`: for types of
+/// modules that do not depend on this one.
 template <class T>
 concept PartsListed = requires(T& value, Archive& archive) {
     archive_parts(archive, value);
 };
 
-/// An array of Eigen's, dense and of any shape.
+/// A dense Eigen array or matrix of any shape.
 template <class T>
 concept MatrixLike = requires(T& value) {
     typename T::Scalar;
@@ -46,38 +46,39 @@ concept MatrixLike = requires(T& value) {
     value.data();
 };
 
-/// Writes values, or reads them back into values of the same types in the same order. Not for
-/// sharing between threads.
+/// Writes values, or reads them back into values of the same types in the same order. Not
+/// thread-safe.
 class Archive {
   public:
-    /// Writes; finished() gives the bytes.
+    /// Constructs an archive for writing; finished() returns the bytes.
     Archive() = default;
 
-    /// Reads `bytes`, as finished() gave them; `name` stands for them in messages. Throws
-    /// SystemError where they are of another kind or version, cut short, or changed.
+    /// Constructs an archive that reads `bytes`, as returned by finished(); messages call them
+    /// `name`. Throws SystemError if they are of another kind or version, truncated, or modified.
     Archive(std::string bytes, std::string name);
 
     bool is_reading() const { return reading_; }
 
-    /// Writes each of the values, or replaces each by what was written. Throws SystemError where
-    /// there is less to read than that.
+    /// Writes each of the values, or replaces each by the one that was written. Throws SystemError
+    /// if there are fewer bytes to read.
     template <class... T>
     void operator()(T&... values) {
         (value(values), ...);
     }
 
-    /// All that was written, behind a header: version, length, fingerprint.
+    /// Returns everything written, after a header with version, length and fingerprint.
     std::string finished() const;
 
-    /// Throws SystemError where something is left to read: it was written as another type.
+    /// Throws SystemError if bytes remain to be read: then values of other types were written.
     void expect_end() const;
 
-    /// Throws SystemError, naming the bytes, and `cause` as what is wrong with them.
+    /// Throws SystemError that names the bytes and says what is wrong with them, `cause`.
     [[noreturn]] void refuse(const std::string& cause) const;
 
   private:
     void bytes(void* data, std::size_t size);
-    /// What is read is refused where so many items, of `bytes` each at least, are not there.
+    /// Writes or reads the size of a list. A size that is read is refused if the remaining bytes
+    /// cannot hold that many items of at least `bytes` bytes each.
     std::size_t size_of(std::size_t size, std::size_t bytes = 1);
     std::size_t area_of(std::int64_t rows, std::int64_t columns, std::size_t bytes) const;
 
@@ -102,7 +103,7 @@ class Archive {
     template <class T>
     void value(T& its) {
         if constexpr (std::same_as<T, bool>) {
-            // What is read into may be uninitialized, and then no bool.
+            // When reading, the value may be uninitialised and hence not a valid bool.
             auto whole = reading_ ? std::uint8_t{0} : static_cast<std::uint8_t>(its);
             number(whole);
             its = whole != 0;
@@ -173,7 +174,8 @@ class Archive {
         items(list);
     }
 
-    // A wrong size must not take far more memory than there are bytes: a list grows as it is read.
+    // When reading, the list grows as its items are read, so that a wrong size cannot allocate far
+    // more memory than there are bytes.
     template <class List>
     void items(List& list) {
         constexpr std::size_t most_unread = 1024;
@@ -245,7 +247,7 @@ class Archive {
     bool reading_ = false;
     std::string name_;
     std::string content_;
-    std::size_t at_ = 0;  ///< of the content, what is read
+    std::size_t at_ = 0;  ///< position in the content while reading
 };
 
 }  // namespace carom

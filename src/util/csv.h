@@ -1,15 +1,16 @@
-// Fields of comma-separated values (RFC 4180), as every table of ours is written.
+// Fields of comma-separated values (RFC 4180), for all tables that the program writes.
 #pragma once
 
 #include <string>
 
 namespace carom {
 
-/// Text as a field: one with a comma, a quote or a line break stands in quotes, its quotes doubled.
+/// Returns text as a field: with a comma, a quote or a line break it is quoted, and its quotes are
+/// doubled.
 std::string csv_field(const std::string& text);
 
-/// A number with the fewest digits that give back every bit, at most 17 (of single precision 9),
-/// and a decimal point wherever the machine is.
+/// Returns a number with the fewest digits that reproduce every bit, at most 17 (9 in single
+/// precision), and a decimal point regardless of the locale.
 std::string csv_number(double value);
 std::string csv_number(float value);
 

@@ -21,7 +21,7 @@ std::string all_texts(const std::vector<Diagnostic>& diagnostics) {
     return text;
 }
 
-// Tabs stay tabs, so that the caret stands under its character at any tab width.
+// Tabs are kept, so that the caret is below its character at any tab width.
 std::string padding_up_to(const std::string& line, int column) {
     std::string padding;
     int position = 1;
@@ -33,7 +33,7 @@ std::string padding_up_to(const std::string& line, int column) {
     return padding;
 }
 
-// A line longer than a screen is cut to a piece around the place.
+// Cuts a line that is wider than a screen to a piece around the place.
 Diagnostic cut_to_screen(Diagnostic diagnostic) {
     constexpr int longest = 160;
     constexpr int kept_before = 60;
@@ -54,7 +54,7 @@ Diagnostic cut_to_screen(Diagnostic diagnostic) {
     return diagnostic;
 }
 
-// The line, numbered if it is one of a file, and the caret under it.
+// Returns the line, with its number if it is from a file, and the caret below it.
 std::string marked_line(const Diagnostic& whole) {
     const Diagnostic shown = cut_to_screen(whole);
     const SourceSpan& span = shown.span;

@@ -1,5 +1,5 @@
-// Messages about a user's input: where, what, and how to mend it.
-// Owns the value types and their text form; knows nothing of YAML or of the command line.
+// Messages about errors in a user's input: place, error, and how to correct it. Owns the value
+// types and their text form; independent of YAML and of the command line.
 #pragma once
 
 #include <initializer_list>
@@ -11,8 +11,9 @@
 
 namespace carom {
 
-/// A place in a text, 1-based; line 0 means the whole file, or a text without lines (the command
-/// line's), where `column` counts. `length` is in characters (code points).
+/// A place in a text; lines and columns count from 1. Line 0 means the whole file, or a text
+/// without lines such as a command line, where only `column` matters. `length` is in characters
+/// (code points).
 struct SourceSpan {
     std::string file;
     int line = 0;
@@ -25,7 +26,7 @@ struct SourceSpan {
 struct Diagnostic {
     SourceSpan span;
     std::string message;  ///< what was expected and what was found; lower case, no full stop
-    std::string hint;     ///< how to mend it; may be empty
+    std::string hint;     ///< how to correct it; may be empty
     std::string source_line;
 };
 
@@ -33,7 +34,7 @@ struct Diagnostic {
 /// when it is long), a caret, `hint: ...`; no trailing newline.
 std::string to_text(const Diagnostic& diagnostic);
 
-/// The user's input is wrong (exit code 2): all diagnostics found in one go.
+/// The user's input is wrong (exit code 2). Holds all diagnostics found at once.
 class SceneError : public std::runtime_error {
   public:
     explicit SceneError(std::vector<Diagnostic> diagnostics);
@@ -43,8 +44,8 @@ class SceneError : public std::runtime_error {
     std::vector<Diagnostic> diagnostics_;
 };
 
-/// What `make` gives for each item; the diagnostics of all for which it throws a SceneError, in
-/// one.
+/// Returns what `make` gives for each item. If it throws SceneError for any items, throws one
+/// SceneError with the diagnostics of all of them.
 template <class Items, class Make>
 auto all_made(const Items& items, const Make& make) {
     std::vector<decltype(make(*std::begin(items)))> made;
@@ -67,26 +68,26 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The work failed for a reason outside the input: disk, codec, memory (exit code 1). Names path
-/// and cause.
+/// The work failed for a reason outside the input: disk, codec, memory (exit code 1). The message
+/// names path and cause.
 class SystemError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The work failed, and may succeed when it is tried again: a full disk, too many open files, a
-/// file system that does not answer (exit code 75, EX_TEMPFAIL of sysexits.h).
+/// The work failed, but may succeed if it is tried again: a full disk, too many open files, a file
+/// system that does not answer (exit code 75, EX_TEMPFAIL of sysexits.h).
 class TemporaryError : public SystemError {
   public:
     using SystemError::SystemError;
 };
 
-/// Throws `message` as a TemporaryError where the error number of the system `error` is one that
-/// passes, otherwise as a SystemError.
+/// Throws `message` as a TemporaryError if the errno value `error` is that of a transient failure,
+/// otherwise as a SystemError.
 [[noreturn]] void throw_system_error(const std::string& message, int error);
 
-/// Writes to standard error past its buffer, as far as that can be done. Allocates nothing; safe in
-/// a signal handler.
+/// Writes to standard error directly, without buffering, as far as possible. Does not allocate;
+/// safe in a signal handler.
 void write_to_standard_error(std::initializer_list<std::string_view> parts) noexcept;
 
 }  // namespace carom

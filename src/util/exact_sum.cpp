@@ -7,8 +7,9 @@
 namespace carom {
 namespace {
 
-// The value of three digits of which the first is not 0, and of whether there is anything below
-// them: 65 bits or more, so that the last may stand for all that lies below.
+// Rounds the number with these three digits, the first of which is not 0; `is_more`: lower digits
+// are not all 0. The number has 65 bits or more, so that its lowest bit may stand for everything
+// below it (a sticky bit).
 double rounded(std::uint64_t first, std::uint64_t second, std::uint64_t third, bool is_more) {
     __extension__ using Wide = unsigned __int128;
     constexpr int digit_bits = 32;
@@ -18,7 +19,7 @@ double rounded(std::uint64_t first, std::uint64_t second, std::uint64_t third, b
 
 }  // namespace
 
-// All digits but the last, which has the sign, come to lie in [0, 2^32).
+// Normalises all digits to [0, 2^32), except the last, which has the sign.
 void ExactSum::carry() {
     for (std::size_t k = 0; k + 1 < digits; ++k) {
         const std::int64_t over = digits_[k] >> digit_bits;

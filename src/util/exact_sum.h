@@ -1,5 +1,5 @@
-// Sums of doubles without a rounding error: the order of the terms, and how they are shared among
-// threads, does not matter, and a term that is taken away again leaves nothing behind.
+// Sums of doubles without rounding errors: they do not depend on the order of the terms or on how
+// these are divided among threads, and a term that is added and later subtracted leaves no trace.
 #pragma once
 
 #include <array>
@@ -9,8 +9,9 @@
 
 namespace carom {
 
-/// The small superaccumulator of R. M. Neal (arXiv:1505.05571): a fixed-point number with a digit
-/// for each 32 powers of two that doubles have. 600 bytes; adding takes some nanoseconds.
+/// The small superaccumulator of R. M. Neal (arXiv:1505.05571): a fixed-point number with one digit
+/// for every 32 powers of two in the range of a double. Takes 600 bytes; adding a term takes a few
+/// nanoseconds.
 class ExactSum {
   public:
     void add(double term) { put(term, 1); }
@@ -19,17 +20,18 @@ class ExactSum {
     /// Adds all terms of another sum.
     void add(const ExactSum& other);
 
-    /// The sum, rounded once to the nearest double (to even where two are as near). Infinite or NaN
-    /// as the sum of the terms would be.
+    /// Returns the sum, rounded once to the nearest double (ties to even). Infinite or NaN if the
+    /// terms' floating-point sum would be.
     double value() const;
 
-    /// The same of the finite terms alone.
+    /// Returns the sum of the finite terms alone, rounded in the same way.
     double finite_value() const;
 
   private:
     static constexpr int digit_bits = 32;
-    static constexpr std::size_t digits = 67;  ///< those of doubles, and two for what is carried
-    /// The larger part of a term has up to 52 bits, in a digit of 63.
+    static constexpr std::size_t digits = 67;  ///< those of a double, and two for carries
+    /// The most terms between two calls of carry(): each adds at most 52 bits to a digit of 63
+    /// bits.
     static constexpr std::int32_t most_terms = 2'000;
 
     void put(double term, std::int64_t sign) {

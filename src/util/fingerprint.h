@@ -1,4 +1,4 @@
-// Fingerprints of texts and files, to tell whether they are what they were. Not for secrets.
+// Fingerprints of texts and files, to detect whether they have changed. Not cryptographic.
 #pragma once
 
 #include <filesystem>
@@ -9,10 +9,10 @@
 
 namespace carom {
 
-/// 32 hexadecimal digits: XXH3 of 128 bits, the same on every machine.
+/// Returns 32 hexadecimal digits: the 128-bit XXH3 hash, the same on every machine.
 std::string fingerprint(std::string_view bytes);
 
-/// The same of pieces one after the other.
+/// Computes the fingerprint of a text that is given in consecutive pieces.
 class GrowingFingerprint {
   public:
     GrowingFingerprint();
@@ -28,8 +28,8 @@ class GrowingFingerprint {
     std::unique_ptr<State> state_;
 };
 
-/// Of what is in a file; nothing where there is none, or no ordinary one. Throws SystemError where
-/// it cannot be read.
+/// Returns the fingerprint of a file's content; nothing if there is no regular file at the path.
+/// Throws SystemError if it cannot be read.
 std::optional<std::string> fingerprint_of_file(const std::filesystem::path& path);
 
 }  // namespace carom

@@ -26,7 +26,8 @@ void on_signal(int) {
     _exit(code);
 }
 
-// A terminal that closes; nohup has asked to outlive it.
+// SIGHUP means that the terminal has closed. It is left ignored if it was ignored before: nohup
+// does that to let the program continue.
 void stop_at_hangup(const struct sigaction& action) {
     struct sigaction before = {};
     sigaction(SIGHUP, nullptr, &before);
@@ -60,7 +61,7 @@ void throw_if_interrupted() {
     throw_if_memory_ran_out();
 }
 
-// A signal that comes before the count is seen by the flag, one that comes after it by the handler.
+// A signal before the increment is detected through the flag, one after it through the handler.
 EndsAtOnce::EndsAtOnce() {
     ++ending_at_once;
     if (!interrupted.load()) return;

@@ -1,5 +1,5 @@
-// Ctrl-C: a flag that long work asks for, so that everything it holds is released and no
-// half-written file is left; and work that is ended where it is.
+// Ctrl-C: a flag that long work polls, so that its resources are released and no half-written file
+// is left; and work that a signal may end at once.
 #pragma once
 
 #include <stdexcept>
@@ -7,32 +7,35 @@
 
 namespace carom {
 
-/// Thrown where work stops because the user asked for it (exit code 130). Says what is left of it.
+/// Thrown where work stops because the user asked for it (exit code 130). The message says what of
+/// the output exists.
 class Interrupted : public std::runtime_error {
   public:
-    Interrupted();  ///< whether any output has its name: nothing was written, or nothing more
+    Interrupted();  ///< the message says state_of_outputs()
     explicit Interrupted(const std::string& left) : std::runtime_error("interrupted; " + left) {}
 };
 
-/// To be called when an output has its name: what an interruption says from then on.
+/// To be called when an output has got its final name: changes what the message of an interruption
+/// says from then on.
 void note_output();
 
-/// "nothing was written", or "nothing more was written" after note_output(). Allocates nothing;
-/// safe in a signal handler.
+/// Returns "nothing was written", or "nothing more was written" after note_output(). Does not
+/// allocate; safe in a signal handler.
 const char* state_of_outputs() noexcept;
 
-/// Sets the flag on SIGINT and SIGTERM, and on SIGHUP unless it is ignored; ignores SIGXFSZ and
-/// SIGPIPE, so that a full disk or a closed pipe is an error and no death. No output has its name
-/// yet.
+/// Installs handlers that set the flag on SIGINT and SIGTERM, and on SIGHUP unless it is ignored.
+/// Ignores SIGXFSZ and SIGPIPE, so that a full disk or a closed pipe is reported as an error
+/// instead of killing the program. Also marks that no output has its name yet.
 void install_signal_handlers();
 
 /// Throws Interrupted if the user has asked to stop, and std::bad_alloc if memory has run out
 /// (memory/memory_reserve.h). Cheap: two relaxed atomic loads.
 void throw_if_interrupted();
 
-/// While one exists, on any thread, a signal ends the program at once, with exit code 130 and one
-/// line on standard error: around work that asks for no flag. Throws Interrupted if the user has
-/// asked to stop before. Without the handlers above it does nothing.
+/// While an object of this class exists on any thread, a signal ends the program at once, with exit
+/// code 130 and one line on standard error: for work that does not poll the flag. The constructor
+/// throws Interrupted if the user has already asked to stop. Has no effect unless the handlers
+/// above are installed.
 class EndsAtOnce {
   public:
     EndsAtOnce();
@@ -41,8 +44,8 @@ class EndsAtOnce {
     EndsAtOnce& operator=(const EndsAtOnce&) = delete;
 };
 
-/// While one exists, on any thread, a signal sets the flag only, also within EndsAtOnce: something
-/// must be removed, or several steps belong together.
+/// While an object of this class exists on any thread, a signal only sets the flag, even within
+/// EndsAtOnce: for work that must remove something, or consists of steps that belong together.
 class MustCleanUp {
   public:
     MustCleanUp();

@@ -16,7 +16,7 @@ constexpr phrases::Row table[] = {
 
 constexpr std::size_t count_of_phrases = std::size(table);
 
-// The places of the phrases in the table, in the order of their English words.
+// The indices of the phrases in the table, sorted by their English words.
 constexpr auto in_order = [] {
     std::array<std::uint16_t, count_of_phrases> order{};
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<std::uint16_t>(k);
@@ -24,7 +24,7 @@ constexpr auto in_order = [] {
     return order;
 }();
 
-// "y" is "e" before the sound of i.
+// The Spanish "y" (and) becomes "e" before the sound of i.
 bool begins_with_i(std::string_view word) {
     std::string letters;
     for (const char c : word.substr(0, 3))

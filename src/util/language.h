@@ -1,6 +1,6 @@
 // The program's own words in the languages that a picture can have, and numbers and lists as each
-// language writes them. The English words are the key, as they stand where they are used; the table
-// is phrases.inc. What a scene says stays as it is, and so do messages, CSV and JSON.
+// language writes them. The English words, as they appear in the code, are the keys of the table in
+// phrases.inc. Words from a scene are not translated, nor are messages, CSV and JSON.
 #pragma once
 
 #include <fmt/format.h>
@@ -20,24 +20,24 @@ namespace carom {
 enum class Language { english, german, french, spanish };
 inline constexpr std::size_t language_count = 4;
 
-/// Words of the program in English, with {} or {0} where something is filled in.
+/// A text of the program in English, with {} or {0} where a value is filled in.
 struct Phrase {
     std::string_view english;
     bool operator==(const Phrase&) const = default;
 };
 
-/// Those words in a language; in English where the table has none.
+/// Returns a phrase in a language; in English if the table has no translation.
 std::string say(Language language, Phrase phrase);
 
-/// What stands between numbers in a row: a semicolon where they may have commas themselves.
+/// Returns the separator of numbers in a row: a semicolon in languages with a decimal comma.
 constexpr std::string_view between_numbers(Language language) {
     return language == Language::english ? ", " : "; ";
 }
 
-/// A number as written in English, with the decimal sign of a language.
+/// Converts a number as written in English to the decimal sign of a language.
 std::string localised(Language language, std::string number);
 
-/// As the functions of util/text.h without a language.
+/// Like the functions of the same names in util/text.h, for a language.
 std::string three_digits(Language language, double value);
 std::string three_digits_of_power(Language language, double exponent);
 std::string with_error(Language language, double value, double error);
@@ -45,12 +45,12 @@ std::string steady_number(Language language, double value, std::pair<double, dou
 std::string plain_number(Language language, double value);
 std::string listed(Language language, std::span<const std::string> words);
 
-/// Whether a language has the singular beside a count.
+/// Returns whether a language uses the singular with a count.
 bool is_singular(Language language, long long count);
 
 namespace phrases {
 
-/// The English words and those of the other languages, in the order of the enum.
+/// The English words and their translations, in the order of the enum.
 using Row = std::array<std::string_view, language_count>;
 std::span<const Row> all();
 std::string_view translated(Language language, std::string_view english);
@@ -68,7 +68,8 @@ using Shown = decltype(shown(Language::english, std::declval<const Arg&>()));
 
 }  // namespace phrases
 
-/// A phrase, filled; numbers with decimals as the language writes them.
+/// Returns a phrase in a language with its values filled in; floating-point numbers get the decimal
+/// sign of the language.
 template <class... Args>
 std::string say(Language language, fmt::format_string<phrases::Shown<Args>...> english,
                 const Args&... args) {
@@ -83,7 +84,8 @@ std::string say(Language language, fmt::format_string<phrases::Shown<Args>...> e
         shown);
 }
 
-/// "1 collision", "30 collisions": of a phrase for one and a phrase for other numbers.
+/// Returns a count with its noun, "1 collision" or "30 collisions", from a phrase for one and a
+/// phrase for other numbers.
 std::string counted(Language language, long long count, Phrase one, Phrase more);
 
 }  // namespace carom

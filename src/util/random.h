@@ -1,5 +1,6 @@
 // Random numbers that are the same on every machine: std::mt19937_64, whose output the C++ standard
-// fixes, and distributions of our own, since those of the standard library are unspecified.
+// defines, and our own distributions, since the algorithms of the standard library's are
+// unspecified.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +12,11 @@
 
 namespace carom {
 
-/// A stream of random numbers. Streams of one seed with different purposes are independent of each
-/// other.
+/// A stream of random numbers. Streams with the same seed and different purposes are independent.
 class Random {
   public:
-    /// `purpose` names what the numbers are for ("placement of species 0"), so that adding a use
-    /// leaves the others as they were.
+    /// `purpose` names what the numbers are for ("placement of species 0"), so that adding a new
+    /// use of random numbers leaves the other streams unchanged.
     Random(std::uint64_t seed, std::string_view purpose);
 
     double uniform();                         ///< uniform in [0, 1), a multiple of 2^-53
@@ -25,7 +25,7 @@ class Random {
     std::uint64_t below(
         std::uint64_t bound);  ///< uniform in {0, ..., bound - 1}, without bias; bound > 0
 
-    /// Brings a list into a random order, all orders being equally probable (Fisher and Yates).
+    /// Shuffles a list; all orders are equally probable (Fisher and Yates).
     template <typename T>
     void shuffle(std::vector<T>& list) {
         for (std::size_t k = list.size(); k > 1; --k) std::swap(list[k - 1], list[below(k)]);

@@ -1,5 +1,5 @@
-// Values handed from the thread that makes them to another that takes them, in order: both work at
-// once.
+// Passes values in order from the thread that produces them to another that consumes them, so that
+// both work at the same time.
 #pragma once
 
 #include <condition_variable>
@@ -19,8 +19,8 @@ namespace carom {
 template <class Value>
 class Relay {
   public:
-    /// `take` is called with one value after the other, on a thread of the relay; at most `most`
-    /// wait for it. Throws SystemError when the thread cannot be started.
+    /// Calls `take` with one value after another on a thread of its own; at most `most` values wait
+    /// for it. Throws SystemError if the thread cannot be started.
     explicit Relay(std::function<void(Value)> take, std::size_t most = 2)
         : take_(std::move(take)), most_(most) {
         try {
@@ -33,7 +33,7 @@ class Relay {
     Relay(const Relay&) = delete;
     Relay& operator=(const Relay&) = delete;
 
-    /// Waits while too many wait. Rethrows what `take` has thrown.
+    /// Queues a value; waits while the queue is full. Rethrows an exception that `take` has thrown.
     void send(Value value) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return error_ || waiting_.size() < most_; });
@@ -42,14 +42,15 @@ class Relay {
         changed_.notify_all();
     }
 
-    /// Waits until `take` has returned from all that was sent. Rethrows what it has thrown.
+    /// Waits until `take` has returned for all values sent. Rethrows an exception that it has
+    /// thrown.
     void settle() {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [&] { return error_ || (waiting_.empty() && !is_taking_); });
         if (error_) std::rethrow_exception(error_);
     }
 
-    /// The same, and ends the thread.
+    /// Does the same, and ends the thread.
     void finish() {
         end();
         if (error_) std::rethrow_exception(error_);

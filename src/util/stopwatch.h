@@ -1,16 +1,16 @@
-// How long work takes.
+// Measures how long work takes.
 #pragma once
 
 #include <ctime>
 
 namespace carom {
 
-/// Seconds since it was made.
+/// Measures seconds since its construction.
 class Stopwatch {
   public:
     double wall() const { return seconds_of(CLOCK_MONOTONIC) - wall_begun_; }
 
-    /// Of the CPU, on this thread, which must be the one that made it.
+    /// CPU time of this thread, which must be the one that constructed the stopwatch.
     double cpu() const { return seconds_of(CLOCK_THREAD_CPUTIME_ID) - cpu_begun_; }
 
   private:

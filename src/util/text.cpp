@@ -33,15 +33,16 @@ Decoded decode(std::string_view text, std::size_t index) {
     return {length, true};
 }
 
-// Separators of lines and paragraphs, and what Unicode Standard Annex 9 obeys: U+061C, U+200E,
-// U+200F, U+2028 to U+202E, U+2066 to U+2069. In UTF-8 their order is that of their bytes.
+// Separators of lines and paragraphs, and the bidirectional controls of Unicode Standard Annex 9:
+// U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069. In UTF-8, the order of code points is
+// that of their bytes.
 bool ends_line_or_turns(std::string_view letter) {
     return letter == "\u061C" || (letter >= "\u200E" && letter <= "\u200F") ||
            (letter >= "\u2028" && letter <= "\u202E") || (letter >= "\u2066" && letter <= "\u2069");
 }
 
-// Insertions, deletions, changes and transpositions of neighbours; of the table, three rows are
-// kept.
+// Counts insertions, deletions, substitutions and transpositions of neighbours; keeps only three
+// rows of the table.
 int edit_distance(std::string_view a, std::string_view b) {
     const std::size_t width = b.size() + 1;
     std::vector<int> rows(3 * width);
@@ -137,8 +138,8 @@ bool nests_deeper(std::string_view json, int most) {
 
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates) {
-    constexpr std::size_t longest_compared = 64;  // a longer word is no misspelt key
-    // Any letter is one edit from any other.
+    constexpr std::size_t longest_compared = 64;  // a longer word is not a misspelt key
+    // Any single letter is one edit away from any other.
     if (word.size() < 2 || word.size() > longest_compared) return std::nullopt;
     std::optional<std::string> best;
     int least = static_cast<int>(std::max<std::size_t>(1, word.size() / 3)) + 1;
@@ -250,7 +251,7 @@ std::string steady_number(double value, std::pair<double, double> range) {
 }
 
 std::string three_digits_of_power(double exponent) {
-    constexpr double plain = 300.0;  // doubles have all their digits
+    constexpr double plain = 300.0;  // within this, doubles have full precision
     if (!std::isfinite(exponent)) return exponent < 0.0 ? "0" : "–";
     if (std::abs(exponent) < plain) return three_digits(std::pow(10.0, exponent));
     double whole = std::floor(exponent);

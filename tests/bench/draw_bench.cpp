@@ -38,7 +38,7 @@ double median_ms(const std::function<void(int frame)>& draw) {
     return times[frames / 2];
 }
 
-// In the square that a lecture film gives its gas.
+// Random disks in the square that a lecture film gives to its gas.
 std::vector<Disk> random_disks(int count, double least_radius, double most_radius) {
     Random random(1, "benchmark disks");
     std::vector<Disk> disks(static_cast<std::size_t>(count));
@@ -50,7 +50,7 @@ std::vector<Disk> random_disks(int count, double least_radius, double most_radiu
     return disks;
 }
 
-// Every frame moves the disks by a part of a pixel, as a film does.
+// CPU milliseconds per frame. Each frame moves the disks by a fraction of a pixel, as in a film.
 double disks_ms(int count, double least_radius, double most_radius) {
     Canvas canvas(full_hd);
     DiskPainter painter;

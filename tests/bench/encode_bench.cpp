@@ -1,12 +1,12 @@
-// Time, size and likeness (SSIM) of H.264 settings on films of moving disks at 1080p, and the wall
-// time of segments on two cores against x264 alone with its own two threads.
+// Time, size and similarity (SSIM) of H.264 settings on films of moving disks at 1080p, and the
+// wall time of segments on two cores, compared with x264 alone with two threads of its own.
 //   encode_bench                      the tables of docs/encoding.md
-//   encode_bench try PRESET PARAMS    one row for other settings, in x264's words
+//   encode_bench try PRESET PARAMS    one row for other settings, as parameters of x264
 //   encode_bench curves [FRAMES [SCENE...]]
-//                                     bytes against SSIM of scenes of the library, and what each
-//                                     quality takes where it is as like as veryfast at CRF 20
+//                                     bytes against SSIM of scenes of the library, and the bytes
+//                                     of each quality at the SSIM of veryfast at CRF 20
 //   encode_bench vary [SCENE...] PARAMS...
-//                                     the same of standard, and of standard with each of these
+//                                     the same for standard, and for standard with each of these
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavutil/log.h>
@@ -58,8 +58,8 @@ double seconds_of(clockid_t clock) {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-/// Disks that fly straight and are thrown back by the walls, beside still type, a changing
-/// histogram and changing figures: what a film of a gas asks of an encoder.
+/// Disks in straight flight that are reflected by the walls, next to static text, a changing
+/// histogram and changing numbers: what a film of a gas demands of an encoder.
 class MovingPicture {
   public:
     explicit MovingPicture(int count);
@@ -125,7 +125,7 @@ AVFrame* converted(const Canvas& canvas, int number) {
     return frame;
 }
 
-/// All frames of a film, drawn and converted.
+/// All frames of a film, drawn and converted to the pixel format of the encoder.
 struct ConvertedFrames {
     std::vector<AVFrame*> planes;
     Motion motion;
@@ -138,7 +138,7 @@ struct ConvertedFrames {
             planes.push_back(converted(canvas, i));
         }
     }
-    /// So many from the middle of a scene's film at 1080p.
+    /// `count` frames from the middle of a scene's film at 1080p.
     ConvertedFrames(const std::filesystem::path& scene, int count) {
         Progress silent(Progress::Form::silent, "");
         const FilmPlan plan = prepare(load_scene(scene, scene_resources(), {"film.size=1080p"}),
@@ -227,7 +227,7 @@ Encoded encode(const ConvertedFrames& source, const std::string& preset,
     return result;
 }
 
-// The settings of our films: groups as long as a segment, one thread.
+// The encoder settings of carom films: groups of pictures as long as a segment, one thread.
 std::string as_in_films(const std::string& parameters) {
     return fmt::format("{}:keyint={}:{}", parameters, segment_frames, shared_h264_parameters);
 }
@@ -249,7 +249,7 @@ Likeness likeness(const ConvertedFrames& source, const std::string& preset,
 
 void print_row(const ConvertedFrames& source, const std::string& name, const std::string& preset,
                const std::string& parameters) {
-    // The least of three: other work on the machine only adds.
+    // The minimum of three: other work on the machine can only add time.
     Encoded plain = encode(source, preset, parameters, 1, row_frames);
     for (int repeat = 0; repeat < 2; ++repeat)
         plain.cpu_ms =
@@ -291,7 +291,7 @@ Settings settings_of(Quality quality, Motion motion) {
     return {options["preset"], fmt::format("{}:keyint={}", options["x264-params"], segment_frames)};
 }
 
-// The same `more` coarser: qp=N comes first.
+// The same settings with a quantiser larger by `more`; the parameters begin with qp=N.
 Settings coarser(Settings its, int more) {
     const std::size_t end = its.parameters.find(':');
     const int quantiser = std::atoi(its.parameters.c_str() + std::strlen("qp="));
@@ -316,17 +316,18 @@ void print_tables(int count) {
     }
 }
 
-/// One setting with several quantisers.
+/// The rate-distortion curve of one setting: the setting with several quantisers.
 struct Curve {
     std::string name;
     std::vector<Settings> settings;
     std::vector<double> megabytes = {}, ssims = {};
-    double cpu_ms = std::numeric_limits<double>::infinity();  ///< of the second setting, a frame
+    double cpu_ms = std::numeric_limits<double>::infinity();  ///< per frame, of the second setting
 
-    /// Megabytes at an SSIM: their logarithm is straight in decibels between neighbours.
+    /// Megabytes at a given SSIM: the logarithm of the size is interpolated linearly in decibels of
+    /// SSIM.
     double megabytes_at(double ssim) const {
         const auto decibels = [](double one) { return -10 * std::log10(1 - one); };
-        std::size_t k = 1;  // the curve falls
+        std::size_t k = 1;  // the SSIM falls along the curve
         while (k + 1 < ssims.size() && ssims[k] > ssim) ++k;
         const double from = decibels(ssims[k - 1]), to = decibels(ssims[k]);
         const double share = (decibels(ssim) - from) / (to - from);
@@ -340,7 +341,8 @@ Curve curve_of(const std::string& name, const Settings& its) {
     return curve;
 }
 
-// Of standard as it is, and with each of `vary`; with none of final too.
+// The curves of veryfast, of standard, and of standard with each of `vary`; if `vary` is empty,
+// also of final.
 std::vector<Curve> curves_to_measure(Motion motion, const std::vector<std::string>& vary) {
     Curve veryfast{"veryfast", {}};
     for (const int crf : {16, 20, 24, 28})
@@ -354,7 +356,7 @@ std::vector<Curve> curves_to_measure(Motion motion, const std::vector<std::strin
     return curves;
 }
 
-// CPU times are those of the second setting of each curve, in turn: the least of three.
+// CPU times are those of the second setting of each curve, measured in turn: the minimum of three.
 void print_curves(const std::string& scene, int count, const std::vector<std::string>& vary) {
     const ConvertedFrames source(library_folder() / (scene + ".yaml"), count);
     const int there = static_cast<int>(source.planes.size());

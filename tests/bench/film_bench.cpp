@@ -1,5 +1,5 @@
-// What a film costs: drawing and conversion of a lecture frame, and the wall time of a whole film
-// against x264 alone, which encodes the same converted frames with two threads of its own.
+// The cost of a film: drawing and conversion of a lecture frame, and the wall time of a whole film
+// compared with x264 alone, which encodes the same converted frames with two threads of its own.
 // --quick: films of 10 s and three runs instead of 30 s and five.
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -109,7 +109,7 @@ void drain(AVCodecContext* context, AVPacket* packet) {
     while (avcodec_receive_packet(context, packet) == 0) av_packet_unref(packet);
 }
 
-// Wall seconds of libx264 at a preset, CRF 20, two threads, packets thrown away.
+// Wall time of libx264 in seconds at a preset, CRF 20, two threads; the packets are discarded.
 double x264_alone(const std::vector<Yuv>& frames, const char* preset) {
     const AVCodec* codec = avcodec_find_encoder_by_name("libx264");
     AVCodecContext* context = avcodec_alloc_context3(codec);
@@ -182,7 +182,7 @@ void print_wall(double seconds, int runs) {
     std::filesystem::remove_all(folder);
 }
 
-// Of a film rendered in this process before anything else has filled its memory.
+// Peak memory of a film, rendered before anything else has used the memory of this process.
 void print_memory() {
     const auto folder = std::filesystem::temp_directory_path() / "carom-bench";
     Progress silent(Progress::Form::silent, "");

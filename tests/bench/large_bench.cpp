@@ -1,6 +1,6 @@
-// What a film of very many disks costs: drawing them by the shares of pixels that they cover takes
-// at most half of what masks of the smallest visible size take, and the film no more memory than is
-// named before. Fails if not.
+// The cost of a film of very many disks. Fails if drawing them by their pixel coverage takes more
+// than half as long as drawing masks of the smallest visible size, or if the film takes more memory
+// than was announced before.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ std::vector<Disk> disks_in(const Rect& box, std::int64_t count, double radius) {
     return disks;
 }
 
-// CPU seconds, the least of some frames.
+// CPU seconds: the minimum of some frames.
 template <typename Draw>
 double seconds_of(const Draw& draw) {
     constexpr int frames = 7;
@@ -50,7 +50,7 @@ double seconds_of(const Draw& draw) {
     return least;
 }
 
-// In the square that a lecture film at 1080p gives its gas.
+// The gas fills the square that a lecture film at 1080p gives to it.
 bool drawing_is_cheap(std::int64_t count) {
     constexpr double smallest_visible = 1.2;
     const Rect box{40, 145, 815, 815};

@@ -1,5 +1,5 @@
-// How long a gas's collisions take. The lowest of several times is the one that was disturbed
-// least; gases that are compared are measured in turn.
+// The CPU time per collision of a gas. The minimum of several measurements is used, as it is the
+// least disturbed one; gases that are compared are measured in turn.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace carom::test {
 
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Of a gas that has melted for a time.
+/// A gas that has been equilibrated for the time `melting`.
 class Measured {
   public:
     Measured(const Gas& gas, double melting)

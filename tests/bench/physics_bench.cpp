@@ -1,6 +1,6 @@
-// Million collisions between particles per CPU second, after melting, for the table of speeds; and
-// a fixed loop of the same kind of arithmetic, since machines differ and are noisy: compare ratios.
-// And the memory that the event loop takes.
+// Million collisions between particles per CPU second, after melting, for the table of speeds, and
+// the memory of the event loop. A fixed loop of similar arithmetic is timed as a reference, since
+// machines differ and are noisy: compare the ratios.
 #include <fmt/format.h>
 #include <malloc.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Million steps per CPU second of a chain of multiplications, divisions and roots.
+// The reference: million steps per CPU second of a chain of multiplications, divisions and roots.
 double reference_speed() {
     constexpr int steps = 10'000'000;
     const double begin = cpu_seconds();
@@ -37,8 +37,8 @@ Gas gas_between(Wall wall, double packing, int count) {
     return gas;
 }
 
-// Giants of twenty times the radius of the grains, of one density with them; they cover somewhat
-// more than half of what is covered.
+// Giants have twenty times the radius of the grains and the same density; they cover somewhat more
+// than half of the covered area.
 constexpr int giants = 12, grains = 4'000;
 
 Gas giants_among_grains(Wall wall, double packing) {
@@ -83,8 +83,8 @@ void print_row(const Gas& gas, double packing, double seconds) {
                gas.box.is_periodic(0) ? "periodic" : "solid", speed, speed / reference);
 }
 
-// Of the event loop when it runs; its particles' constants and samples (some 50 bytes each) belong
-// to the Simulation.
+// Memory of the event loop per particle while it runs. The constants and samples of the particles
+// (some 50 bytes each) belong to the Simulation and are not counted.
 double bytes_per_particle(double packing, int count) {
     const Gas gas = gas_between(Wall::solid, packing, count);
     const auto [particles, start] = place(gas);

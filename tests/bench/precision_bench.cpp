@@ -1,7 +1,7 @@
-// Events per second, collisions with walls included, of numbers of many bits, and how many times as
-// long one takes as with doubles: 400 disks at packing 0.3 between walls. Runs of both kinds take
-// turns, and each counts with its best, since other work on the machine only slows it down. Fails
-// when 256 bits cost more than they may.
+// Events per second, including collisions with walls, at several numbers of bits, and how many
+// times longer an event takes than with doubles: 400 disks at packing 0.3 between walls. Runs of
+// all precisions take turns, and the fastest of each counts, since other work on the machine can
+// only slow it down. Fails if 256 bits cost more than the bound.
 #include <fmt/format.h>
 
 #include <algorithm>

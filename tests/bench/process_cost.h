@@ -1,4 +1,4 @@
-// What some work takes in a process of its own: CPU, and memory at its peak.
+// The CPU time and the peak memory of some work, measured in a process of its own.
 #pragma once
 
 #include <sys/resource.h>
@@ -21,14 +21,15 @@ struct Cost {
     double seconds = std::numeric_limits<double>::infinity();  ///< of CPU
     double bytes = 0.0;                                        ///< of memory
 
-    /// The least disturbed of two.
+    /// Combines two measurements: the shorter time, which is less disturbed, and the larger memory.
     void keep_better(const Cost& other) {
         seconds = std::min(seconds, other.seconds);
         bytes = std::max(bytes, other.bytes);
     }
 };
 
-/// `work` gives the CPU time from which on seconds count.
+/// Runs `work` in a child process. It returns the CPU time at which the measurement begins, so that
+/// preparation is not counted.
 template <typename Work>
 Cost cost_of(const Work& work) {
     std::array<int, 2> ends{};
@@ -52,12 +53,12 @@ Cost cost_of(const Work& work) {
     return cost;
 }
 
-/// carom, which lies beside the benchmarks.
+/// The path of carom, which is in the folder of the benchmarks.
 inline std::string carom_program() {
     return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "carom").string();
 }
 
-/// Of a program with these arguments, which must succeed.
+/// The cost of a program with these arguments; it must succeed.
 inline Cost cost_of_program(std::vector<std::string> command) {
     std::vector<char*> arguments;
     for (std::string& word : command) arguments.push_back(word.data());

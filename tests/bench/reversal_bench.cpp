@@ -1,6 +1,7 @@
-// What coming home costs a film: the wall time of the scene time-reversal as it stands, its bits to
-// be found, against the same scene in doubles. Films of both kinds take turns, and each counts with
-// its best, since other work on the machine only slows it down. Fails when the ratio is above 1.3.
+// The cost of exact reversal in a film: the wall time of the scene time-reversal as it is,
+// including the search for the number of bits, against the same scene in doubles. Films of both
+// kinds take turns, and the fastest of each counts, since other work on the machine can only slow
+// it down. Fails if the ratio is above 1.3.
 // --quick: two rounds instead of five.
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-// What the samples of a run cost beside its physics, from 10^4 to 10^6 disks: with a thousand
-// samples, as a scene without a film has them, at most twice the time of two. And the memory of
-// `carom run` at its peak. Fails if not.
+// The cost of the samples of a run in addition to its physics, from 10^4 to 10^6 disks: with a
+// thousand samples, as for a scene without a film, at most twice the time of two samples. Also the
+// peak memory of `carom run`. Fails if a bound is exceeded.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -28,7 +28,7 @@ Scene scene_of(std::int64_t count, double until, double samples) {
     return scene;
 }
 
-// From time 0 on.
+// The cost of the run from time 0 on.
 test::Cost cost_of(const Scene& scene) {
     return test::cost_of([&] {
         double begin = 0.0;
@@ -49,7 +49,8 @@ bool samples_are_cheap(std::int64_t count, double until, int rounds) {
     return ratio <= most_of_bare;
 }
 
-// Of the program, for each of a million disks at packing fraction 0.3, at random places.
+// Peak memory of the program per disk, for a million disks at packing fraction 0.3, placed at
+// random.
 double bytes_of_a_disk() {
     const test::TemporaryFolder folder;
     const auto scene = folder.write("scene.yaml",

@@ -1,7 +1,7 @@
-// What the files of `carom run` cost beside the bare run, as CPU time of the program: a trajectory
-// (--xyz) with a sample for each collision that a particle has, and a row for every collision
-// (--events). And the memory of the program at its peak, which a run of four times the length must
-// not raise.
+// The cost of the files of `carom run` relative to the bare run, as CPU time of the program: a
+// trajectory (--xyz) with one sample per mean collision time of a particle, and a row for every
+// collision (--events). Also the peak memory of the program, which must not grow in a run of four
+// times the length.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Numbers with all their digits: 14 in a row of --events, 7 in one of --xyz.
+// The numbers are written with all their digits: 14 in a row of --events, 7 in a row of --xyz.
 constexpr double most_xyz = 2.2, most_events = 6.0;
 constexpr double most_growth = 1.02;  // pages of the heap come and go
 constexpr double length = 100.0;
@@ -30,7 +30,7 @@ class RunFiles {
                                "gas: [{count: 2000, radius: 0.5, temperature: 1}]\n"
                                "run: {until: 100, sample_every: 1}\n")) {}
 
-    // `option`: that of the file; empty: none is written.
+    // `option`: the option that writes the file; empty: no file is written.
     test::Cost cost(const std::string& option, double until, int rounds) const {
         std::vector<std::string> command{test::carom_program(),
                                          "run",

@@ -1,5 +1,6 @@
-// What a film of a long run costs beside its run: the wall and CPU time of the first pass, which is
-// seen and kept in a file meanwhile, and of showing it again, against the bare simulation.
+// The cost of a film of a long run relative to its bare simulation: the wall and CPU time of the
+// first pass, which processes the run and stores it in a file, and of the second pass, which
+// replays it.
 // --quick: 20,000 disks instead of 100,000.
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ using namespace carom;
 
 namespace {
 
-// Of packing fraction 0.3, about 90 collisions for each disk, 300 frames, with the usual panels.
+// A gas of packing fraction 0.3 with about 90 collisions per disk, 300 frames and the usual panels.
 Scene scene_of(int disks) {
     const double width = std::sqrt(disks * 0.785398 / 0.3 * 4.0 / 3.0);
     return load_scene_text(

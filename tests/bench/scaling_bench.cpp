@@ -1,6 +1,6 @@
-// How cost grows with the number of disks: per collision at most four times as much for 100,000 as
-// for 1000, and 100,000 placed at random at packing 0.4 within two seconds. Fails if not. Both are
-// ratios or far enough from the bound for any machine.
+// The scaling of cost with the number of disks. Fails if a collision costs more than four times as
+// much among 100,000 disks as among 1000, or if placing 100,000 at random at packing 0.4 takes more
+// than two seconds. The former is a ratio, the latter far enough from its bound for any machine.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What the sound of a film costs: the CPU time of whole films with sound against the same films
-// without, of few collisions and of many.
+// The cost of sound in a film: the CPU time of whole films with sound against the same films
+// without, with few collisions and with many.
 // --quick: one run of each instead of three.
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ using namespace carom;
 
 namespace {
 
-// Of packing fraction 0.3; a second of film has about 9 collisions of each disk.
+// A gas of packing fraction 0.3; each disk has about 9 collisions in a second of film.
 Scene scene_of(int disks, const char* sound) {
     const double width = std::sqrt(disks * 0.785398 / 0.3 * 4.0 / 3.0);
     return load_scene_text(

@@ -1,5 +1,5 @@
-// How long the program takes to begin: CPU time of short commands, against that of a shell that
-// does nothing, and of the launcher against the program itself.
+// The start-up time of the program: the CPU time of short commands, compared with that of a shell
+// that does nothing, and of the launcher compared with the program itself.
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -26,7 +26,7 @@ double seconds_of_children() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// CPU milliseconds of a command: the lowest of several.
+// CPU milliseconds of a command: the minimum of several runs.
 double milliseconds(const std::string& command) {
     double lowest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 15; ++i) {

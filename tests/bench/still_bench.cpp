@@ -1,6 +1,7 @@
-// What a still of a large gas costs beside the run that its axes need, from its placement on: at
-// most twice its time, of a million disks without `--quick` too, and bounded memory. And that
-// colours by mass cost as those by speed where each disk has a mass of its own. Fails if not.
+// The cost of a still of a large gas, relative to the run that its axes need, both including
+// placement: at most twice the time, for a million disks also without `--quick`, and bounded
+// memory. Also checks that colours by mass cost about as much as colours by speed if each disk has
+// a mass of its own. Fails if a bound is exceeded.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ bool still_is_cheap(std::int64_t count) {
         "{:.2f} (at most {}), {:.0f} bytes a particle (at most {})\n",
         count, bare.seconds, quick.seconds, whole.seconds, ratio, ratio_of_whole, most_of_bare,
         bytes, most_bytes);
-    const bool is_large = count >= 1'000'000;  // of fewer the program itself takes more
+    const bool is_large = count >= 1'000'000;  // with fewer the program itself dominates
     return ratio <= most_of_bare &&
            (!is_large || (ratio_of_whole <= most_of_bare && bytes <= most_bytes));
 }

@@ -1,5 +1,5 @@
-// What surfaces and gravity cost: the time per collision of a gas with them, in units of that of
-// the same gas without, measured in turn. Fails if it is more than the bound.
+// The cost of surfaces and gravity: the time per collision of a gas with them, relative to the same
+// gas without them, measured in turn. Fails if the ratio exceeds its bound.
 #include <fmt/format.h>
 
 #include <array>
@@ -33,8 +33,8 @@ void add_obstacles(Gas& gas) {
     }
 }
 
-// As heavy as the gas, with the force that the gas bears: its compressibility factor is that of
-// Henderson, Mol. Phys. 30 (1975) 971.
+// A piston as heavy as the gas, with a force that balances its pressure: the compressibility factor
+// is that of Henderson, Mol. Phys. 30 (1975) 971.
 void add_piston(Gas& gas) {
     const auto count = static_cast<double>(gas.species[0].count);
     const double factor = (1.0 + packing * packing / 8.0) / ((1.0 - packing) * (1.0 - packing));

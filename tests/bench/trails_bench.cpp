@@ -1,4 +1,4 @@
-// What trails of all disks cost: a frame with them against the same frame without.
+// The cost of trails of all disks: a frame with trails against the same frame without.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,8 @@ Scene scene_of(double seconds_of_trail) {
         "bench", scene_resources());
 }
 
-// CPU milliseconds of a frame's drawing: the lowest of those where all trails are whole.
+// CPU milliseconds for drawing a frame: the minimum of the frames in which all trails have full
+// length.
 double frame_ms(FramePainter& painter, const test::Shot& film) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const FrameData& frame : film.frames) {

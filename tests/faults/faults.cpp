@@ -40,7 +40,7 @@ Files files_in(const fs::path& folder) {
     return files;
 }
 
-// Without measured times, and the fingerprint of a plan, which covers them.
+// The files without measured times, and without the fingerprint of a plan, which depends on them.
 Files comparable(Files files) {
     static const std::regex times(R"-("(total|events_per_second|seconds)": ?[0-9.e+-]+)-");
     static const std::regex fingerprints(R"-("fingerprint": ?"[0-9a-f]+")-");
@@ -64,12 +64,12 @@ Outcome call(const Work& work, const std::string& variables, const fs::path& fol
 
 bool is_temporary(const std::string& name) { return has(name, ".carom-"); }
 
-// The folder of figures is filled file by file, and its list says what is in it.
+// The folder of figures is filled one file at a time, and this file lists its current contents.
 bool is_list_of_figures(const std::string& name) { return name == "figures/figures.json"; }
 
 struct Changes {
-    std::vector<std::string> names;  ///< of files that were not there, or were others
-    std::string problem;             ///< with a file that is not whole; empty: none
+    std::vector<std::string> names;  ///< of files that are new or have changed
+    std::string problem;             ///< a file that is incomplete or gone; empty: none
 };
 
 Changes changes(const Files& before, const Files& whole, const Files& now) {
@@ -87,16 +87,17 @@ Changes changes(const Files& before, const Files& whole, const Files& now) {
     return found;
 }
 
-// Library code under carom takes these, and may not go on.
+// Faults of resources that libraries used by carom need too; these may be unable to continue.
 bool is_of_resources(const Fault& fault) {
     return fault.call == "map" || fault.call == "memory" || fault.call == "thread";
 }
 
-// GLib has no other way where it lacks a thread: then a folder of frames or a plan stays under its
-// temporary name, for the next run to remove.
+// GLib ends the process if it cannot start a thread. A folder of frames or a plan then keeps its
+// temporary name until the next run removes it.
 bool is_end_of_glib(const std::string& err) { return has(err, "the libraries that set text"); }
 
-// libgcrypt, which is loaded with FFmpeg's libraries, aborts where it cannot open or read one file.
+// libgcrypt, which is loaded with the libraries of FFmpeg, aborts if it cannot open or read one
+// file.
 bool is_end_of_libgcrypt(const std::string& err) {
     return has(err, "FATAL: error reading `/proc/sys/crypto/fips_enabled' in libgcrypt");
 }
@@ -108,7 +109,7 @@ std::string problem_of_message(const Fault& fault, const std::string& err, const
         if (line.starts_with("carom: ") || has(line, ": error: ")) messages.push_back(line);
     if (messages.size() != 1) return std::to_string(messages.size()) + " messages";
     const std::string& message = messages.front();
-    // FreeType keeps the reason to itself.
+    // FreeType does not report the reason.
     if (is_of_resources(fault) || has(message, "cannot read the font /")) return "";
     if (!has(message, std::strerror(fault.error))) return "the message names no reason";
     const bool names_path = has(message, "/") || std::ranges::any_of(after, [&](const auto& file) {
@@ -117,19 +118,19 @@ std::string problem_of_message(const Fault& fault, const std::string& err, const
     return names_path ? "" : "the message names no path";
 }
 
-// Input that cannot be read may be taken for wrong.
+// Input that cannot be read may be reported as invalid (exit code 2).
 bool may_end_with(const Fault& fault, int code) {
     return code == 1 || code == 75 || (code == 2 && (fault.call == "open" || fault.call == "read"));
 }
 
-// Of files that are there although the command has failed.
+// Checks the files that exist after the command has failed.
 std::string problem_of_files(const Fault& fault, const std::string& err, const Files& before,
                              const Files& after, const Files& now) {
     const Changes found = changes(before, after, now);
     if (!found.problem.empty()) return found.problem;
     if (is_of_resources(fault) && (now == after || is_end_of_glib(err))) return "";
     for (const std::string& name : found.names) {
-        if (name.ends_with(".chunk")) continue;  // not made until its list is there
+        if (name.ends_with(".chunk")) continue;  // does not count as made until its manifest exists
         const bool is_named = has(err, fs::path(name).filename().string()) ||
                               has(err, "figures that were finished stay") ||
                               (is_of_resources(fault) && has(err, "nothing more was written"));
@@ -249,8 +250,8 @@ std::string Trial::with_fault(const Fault& fault, long number) const {
 std::string Trial::killed_after(double seconds) const {
     const TemporaryFolder folder;
     write_files(folder, before_);
-    // In the foreground timeout waits for the end of what it has killed, which until then holds its
-    // locks.
+    // With --foreground, timeout waits until the killed process has ended, which holds its locks
+    // until then.
     call(work_, "", folder.path(), fmt::format("timeout --foreground -s KILL {:.4f}", seconds));
     Files now = comparable(files_in(folder.path()));
     std::erase_if(now, [](const auto& file) { return is_temporary(file.first); });

@@ -1,5 +1,5 @@
-// Small commands of carom, each of whose calls of the system is made to fail, and what must hold
-// however they end.
+// Runs small commands of carom while one of their system calls fails, or while they are killed, and
+// checks what must hold however they end.
 #pragma once
 
 #include <filesystem>
@@ -9,41 +9,42 @@
 
 namespace carom::test {
 
-/// The files of a folder and of those in it, by their paths from there.
+/// The contents of all files below a folder, by their path relative to it.
 using Files = std::map<std::string, std::string>;
 
-/// A command line that is run in a folder with a scene, where `before` has run.
+/// A command line, run in a folder with a scene after the commands of `before`.
 struct Work {
     std::string name;
-    std::string before;  ///< of the shell, with $carom
+    std::string before;  ///< shell commands, with $carom for the program
     std::string arguments;
 };
 
-/// What a call does instead of its work: FAULT_CALL and FAULT_ERROR of failing_calls.cpp.
+/// The failure of a call: the values of FAULT_CALL and FAULT_ERROR of failing_calls.cpp.
 struct Fault {
     std::string call;
-    int error = 0;  ///< errno; 0: half of the bytes are written
+    int error = 0;  ///< errno; 0: only half of the bytes are written
 };
 
-/// All commands, and all faults but those of memory.
+/// All commands, and all faults except those of memory allocation.
 const std::vector<Work>& all_work();
 const std::vector<Fault>& all_faults();
 
-/// A command, the files that it begins with, and those that it leaves when nothing fails.
+/// A command, the files with which it starts, and the files that it leaves if nothing fails.
 class Trial {
   public:
     explicit Trial(const Work& work);
 
-    /// The number of its calls of a class.
+    /// The number of calls of a class that the command makes.
     long calls(const std::string& of) const { return calls_.at(of); }
 
-    /// What is wrong with a run whose call of this number fails; empty: nothing.
+    /// Describes what is wrong with a run whose call `number` fails; empty: nothing.
     std::string with_fault(const Fault& fault, long number) const;
 
-    /// What is wrong with a run that is killed after these seconds, or with the next one.
+    /// Describes what is wrong with a run that is killed after `seconds`, or with the run after it;
+    /// empty: nothing.
     std::string killed_after(double seconds) const;
 
-    double seconds() const { return seconds_; }  ///< that an undisturbed run takes
+    double seconds() const { return seconds_; }  ///< duration of an undisturbed run
     const std::string& name() const { return work_.name; }
 
   private:
@@ -60,10 +61,10 @@ struct Run {
     long number;
 };
 
-/// What is wrong with these runs, a text for each; on all cores.
+/// Carries out the runs on all cores, and describes what is wrong, one text for each problem.
 std::vector<std::string> wrong_in(const std::vector<Run>& runs);
 
-/// What is wrong with runs that are killed at random times, `count` of them.
+/// Kills `count` runs at random times, and describes what is wrong.
 std::vector<std::string> wrong_in_killed(const std::vector<Trial>& trials, int count);
 
 }  // namespace carom::test

@@ -19,7 +19,8 @@ TEST_CASE("a call that fails costs the whole output or nothing, with one message
             for (long calls = trial.calls(fault.call), n = calls; n > 0;
                  n -= std::max(1L, calls / most))
                 runs.push_back({&trial, fault, n});
-        // Of memory also some of the last ones, when fonts are read and films are joined.
+        // For memory allocation, also some of the last calls, when fonts are read and films are
+        // joined.
         const long allocations = trial.calls("memory");
         for (long n = allocations; n > 0; n -= allocations / most)
             runs.push_back({&trial, {"memory", ENOMEM}, n});

@@ -33,7 +33,7 @@ TEST_CASE("memory that is not there costs the whole output or nothing") {
     for (const Work& work : all_work()) {
         const Trial trial(work);
         std::vector<Run> runs;
-        constexpr long every = 3000, samples = 2000;  // then so many, evenly
+        constexpr long every = 3000, samples = 2000;  // each of `every`, then `samples` more
         const long calls = trial.calls("memory");
         const long step = std::max(1L, (calls - every) / samples);
         for (long n = 1; n <= calls; n += n < every ? 1 : step)

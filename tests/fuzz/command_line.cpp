@@ -1,5 +1,5 @@
-// The words behind `carom`, one on each line, which are read and not done; those that hold a `=`
-// also as values over a scene and as an axis of a sweep.
+// Fuzz target: the words after `carom`, one per line. They are parsed but not executed; those that
+// contain a `=` are also tried as overrides of a scene and as the axis of a sweep.
 #include "app/commands/command_line.h"
 
 #include "app/resources.h"
@@ -15,7 +15,7 @@ constexpr const char* scene =
     "partitions: [{name: p, x: 9}]\ngas: [{name: a, count: 4, radius: 0.3, speed: 1}]\n"
     "run: {until: 2, events: [{at: 1, open: p}]}\nfilm: {seconds: 1, panels: [speed-histogram]}\n";
 
-// Its values, and its seeds behind the sign.
+// Reads the word as the axis of a sweep, and what follows the `=` as a range of seeds.
 void read_sweep(const std::string& word) {
     try {
         check_sweep(

@@ -1,5 +1,5 @@
-// A figure set with its scenes, as `carom check` takes it, and the same text as the template of a
-// page in each language of pages.
+// Fuzz target: a figure set with its scenes, as `carom check` reads it, and the same text as the
+// template of a page in each page language.
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
 #include "app/report/check_facts.h"
@@ -16,7 +16,7 @@ constexpr const char* scene =
     "120]}\n"
     "figures: [{name: a, kind: gas}, {name: b, kind: speed-histogram}]\n";
 
-// The set lies beside one scene and below another.
+// The file of the set lies next to one scene and below another.
 const std::filesystem::path& set_file() {
     static const std::filesystem::path path = [] {
         std::filesystem::create_directories(test::fuzz_folder() / "sets");

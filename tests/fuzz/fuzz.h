@@ -1,6 +1,6 @@
-// What the fuzz targets have in common: how they read their input, and which ends of work are
-// expected of any input. A target is one file, which reads any bytes and ends quietly; whatever
-// else happens is a find. docs/trust.md says how they are run.
+// Common parts of the fuzz targets: how they read their input, and which errors are expected for
+// any input. A target is one file that accepts any bytes and returns normally; anything else is a
+// find. docs/trust.md describes how they are run.
 #pragma once
 
 #include <unistd.h>
@@ -21,10 +21,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace carom::test {
 
-/// The target.
+/// The target: handles one input.
 void fuzz(const std::uint8_t* data, std::size_t size);
 
-/// The bytes of an input, taken one after the other; behind its end all are 0.
+/// Reads the bytes of an input in sequence; after its end all bytes are 0.
 class FuzzInput {
   public:
     FuzzInput(const std::uint8_t* data, std::size_t size)
@@ -39,7 +39,7 @@ class FuzzInput {
         return static_cast<std::uint8_t>(first);
     }
 
-    /// A number below `count`, which is not 0.
+    /// A number in [0, count); `count` must not be 0.
     std::size_t below(std::size_t count) {
         const std::size_t high = count > 256 ? byte() : 0;
         return (high << 8 | byte()) % count;
@@ -69,7 +69,7 @@ inline std::vector<std::string> fuzz_lines(const std::string& text) {
     return lines;
 }
 
-/// Does work, and whether it came to its end; otherwise the input was refused with a message.
+/// Executes `work`. Returns whether it completed; false if the input was rejected with a message.
 template <class Work>
 bool succeeds(const Work& work) {
     try {
@@ -84,7 +84,7 @@ bool succeeds(const Work& work) {
     return false;
 }
 
-/// A folder of this process, removed at its end.
+/// A folder of this process, removed when the process ends.
 inline const std::filesystem::path& fuzz_folder() {
     static const TemporaryFolder folder;
     return folder.path();

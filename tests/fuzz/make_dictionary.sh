@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Prints the words of the scene language, of figure sets and of the command line as a dictionary of
-# libFuzzer: make_dictionary.sh CAROM.
+# Prints the words of the scene language, of figure sets and of the command line as a libFuzzer
+# dictionary. Usage: make_dictionary.sh CAROM
 set -euo pipefail
 {
     "$1" schema

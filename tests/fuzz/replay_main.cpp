@@ -1,5 +1,5 @@
-// Feeds a fuzz target all files that are named, and those of all folders that are named: what
-// libFuzzer does with a corpus, by any compiler.
+// Feeds a fuzz target with the files, and the files of the folders, that are given as arguments:
+// what libFuzzer does with a corpus, but for any compiler.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
             std::fprintf(stderr, "%s is no file\n", file.c_str());
             return 2;
         }
-        std::fprintf(stderr, "%s\n", file.c_str());  // the last one, where the target ends
+        std::fprintf(stderr, "%s\n", file.c_str());  // if the target crashes, this is its input
         const std::string bytes = carom::test::contents(file);
         LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     }

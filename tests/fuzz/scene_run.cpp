@@ -1,6 +1,6 @@
-// A small scene of the library with other values, made from the input by the table of keys, so that
-// most of them are valid: its run, a frame of its film, or a few figures, as the input says. What
-// takes long is cut off.
+// Fuzz target: takes a small scene of the library and sets other values for its keys, built from
+// the input with the table of keys so that most are valid. Then, as the input says, runs it, draws
+// a frame of its film, or draws a few figures. What takes too long is interrupted.
 #include <fmt/format.h>
 #include <sys/time.h>
 
@@ -25,7 +25,7 @@ namespace {
 
 struct Base {
     const char* name;
-    Overrides smaller;  ///< so that it takes milliseconds
+    Overrides smaller;  ///< overrides with which the scene takes milliseconds
 };
 
 const std::vector<Base>& bases() {
@@ -48,7 +48,7 @@ const std::vector<Base>& bases() {
     return all;
 }
 
-// A word of the scene language that fits a form, or one that almost does.
+// A word of the scene language that has one of the forms, or almost has it.
 std::string value_of(const std::vector<Form>& forms, FuzzInput& input, int depth);
 
 std::string number(const Form& form, FuzzInput& input) {
@@ -130,7 +130,8 @@ const Section& keys_of_scene() {
     return plane;
 }
 
-// Figures of three kinds that follow one another in the list and show something of the scene.
+// A list of up to three figures, of consecutive kinds from `first` on that show something of the
+// scene.
 std::string figures_of(const Scene& scene, std::size_t first) {
     std::string list;
     const PanelKinds kinds = panel_kinds();
@@ -153,7 +154,7 @@ bool is_small(const Scene& scene) {
            frame_count(scene.film) <= 120 && scene.run.bits.value_or(0) <= 256;
 }
 
-// Asks the work to stop after so much time of the processor.
+// Interrupts the work after a limit of CPU time.
 class TimeLimit {
   public:
     TimeLimit() {
@@ -175,7 +176,7 @@ class TimeLimit {
     }
 };
 
-// Simulation::advance_to() ends so where collisions have no end.
+// CollisionError: how Simulation::advance_to() ends if collisions accumulate without end.
 template <class Work>
 void run_for_a_while(const Work& work) {
     test::succeeds([&] {

@@ -1,5 +1,5 @@
-// The text of a scene, as `carom check` takes it: it is loaded, described and estimated, or
-// refused.
+// Fuzz target: the text of a scene, as `carom check` reads it. It is loaded, described and its cost
+// estimated, or it is rejected.
 #include "app/film/words/letters.h"
 #include "app/report/check_facts.h"
 #include "app/resources.h"

@@ -1,7 +1,7 @@
-// Files that carom keeps between its runs, as others may have changed them: the state of a
-// simulation, the plan of a film and what its chunks begin with, plans, manifests of chunks and of
-// folders of figures, summaries of sweeps, chunks. The input says which of them, and what is
-// changed in it; the fingerprints then agree with it again.
+// Fuzz target: files that carom keeps between its runs and that others may have modified: the state
+// of a simulation, the plan of a film and the state at the start of its chunks, plans, manifests of
+// chunks and of figure folders, summaries of sweeps, chunks. The input selects the file and the
+// modification; the fingerprints are then recomputed to match.
 #include <fmt/format.h>
 
 #include <array>
@@ -37,7 +37,7 @@ Progress& silent() {
     return progress;
 }
 
-// A plan as it is read, and whether its run is kept in memory.
+// The plan of a film as it is read back; `room` decides whether its run is kept in memory.
 FilmPlan planned(const Recording::Room& room) {
     const Scene scene = load_scene_text(scene_text, "scene.yaml", test::resources());
     return prepare(scene, {.output = "film.gif", .room = room}, silent());
@@ -88,7 +88,7 @@ void read_run_part(const std::string& bytes) {
     read_run(plan, bytes, "0001.start");
 }
 
-// A film in one chunk, which is done.
+// The folder of a plan with a single chunk, which has been rendered.
 const fs::path& planned_folder() {
     static const fs::path folder = [] {
         const fs::path path = test::fuzz_folder() / "plan";
@@ -106,7 +106,8 @@ std::string file_of_plan(const char* name) { return test::contents(planned_folde
 std::string plan_json() { return file_of_plan("plan.json"); }
 std::string manifest_json() { return file_of_plan("chunks/0001.json"); }
 
-// A chunk is two archives, each behind its length: which it is, and what its segment has encoded.
+// A chunk consists of two archives, each preceded by its length: its identity, and the encoded
+// segment.
 constexpr std::size_t length_size = 8;
 
 std::string with_length(const std::string& bytes) {
@@ -128,7 +129,7 @@ std::string segment() {
     return whole.substr(first_length(whole) + length_size);
 }
 
-// The folder with other bytes in one of its files, which are then put back.
+// Does the work while one file has other bytes, and restores the file afterwards.
 template <class Work>
 void with_file(const fs::path& path, const std::string& bytes, const Work& work) {
     static std::map<fs::path, std::string> originals;
@@ -139,7 +140,7 @@ void with_file(const fs::path& path, const std::string& bytes, const Work& work)
     if (!was_read) throw UsageError("refused");
 }
 
-// All that is asked of a plan before its work.
+// All queries of a plan before its work begins.
 void use_plan() {
     const PlanFolder plan(planned_folder());
     plan.missing();
@@ -234,8 +235,8 @@ const std::string& original(std::size_t which) {
     return texts.at(which);
 }
 
-// What an Archive writes in front of its content: a signature and a version, then length and
-// fingerprint.
+// The header of an Archive before its content: a signature and a version, then the length and the
+// fingerprint of the content.
 constexpr std::size_t unsealed_size = 12, header_size = 52;
 
 bool is_archive(const std::string& bytes) {
@@ -250,7 +251,8 @@ void seal(std::string& bytes) {
     bytes.replace(unsealed_size + 8, header_size - unsealed_size - 8, fingerprint(content));
 }
 
-// Bytes, numbers of eight bytes, stretches cut out or repeated.
+// Modifies bytes from `begin` on: replaces a byte or a number of eight bytes, truncates, removes or
+// repeats a stretch.
 void change_bytes(std::string& bytes, std::size_t begin, FuzzInput& input) {
     static const std::array<std::uint64_t, 12> numbers{
         0,          1,          2,          255,   65'536, 1U << 31,
@@ -277,7 +279,7 @@ void change_bytes(std::string& bytes, std::size_t begin, FuzzInput& input) {
     }
 }
 
-// One value of a JSON text, whichever it is, becomes another or goes.
+// Replaces or removes one value of a JSON text, at any depth.
 void change_value(Json& json, FuzzInput& input) {
     static const std::array<const char*, 16> values{"null",
                                                     "0",

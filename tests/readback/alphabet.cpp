@@ -10,7 +10,7 @@
 namespace carom::test {
 namespace {
 
-// Each is one outline. Where two look alike the first is read.
+// Each is a single outline. If two look alike, the first one is read.
 constexpr std::array letters{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "−", ".", "×", "%",
                              "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹", "⁻", "–", ",", ":",
                              "a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l", "m", "n",
@@ -19,7 +19,8 @@ constexpr std::array letters{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "
                              "Q", "R", "S", "T", "U", "V", "W", "X", "Y", "Z"};
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
-// How far two outlines are apart where the second is scaled to fit best; pixels.
+// The largest deviation between two outlines, in pixels, after the second has been scaled to fit
+// best.
 double apart(const Outline& a, const Outline& b) {
     double ab = 0.0, bb = 0.0, most = 0.0;
     for (std::size_t i = 0; i < a.points.size(); ++i) {
@@ -56,7 +57,7 @@ Alphabet::Alphabet() {
 
 std::string Alphabet::read(const Outline& outline) const {
     if (outline.points.empty()) return " ";
-    constexpr double rounding = 0.04;  // pixels: FreeType has 64 steps in each
+    constexpr double rounding = 0.04;  // pixels: FreeType rounds to 1/64 pixel
     double least = rounding;
     std::string found = "?";
     const auto [first, last] = known_.equal_range(outline.commands);

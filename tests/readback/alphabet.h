@@ -1,4 +1,5 @@
-// Reads the letters of an SVG by their outlines, which it knows from text of its own.
+// Reads the letters of an SVG by comparing their outlines with those of known text that it draws
+// itself.
 #pragma once
 
 #include <map>
@@ -15,7 +16,7 @@ class Alphabet {
     /// Draws each letter alone, in the weights of panels.
     Alphabet();
 
-    /// What the letters say; `?` for one that is not known, as in formulae.
+    /// The text of the letters; `?` for a letter that is not known, as in formulae.
     std::string read(const Letters& letters) const;
 
   private:
@@ -27,11 +28,11 @@ class Alphabet {
     std::multimap<std::string, Known> known_;  ///< by commands
 };
 
-/// A number as labels write it, with a true minus, thin spaces between thousands and powers of
-/// ten; none where there are other words.
+/// The number in a label, with a true minus sign, thin spaces between thousands and powers of ten;
+/// none if there are other words.
 std::optional<double> number_in(const std::string& text);
 
-/// Half a unit of the last digit that is written.
+/// The rounding error of a number as written: half a unit of its last digit.
 double rounding_of(const std::string& text);
 
 }  // namespace carom::test

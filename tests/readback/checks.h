@@ -1,5 +1,6 @@
-// Compares what pictures show with their tables: each check says what differs by more than half a
-// pixel, or by more than half a step of a colour's level; nothing where all is equal.
+// Compares pictures with the tables of the same figures. Each check describes the differences
+// larger than half a pixel, or than half a level step of a colour; its result is empty if there are
+// none.
 #pragma once
 
 #include <string>
@@ -13,15 +14,15 @@ using Problems = std::vector<std::string>;
 
 inline constexpr double half_a_pixel = 0.5;
 
-/// Which columns the axes of a plot show.
+/// The columns of the table that the axes of a plot show.
 struct PlotColumns {
     std::string x, y;
-    std::string to = {};          ///< of bars: where they end
-    bool is_logarithmic = false;  ///< up
-    bool has_exponents = false;   ///< up: the column has logarithms, the labels powers of ten
+    std::string to = {};          ///< of bars: the column of their right ends
+    bool is_logarithmic = false;  ///< the upright axis is logarithmic
+    bool has_exponents = false;   ///< logarithms in the column, powers of ten on the upright axis
 };
 
-/// Bars, curves, levels, bands, points and marks of a plot.
+/// Checks the bars, curves, levels, bands, points and marks of a plot.
 Problems plot_problems(const DrawnFigure& figure, const PlotColumns& columns);
 
 Problems thermometer_problems(const DrawnFigure& figure);
@@ -31,25 +32,26 @@ Problems monitor_problems(const DrawnFigure& figure);
 Problems collision_problems(const DrawnFigure& figure);
 Problems text_problems(const DrawnFigure& figure, const std::string& words);
 
-/// A box of disks, which is so wide and high.
+/// Checks a box of disks of this width and height.
 Problems gas_problems(const DrawnFigure& figure, double width, double height);
 
-/// The colour of a number, by the key of colours in the picture.
+/// The colour of a number, according to the colour key in the picture.
 Paint key_color(const SvgPicture& picture, double value);
 
-/// Of "#rrggbb".
+/// The colour "#rrggbb".
 Paint paint_of(const std::string& hex);
 
-/// Whether colours are the same but for a level: a key has 256 steps, and disks have as many.
+/// Whether two colours differ by at most one level: a key has 256 steps, and so do disks.
 bool is_near_color(const Paint& a, const Paint& b);
 
-/// The cells of a square box, each in the colour that the key has for its number in a column.
+/// Checks the cells of a square box: each must have the colour that the key gives to its number in
+/// `column`.
 Problems field_problems(const DrawnFigure& figure, double side, const std::string& column);
 
-/// The areas of a stack, each between two lines of a plot.
+/// Checks the areas of a stack, each between two lines of a plot.
 Problems stack_problems(const DrawnFigure& figure, const PlotColumns& columns);
 
-/// Beads between two ends, which are drawn as large as they are, and their world lines.
+/// Checks the beads between two ends, which are drawn to scale, and their world lines.
 Problems line_problems(const DrawnFigure& figure, double length);
 
 }  // namespace carom::test

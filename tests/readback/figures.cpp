@@ -20,7 +20,7 @@ std::vector<Row> table_of(const std::string& text) {
     return rows;
 }
 
-// Lines of an axis are filled, on whole pixels.
+// The lines of the axes: they are drawn as filled rectangles on whole pixels.
 std::vector<Edges> thin_rectangles(const SvgPicture& picture, bool is_level) {
     constexpr double widest = 1.5;
     std::vector<Edges> thin;
@@ -43,7 +43,7 @@ Edges first_longer(const std::vector<Edges>& thin) {
     return *found;
 }
 
-// The nearest number that is so near to a tick.
+// Adds a tick with the number nearest to it, if that is nearer than `most`.
 template <class Distance>
 void add_tick(std::vector<Tick>& ticks, double at, const std::vector<Said>& texts, double most,
               const Distance& distance) {

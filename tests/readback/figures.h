@@ -1,4 +1,4 @@
-// Figures that the program has drawn, with their tables; and the axes in their pictures.
+// Figures drawn by the program, with their tables, and the axes found in their pictures.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace carom::test {
 
-using Row = std::map<std::string, std::string>;  ///< by column
+using Row = std::map<std::string, std::string>;  ///< cells by column name
 
 struct DrawnFigure {
     std::string name;
@@ -22,47 +22,48 @@ struct DrawnFigure {
 /// All figures of a set, as `carom figures` writes them.
 std::map<std::string, DrawnFigure> figures_of(const std::filesystem::path& set);
 
-/// The last so many samples of a run, one of each particle.
+/// The last `count` rows of the samples of a run, one row for each particle.
 std::vector<Row> samples_of(const std::filesystem::path& scene, std::size_t count);
 
-/// The rows of a part of the picture.
+/// The rows of the table that belong to a part of the picture.
 std::vector<Row> rows_of(const DrawnFigure& figure, const std::string& part);
 
 double number(const Row& row, const std::string& column);
 
-/// What a text says, and where its ink is.
+/// A text of the picture and the extent of its ink.
 struct Said {
     std::string words;
     Edges ink;
 };
 std::vector<Said> texts_of(const SvgPicture& picture);
 
-/// A mark of an axis and the number at it.
+/// A tick of an axis: its place in pixels and the number at it.
 struct Tick {
     double at = 0, value = 0;
 };
 
 struct DrawnAxes {
     std::vector<Tick> across = {}, up = {};
-    Edges lines = {};  ///< from the ends of the upright line, and those of the level one
+    Edges lines = {};  ///< top, bottom of the upright line; left, right of the level one
 };
 
-/// Throws std::runtime_error where there are no two axes with two numbers each.
+/// Throws std::runtime_error if the picture does not have two axes with two numbers each.
 DrawnAxes axes_of(const SvgPicture& picture);
 
-/// The upright axis alone.
+/// The ticks of the upright axis only.
 std::vector<Tick> ticks_up(const SvgPicture& picture);
 
-/// A number is at a pixel.
+/// A number and the pixel at which it is drawn.
 using Pair = Tick;
 
-/// What is linear in the numbers, between ticks and what is drawn: the line through all.
+/// The linear map from numbers to pixels.
 struct LinearMap {
     double offset = 0, slope = 0;
     double operator()(double value) const { return offset + slope * value; }
 };
 
-/// Through the pairs; ticks, which lie on whole pixels, count where pairs leave it open.
+/// The linear map that fits the pairs; ticks, which are rounded to whole pixels, count only where
+/// the pairs do not determine it.
 LinearMap fitted(const std::vector<Tick>& ticks, const std::vector<Pair>& pairs = {});
 
 }  // namespace carom::test

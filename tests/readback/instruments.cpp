@@ -1,5 +1,5 @@
-// Panels that are no plots: dials, numbers, words, one collision, boxes of disks and lines of
-// beads.
+// Reads panels that are not plots: dials, numbers, text, a single collision, boxes of disks and
+// lines of beads.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,7 +26,7 @@ std::vector<Edges> rectangles(const DrawnFigure& figure, const Wanted& is_wanted
     return all;
 }
 
-// Circles about one middle: the radius of the largest, the colour of the last.
+// Concentric circles read as one disk: the radius of the largest, the colour of the last drawn.
 struct Disk {
     Spot middle;
     double radius;
@@ -74,7 +74,8 @@ std::vector<Tick> level_ticks(const DrawnFigure& figure, double from, double to)
     return ticks;
 }
 
-// The bar right of a column, of a mean: its ends are a standard error from it.
+// Checks the error bar to the right of a column that shows a mean: its ends are one standard error
+// away.
 Problems error_bar_problems(const DrawnFigure& figure, const Edges& column, const LinearMap& up,
                             const Row& row) {
     constexpr double beside = 25.0;  // pixels
@@ -125,13 +126,13 @@ Problems thermometer_problems(const DrawnFigure& figure) {
 
 namespace {
 
-// Clockwise from the top, 0 to a whole turn.
+// The angle clockwise from the top, in [0, 2 pi).
 double angle_of(Spot from, Spot to) {
     const double angle = std::atan2(to.x - from.x, from.y - to.y);
     return angle < -1e-6 ? angle + 2.0 * std::numbers::pi : angle;
 }
 
-// The long ticks of a dial, each with the number that stands inside of it.
+// The long ticks of a dial, each with the number inside of it.
 std::vector<Tick> ticks_around(const DrawnFigure& figure, Spot middle, double radius) {
     std::vector<std::pair<Spot, Spot>> marks;
     double longest = 0.0;
@@ -157,14 +158,15 @@ std::vector<Tick> ticks_around(const DrawnFigure& figure, Spot middle, double ra
         }
         if (value) ticks.push_back({angle_of(middle, outer), *value});
     }
-    // From the least number on, so that angles grow through the top.
+    // Start at the smallest number, so that angles increase beyond the top.
     std::ranges::sort(ticks, {}, &Tick::value);
     for (std::size_t i = 1; i < ticks.size(); ++i)
         while (ticks[i].at < ticks[i - 1].at) ticks[i].at += 2.0 * std::numbers::pi;
     return ticks;
 }
 
-// The arc between ticks and rim, of a mean: its ends are a standard error from it.
+// Checks the error arc between ticks and rim of a dial that shows a mean: its ends are one standard
+// error away.
 Problems error_arc_problems(const DrawnFigure& figure, Spot hub, double length,
                             const LinearMap& around, const Row& row) {
     constexpr double inner = 1.05, outer = 1.14;  // lengths of the needle
@@ -280,7 +282,7 @@ std::vector<DrawnArrow> arrows_of(const DrawnFigure& figure) {
     return arrows;
 }
 
-// Three pictures side by side, each about its centre of mass.
+// Three pictures side by side, each centred on its centre of mass.
 struct Stages {
     std::vector<Disk> particles, centers;
     double scale = 0.0;
@@ -367,7 +369,7 @@ bool is_same(const Paint& a, const Paint& b) {
     return true;
 }
 
-// The largest that is filled, but for the page.
+// The largest filled rectangle except the page: the ground of the box.
 Edges ground_of(const DrawnFigure& figure) {
     const std::vector<Edges> all = rectangles(figure, [&](const Edges& edges, const Shape&) {
         return edges.width() < figure.picture.width - 1.0;
@@ -384,7 +386,7 @@ void compare_colors(Problems& problems, const Row& row, const Disk& disk) {
 }  // namespace
 
 Problems gas_problems(const DrawnFigure& figure, double width, double height) {
-    constexpr double least_radius = 1.2;  // with which disks are drawn
+    constexpr double least_radius = 1.2;  // the smallest radius with which disks are drawn
     Problems problems;
     const Edges ground = ground_of(figure);
     const double scale = ground.width() / width;
@@ -429,7 +431,7 @@ Problems line_problems(const DrawnFigure& figure, double length) {
     const double now = number(beads.front(), "time (time)");
     for (const Row& bend : rows_of(figure, "world line")) {
         const Spot place{across(bend), up(now - number(bend, "time (time)"))};
-        double off = INFINITY;  // to the nearest corner of a line
+        double off = INFINITY;  // distance to the nearest corner of a line
         for (const Shape& shape : figure.picture.shapes)
             if (shape.is_stroke)
                 for (const Spot& corner : shape.corners())
@@ -441,7 +443,7 @@ Problems line_problems(const DrawnFigure& figure, double length) {
     return problems;
 }
 
-// The key is a column of strips, from the lowest number, 0, up to that at its top.
+// The key is a column of strips, from the lowest number, which is 0, up to the number at its top.
 Paint key_color(const SvgPicture& picture, double value) {
     std::vector<Paint> steps;
     Edges bar{INFINITY, INFINITY, 0.0, 0.0};
@@ -469,7 +471,7 @@ Paint key_color(const SvgPicture& picture, double value) {
 }
 
 Problems field_problems(const DrawnFigure& figure, double side, const std::string& column) {
-    constexpr double on_whole_pixels = 0.5;  // on which cells are drawn
+    constexpr double on_whole_pixels = 0.5;  // cells are drawn on whole pixels
     Problems problems;
     const Edges ground = ground_of(figure);
     const double scale = ground.width() / side;

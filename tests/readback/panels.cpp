@@ -1,4 +1,4 @@
-// Every kind of panel: the numbers of its picture are those of its table.
+// For every kind of panel: checks that the numbers read from its picture are those of its table.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Check plot(PlotColumns columns) {
     return [columns](const DrawnFigure& figure) { return plot_problems(figure, columns); };
 }
 
-// Of each figure in docs/panels/, which shows the kind of its name.
+// The check of each figure in docs/panels/; a figure has the name of its kind.
 const std::map<std::string, Check>& checks() {
     static const std::map<std::string, Check> all{
         {"speed-histogram",
@@ -87,8 +87,8 @@ const std::map<std::string, DrawnFigure>& gallery() {
     return all;
 }
 
-// The set is made from the registry of kinds, and a test of the scene language says whether it is
-// current.
+// The set is generated from the registry of kinds; a test of the scene language checks that it is
+// up to date.
 std::vector<std::string> kinds() {
     std::vector<std::string> all;
     std::istringstream lines(contents(set));
@@ -98,7 +98,7 @@ std::vector<std::string> kinds() {
     return all;
 }
 
-// Columns of tables that no place in the picture shows.
+// Whether a column is shown in the picture; `others` lists those that are not.
 bool is_read(const std::string& kind, const std::string& column) {
     static const std::multimap<std::string, std::string> others{
         {"collision-map", "step (number)"},  // the order of the steps
@@ -114,7 +114,8 @@ bool is_read(const std::string& kind, const std::string& column) {
     return std::none_of(first, last, [&](const auto& other) { return other.second == column; });
 }
 
-// A figure with a larger number in one of its rows: that of so high a rank, from 0 to 1.
+// A copy of the figure with a larger number in one row: the one at the rank `rank`, from 0 (lowest)
+// to 1.
 std::optional<DrawnFigure> changed(DrawnFigure figure, const std::string& column, double rank) {
     std::vector<std::pair<double, std::string*>> numbers;
     for (Row& row : figure.table) {
@@ -134,7 +135,7 @@ std::optional<DrawnFigure> changed(DrawnFigure figure, const std::string& column
     return figure;
 }
 
-// Throws nothing: a picture that cannot be read is a problem too.
+// Does not throw: a picture that cannot be read counts as a problem, too.
 Problems problems_of(const DrawnFigure& figure, const Check& check) {
     try {
         return check(figure);
@@ -172,10 +173,11 @@ TEST_CASE("a wrong number in a table, of any column, is seen in the picture") {
         for (const auto& in_row : figure.table.front()) {
             const auto& column = in_row.first;
             if (!is_read(kind, column)) continue;
-            if (!changed(figure, column, 0.0)) continue;  // words
+            if (!changed(figure, column, 0.0)) continue;  // text
             CAPTURE(kind);
             CAPTURE(column);
-            // Some numbers are beyond the axes, and some lie on the way of a straight line.
+            // Two are tried, as some numbers lie beyond the axes and some on a straight line
+            // between others.
             const bool is_seen = std::ranges::any_of(std::array{0.7, 1.0}, [&](double rank) {
                 return !problems_of(*changed(figure, column, rank), check).empty();
             });

@@ -1,4 +1,4 @@
-// Plots: one check for all of them.
+// Reads plots: one check for all of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace carom::test {
 namespace {
 
-constexpr double on_whole_pixels = 0.5;  // by which ticks, and the sides of bars, are moved
-constexpr double precision = 0.15;       // of a map that is fitted to what is so moved
-constexpr double thinning = 0.75;        // pixels: of a curve's points that are nearer one is drawn
+constexpr double on_whole_pixels = 0.5;  // how far rounding moves ticks and the sides of bars
+constexpr double precision = 0.15;       // of a map fitted to places so rounded
+constexpr double thinning = 0.75;        // pixels: of nearer points of a curve only one is drawn
 
 struct Datum {
     double x = 0, y = 0, to = 0;
@@ -29,7 +29,7 @@ bool is_filled(const Row& row, const std::string& column) {
     return found != row.end() && !found->second.empty();
 }
 
-// How far a point is from a straight line between two.
+// The distance of a point from the straight segment between two others.
 double distance(Spot p, Spot a, Spot b) {
     const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     const double along = square > 0.0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0.0;
@@ -54,8 +54,9 @@ class PlotReading {
     }
 
     Problems problems() {
-        // Ticks, which lie on whole pixels, give the axes roughly, the ends of lines better, and
-        // all of their corners as well as the picture has them.
+        // The axes are fitted in three steps: roughly with ticks, which lie on whole pixels; better
+        // with the ends of lines; and with all of their corners as exactly as the picture shows
+        // them.
         for (const double tolerance : {3.0 * half_a_pixel, 2.0 * half_a_pixel, half_a_pixel}) {
             read_all(tolerance);
             is_rough_ = false;
@@ -68,7 +69,8 @@ class PlotReading {
         return problems_;
     }
 
-    // Corners to the right along the upper line, and back along the lower.
+    // Checks the areas of a stack: the corners of each run to the right along its upper line and
+    // back along the lower one.
     Problems stack() {
         if (!problems().empty()) return problems_;
         std::vector<const Group*> lines;
@@ -92,7 +94,7 @@ class PlotReading {
     }
 
   private:
-    // Without a line on the axis.
+    // Whether a corner lies on a line; without a line, on the axis.
     bool lies_on(const Group* line, Spot corner) const {
         if (line == nullptr) return std::abs(corner.y - within(up_(0.0))) <= tolerance_;
         return std::ranges::any_of(line->data,
@@ -152,7 +154,7 @@ class PlotReading {
     double within(double y) const { return std::clamp(y, axes_.lines.top, axes_.lines.bottom); }
     Spot place(const Datum& datum) const { return {across_(datum.x), up_(datum.y)}; }
 
-    // At the place of a datum, or where the axis ends before it.
+    // Whether a spot is at the place of a datum or, beyond the axis, where the axis ends.
     bool is_at(Spot spot, const Datum& datum) const {
         const Spot its = place(datum);
         if (is_near(spot, its, tolerance_)) return true;
@@ -165,14 +167,15 @@ class PlotReading {
         if (std::abs(spot.y - up_(datum.y)) <= tolerance_) y_pairs_.push_back({spot.y, datum.y});
     }
 
-    // From where a datum is, or where the axis ends before it.
+    // The distance of a spot from the place of a datum or from where the axis ends before it.
     double off_by(Spot spot, const Datum& datum) const {
         const Spot its = place(datum);
         return std::min(std::hypot(its.x - spot.x, its.y - spot.y),
                         std::hypot(its.x - spot.x, within(its.y) - spot.y));
     }
 
-    // Near a corner, or on the way to the next.
+    // Whether a curve may omit the datum: it is near the corner `before` or on the segment to
+    // `corner`.
     bool is_left_out(const Datum& datum, Spot before, Spot corner) const {
         const Spot its = place(datum);
         return std::ranges::any_of(std::array{its.y, within(its.y)}, [&](double y) {
@@ -181,8 +184,10 @@ class PlotReading {
         });
     }
 
-    // The corner after another: of the data on the way to it, or near the one before, the first
-    // that is at it, else the nearest; of the last corner the last.
+    // The datum that a corner of a curve shows, searched after the datum `from` of the corner
+    // `before` for as long as the curve may omit the data passed. It is the first datum at the
+    // corner within `precision`, otherwise the nearest one; for the last corner of the curve, the
+    // last one.
     std::optional<std::size_t> next(const std::vector<Datum>& data, std::size_t from, Spot before,
                                     Spot corner, bool is_last) const {
         std::optional<std::size_t> found;
@@ -197,7 +202,7 @@ class PlotReading {
         return found;
     }
 
-    // How far data go along the corners of a line.
+    // How far the data agree with the corners of a line.
     struct Match {
         std::size_t end = 0;
         std::vector<std::pair<Spot, std::size_t>> corners = {};
@@ -227,7 +232,7 @@ class PlotReading {
         return match;
     }
 
-    // A line may be broken into several.
+    // A curve may be broken into several lines.
     void read_curve(const Group& group) {
         std::vector<Datum> data;
         std::ranges::copy_if(group.data, std::back_inserter(data), &Datum::has_y);
@@ -275,7 +280,7 @@ class PlotReading {
         complain("no line up shows the " + group.name());
     }
 
-    // As far to both sides of a level as the table says.
+    // Checks a band: it extends to both sides of a level by what the table says.
     void read_band(const Group& group) {
         const Row row = rows_of(figure_, group.part).at(0);
         const double error = number(row, "standard deviation of " + columns_.y);
@@ -293,11 +298,11 @@ class PlotReading {
         complain("no band shows the " + group.name());
     }
 
-    // From the lower end of an error to the upper.
+    // Checks the error bars: each extends from one standard error below the mean to one above.
     void read_errors() {
         const std::string column = "standard error of " + columns_.y;
         for (const Row& row : rows_of(figure_, "mean")) {
-            if (!is_filled(row, column)) continue;  // of a single run
+            if (!is_filled(row, column)) continue;  // a single run has no error
             const double x = across_(number(row, columns_.x)), y = number(row, columns_.y);
             const double error = number(row, column);
             const bool is_shown =
@@ -311,7 +316,7 @@ class PlotReading {
         }
     }
 
-    // Of an outline with level and upright sides: the highest level side at x.
+    // For an outline of level and upright sides: the highest level side at x.
     static std::optional<double> top_at(const std::vector<Spot>& outline, double x) {
         std::optional<double> top;
         for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -392,7 +397,7 @@ class PlotReading {
     double tolerance_ = 0.0;
     bool is_rough_ = true;
     std::vector<Pair> x_pairs_, y_pairs_;
-    std::set<const Shape*> used_;  ///< by lines
+    std::set<const Shape*> used_;  ///< shapes that were read as lines
     Problems problems_;
 };
 

@@ -1,4 +1,5 @@
-// The reader of SVG, in the spelling of each Cairo; and the numbers in labels.
+// Tests the reader of SVG, with the notation of each version of Cairo, and the reading of numbers
+// in labels.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ namespace {
 const std::string head =
     R"svg(<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="90px" height="50px">)svg";
 
-// A bar, a line that is moved, and a letter.
+// A bar, a translated line and a letter.
 const std::string cairo_1_16 = head + R"svg(<defs><g><symbol overflow="visible" id="glyph0-1">
 <path style="stroke:none;" d="M 0 0 L 2 0 L 2 -4 Z M 0 0 "/></symbol></g></defs><g id="surface1">
 <path style=" stroke:none;fill-rule:nonzero;fill:rgb(100%,0%,20%);fill-opacity:0.5;" d="M 10 20 L 14 20 L 14 30 L 10 30 Z M 10 20 "/>

@@ -1,4 +1,4 @@
-// Scenes whose numbers anyone can work out: pictures and tables against these.
+// Scenes whose numbers can be worked out by hand: pictures and tables are compared with these.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -41,7 +41,8 @@ void check_equal(const std::vector<double>& values, const std::vector<double>& e
 
 }  // namespace
 
-// It flies at speed 2 from 3 to the wall, which its middle meets at 19, and is back at 15.
+// The disk starts at 3 with speed 2, its centre meets the wall at 19, and it is back at 15 in the
+// end.
 TEST_CASE("a disk is drawn where it has come to") {
     const DrawnFigure& figure = drawn("disk");
     check_none(gas_problems(figure, 20.0, 10.0));
@@ -50,7 +51,7 @@ TEST_CASE("a disk is drawn where it has come to") {
     check_equal(column(rows, "y (length)"), {5.0});
 }
 
-// The right wall at 8, 26, ..., 98; the left one at 17, 35, ..., 89.
+// Hits of the right wall at the times 8, 26, ..., 98; of the left one at 17, 35, ..., 89.
 TEST_CASE("counters show the hits of two walls") {
     const DrawnFigure& figure = drawn("hits");
     check_none(counter_problems(figure));
@@ -63,14 +64,14 @@ TEST_CASE("numbers in words are those of one disk") {
     check_equal(column(figure.table, "value"), {10.0, 1.0, 2.0, 2.0});
 }
 
-// Momentum 4 to each end, twice in the last 36.
+// Each end receives the momentum 4 twice in the last time interval of 36.
 TEST_CASE("the needle of a gauge shows the mean force of one bead") {
     const DrawnFigure& figure = drawn("gauge");
     check_none(needle_problems(figure));
     check_equal(column(figure.table, "value"), {2.0 * 4.0 / 36.0});
 }
 
-// They touch at time 5, the first at 8 and the second at 9.
+// The beads meet at time 5, the first at 8 and the second at 9.
 TEST_CASE("two equal beads exchange velocities, colours and energies") {
     const DrawnFigure& beads = drawn("beads");
     check_none(line_problems(beads, 20.0));
@@ -78,7 +79,7 @@ TEST_CASE("two equal beads exchange velocities, colours and energies") {
     const std::vector<Row> bends = rows_of(beads, "world line");
     check_equal(column(bends, "x as drawn (length)"), {3.0, 8.0, 8.0, 9.0, 9.0, 12.0});
     check_equal(column(bends, "time (time)"), {0.0, 5.0, 8.0, 0.0, 5.0, 8.0});
-    CHECK(bends[1].at("colour") == bends[5].at("colour"));  // of the way that ends there
+    CHECK(bends[1].at("colour") == bends[5].at("colour"));  // of the segment that ends here
     CHECK(bends[2].at("colour") == bends[4].at("colour"));
 
     const DrawnFigure& energies = drawn("energies");
@@ -96,7 +97,7 @@ TEST_CASE("two equal beads exchange velocities, colours and energies") {
     const DrawnFigure& path = drawn("path");
     const PlotColumns columns{"position of particle 0 (length)", "position of particle 1 (length)"};
     check_none(plot_problems(path, columns));
-    for (const Row& row : rows_of(path, "path"))  // one of them moves
+    for (const Row& row : rows_of(path, "path"))  // only one of the two moves
         CHECK((number(row, columns.x) == doctest::Approx(8.0) ||
                number(row, columns.y) == doctest::Approx(9.0)));
 }
@@ -109,7 +110,8 @@ TEST_CASE("bars, slabs and sides hold the disks that lie there") {
 
     const DrawnFigure& density = drawn("density");
     check_none(plot_problems(density, {"x (length)", "density (1/length^2)"}));
-    // Over the area of a slab, at both of its ends; what repeats the row before is not listed.
+    // Counts divided by the area of a slab, listed at both of its ends; a row that repeats the one
+    // before is omitted.
     check_equal(column(rows_of(density, "profile"), "density (1/length^2)"),
                 {0.2, 0.2, 0, 0, 0.1, 0.1, 0, 0, 0, 0, 0, 0.1, 0.1, 0, 0, 0});
 
@@ -145,7 +147,7 @@ TEST_CASE("disks of a gas have their places in the run, and the colours of their
     REQUIRE(samples.size() == disks.size());
     for (std::size_t i = 0; i < disks.size(); ++i) {
         CAPTURE(i);
-        for (const std::string axis : {"x", "y"})  // in single precision
+        for (const std::string axis : {"x", "y"})  // the table has single precision
             CHECK(std::stof(disks[i].at(axis + " (length)")) == std::stof(samples[i].at(axis)));
         const double speed = std::hypot(number(samples[i], "vx"), number(samples[i], "vy"));
         CHECK(is_near_color(paint_of(disks[i].at("colour")), key_color(figure.picture, speed)));

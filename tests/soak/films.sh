@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Renders COUNT films in a row, by one process into one folder. All have the same bytes, nothing else is left there, and
-# the process has no more memory at the end than after a tenth of them. Called by `./dev soak`.
+# Renders COUNT films in a row, in one process and one folder. Checks that all have the same bytes,
+# that nothing else is left in the folder, and that the peak memory of the process hardly grows
+# after a tenth of them. Called by `./dev soak`.
 set -euo pipefail
 [ $# -eq 2 ] || { echo 'usage: films.sh CAROM COUNT' >&2; exit 2; }
 carom=$(readlink -f "$1") count=$2
@@ -19,7 +20,8 @@ TEXT
 mkdir scenes
 for ((i = 1; i <= count; ++i)); do cp scene.yaml "scenes/film-$i.yaml"; done
 
-# Prints the peak of memory after a tenth of the films, and of all, in kB. All scenes are read before the first film.
+# Prints the peak memory after a tenth of the films and after all, in kB. All scenes are read before
+# the first film.
 films() {
     local scenes=()
     for ((i = 1; i <= count; ++i)); do scenes+=("scenes/film-$i.yaml"); done

@@ -1,6 +1,6 @@
-// Runs a dense gas for very many collisions, in parts: each part goes on from the checkpoint that
-// the part before it has written. After each part all pairs, the energy, the momentum, the clock
-// and the memory of the process are checked; `./dev soak` calls it.
+// Runs a dense gas for very many collisions, in parts, each of which continues from the checkpoint
+// written by the part before. After each part all pairs, the energy, the momentum, the clock and
+// the memory of the process are checked. Called by `./dev soak`.
 #define DOCTEST_CONFIG_IMPLEMENT  // tests/support needs it; main is here
 #include <fmt/format.h>
 #ifdef __GLIBC__
@@ -37,7 +37,7 @@ namespace {
 constexpr std::int64_t disks = 10'000;
 constexpr double packing = 0.6;  // below freezing: particles still change places
 
-// How deep the deepest pair overlaps, in diameters; found among neighbours in the order of x.
+// The deepest overlap of a pair, in diameters; pairs are searched in the order of x.
 double deepest_overlap(const Box& box, const Sample& sample) {
     const Eigen::Index count = sample.position.rows();
     std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
@@ -61,8 +61,8 @@ double deepest_overlap(const Box& box, const Sample& sample) {
     return 1.0 - std::sqrt(nearest);
 }
 
-// Without what the allocator keeps of memory that was given back: by chance that is up to a
-// quarter.
+// Resident memory without freed memory that the allocator retains, which varies by chance up to a
+// quarter of the total.
 std::int64_t resident_kilobytes() {
 #ifdef __GLIBC__
     malloc_trim(0);
@@ -73,7 +73,7 @@ std::int64_t resident_kilobytes() {
     return 0;
 }
 
-// The slope of a straight line through the values, in its standard errors.
+// The slope of a straight line fitted to the values, in units of its standard error.
 double slope_in_errors(const std::vector<double>& values) {
     const auto count = static_cast<double>(values.size());
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
@@ -95,7 +95,7 @@ class Soak {
         momentum_ = speeds(simulation_.sample()).sum();
     }
 
-    // Goes on for so many collisions, and through a checkpoint.
+    // Advances by this number of collisions, and passes the simulation through a checkpoint.
     void part(std::int64_t collisions) {
         const std::int64_t begin = collisions_;
         double time = simulation_.sample().time;
@@ -117,15 +117,15 @@ class Soak {
         report();
     }
 
-    // The rate of collisions does not change with time: a clock that drifts changes it.
+    // Checks that the collision rate does not change with time: a drifting clock would change it.
     void check_rates() const {
         if (rates_.size() < 6) return;
         const std::vector<double> later(rates_.begin() + 1,
                                         rates_.end());  // the lattice melts first
         const double slope = slope_in_errors(later);
         fmt::print("slope of the collision rate: {:.2f} standard errors\n", slope);
-        // One test in one run; Student's t with 4 degrees of freedom or more is beyond 8.6 once in
-        // a thousand.
+        // There is one test in a run; Student's t with 4 or more degrees of freedom exceeds 8.6
+        // with a probability of 1 in 1000.
         require(std::abs(slope) < 8.6, "the collision rate changes with time");
     }
 
@@ -157,7 +157,7 @@ class Soak {
 
     void check_memory() {
         const std::int64_t now = resident_kilobytes();
-        if (rates_.size() == 2) memory_ = now;  // buffers have their sizes after the first part
+        if (rates_.size() == 2) memory_ = now;  // by then all buffers have their final sizes
         require(!memory_ || now < *memory_ + *memory_ / 10, "the memory grows");
     }
 
@@ -181,7 +181,7 @@ class Soak {
 
 }  // namespace
 
-// soak COLLISIONS: in ten parts.
+// Usage: soak COLLISIONS, carried out in ten parts.
 int main(int count, char** words) {
     const double collisions = count == 2 ? std::atof(words[1]) : 0.0;
     if (!(collisions >= 1e5)) {

@@ -1,4 +1,4 @@
-// Means of blocks of one run, and whether they are what is expected.
+// Block averages over one simulation run, and a check of their mean against an expected value.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -9,7 +9,7 @@
 
 namespace carom::test {
 
-/// Mean of blocks and its standard error.
+/// The mean of the block averages and its standard error.
 struct Estimate {
     double mean, error;
 };
@@ -24,8 +24,9 @@ inline Estimate estimate(const std::vector<double>& blocks) {
     return estimate(Eigen::ArrayXd(Eigen::ArrayXd::Map(blocks.data(), count)));
 }
 
-/// Within five standard errors, which chance fails once in two million; and these are at most a
-/// share of what is expected, so that the test can tell.
+/// Checks that the mean of the blocks lies within five standard errors of `expected`, which fails
+/// by chance once in two million. Also checks that the standard error is below the share
+/// `most_error` of `expected`, since a larger error would let any result pass.
 inline void check_mean(const std::vector<double>& blocks, double expected, double most_error) {
     const Estimate found = estimate(blocks);
     const double mean = found.mean, error = found.error;

@@ -1,4 +1,4 @@
-// Simulations of a few particles that are given one by one.
+// Builds simulations of a few particles whose positions and velocities are listed one by one.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,8 @@ struct Disk {
     double x, y, vx, vy, radius = 0.5, inverse_mass = 1.0;
 };
 
-/// What a Simulation starts from; in one dimension y and vy are left out.
+/// The particles and the sample from which a Simulation starts; in one dimension y and vy are
+/// ignored.
 inline std::pair<Particles, Sample> start_of(int dimension, const std::vector<Disk>& disks) {
     const auto count = static_cast<Eigen::Index>(disks.size());
     Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi::Zero(count)};
@@ -41,7 +42,8 @@ struct Bead {
     double x, v, inverse_mass = 1.0;
 };
 
-/// Beads of one radius between the ends of a line; when `dimension` is 2, disks in a row.
+/// Beads of equal radius on a line between two end walls; for `dimension` 2, disks in a row along a
+/// narrow box.
 inline Simulation along_a_line(int dimension, double length, double radius,
                                const std::vector<Bead>& beads) {
     const double height = 4.0 * radius;

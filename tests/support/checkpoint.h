@@ -1,4 +1,4 @@
-// Checkpoints of simulations: written, read back, and what both simulations then do.
+// Writes a checkpoint of a simulation, restores it, and compares how both simulations continue.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ namespace carom::test {
 struct CheckpointCase {
     Gas gas;
     Run run;
-    std::vector<double> returns = {};  ///< for measure_return()
+    std::vector<double> returns = {};  ///< times passed to measure_return()
 };
 
 inline std::string written(Simulation& simulation) {
@@ -36,7 +36,7 @@ inline Simulation restored(const Simulation& of, const Run& run, const std::stri
     return simulation;
 }
 
-/// All that a simulation reports as it goes on, as bits.
+/// Records, bit for bit, everything that a simulation reports while it advances.
 class Trace {
   public:
     void go_on(Simulation& simulation, const std::vector<double>& stops) {
@@ -110,7 +110,8 @@ inline Simulation start_of(const CheckpointCase& its) {
     return simulation;
 }
 
-/// Times up to the end, those among them at which returns are measured.
+/// The times at which the simulation stops after a checkpoint at `time`: up to the end of the run,
+/// and including those at which returns are measured.
 inline std::vector<double> stops_after(const CheckpointCase& its, double time) {
     std::vector<double> stops{5.0, 6.0};
     for (const double at : its.returns)
@@ -147,7 +148,8 @@ inline Found require_exact_checkpoint(const CheckpointCase& its, Simulation orig
         REQUIRE(written(copy) == written(original));
     }
 
-    // Over a simulation that was elsewhere, which is then as the copy was.
+    // Restores the checkpoint into a simulation that was in another state; it must then equal the
+    // copy.
     Simulation other = start;
     Archive archive(bytes, "checkpoint");
     other.archive(archive);

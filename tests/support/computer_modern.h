@@ -1,6 +1,6 @@
-// Computer Modern as the layout of formulae sees it. The numbers are those of cmr, cmmi and cmsy at
-// 10, 7 and 5 points and of cmex10 in TeX Live 2022, as `tftopl` writes them, times the size over
-// 10 points: the em of the words around is 1.
+// The metrics of Computer Modern for the layout of formulae. The numbers are those of cmr, cmmi and
+// cmsy at 10, 7 and 5 points and of cmex10 in TeX Live 2022, as printed by `tftopl`, multiplied by
+// the font size over 10 points: lengths are in units of the em of the surrounding text.
 #pragma once
 
 #include <algorithm>
@@ -343,8 +343,9 @@ inline const std::vector<Kern> kerns{
 {"p", 0, "x", 0, 2, -0.0173615},
 };
 
-// size: 0 to 2 as those of letters, 3 of cmex10, 4 made of pieces: then `depth` is that of the ends
-// together, and `more` what each further piece adds.
+// size: 0 to 2 as for letters; 3: a single glyph of cmex10; 4: assembled from pieces. For size 4,
+// `depth` is the total height of the end pieces, and `more` the height that each further piece
+// adds.
 struct Bracket { const char* text; int size; double width, height, depth, italic, more; };
 inline const std::vector<Bracket> brackets{
 {"(", 0, 0.38889, 0.75, 0.25, 0, 0},
@@ -497,7 +498,7 @@ class ComputerModern : public formula::Font {
     }
 
   private:
-    // cmr, cmmi, cmsy.
+    // The font family that has the letter: 'r' cmr, 'i' cmmi, 's' cmsy.
     static char family(const formula::Letter& letter) {
         if (letter.is_slanted || letter.text == "." || letter.text == "," || letter.text == "/" ||
             letter.text == "<" || letter.text == ">")
@@ -516,7 +517,8 @@ class ComputerModern : public formula::Font {
         throw std::runtime_error("no metrics of " + name);
     }
 
-    // TeX tries the forms of this size and of those above it, and of its large symbols.
+    // Like TeX, tries the glyphs of this size, then those of the larger text sizes, then those of
+    // cmex10.
     static formula::Metrics grown(const std::string& text, double least, formula::Size size) {
         formula::Metrics largest;
         const auto takes = [&](double width, double height, double depth, double italic) {

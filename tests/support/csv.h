@@ -12,7 +12,7 @@
 
 namespace carom::test {
 
-/// What stands between the commas of a line; none may be quoted.
+/// Splits a line at its commas; quoted fields are not supported.
 inline std::vector<std::string> cells_of(const std::string& line) {
     std::vector<std::string> cells(1);
     for (const char c : line) {
@@ -24,7 +24,7 @@ inline std::vector<std::string> cells_of(const std::string& line) {
     return cells;
 }
 
-/// The rows of tests/reference/NAME as text cells, without comments and the line of titles.
+/// The rows of tests/reference/NAME as text cells, without comments and without the header line.
 inline std::vector<std::vector<std::string>> reference_rows(const std::string& name) {
     std::ifstream file(carom::test::checkout().string() + "/tests/reference/" + name);
     if (!file) throw std::runtime_error("no reference table " + name);
@@ -48,8 +48,8 @@ inline double fraction(const std::string& text) {
     return std::stod(text.substr(0, slash)) / std::stod(text.substr(slash + 1));
 }
 
-/// The rows of a text as RFC 4180 writes them, with quoted fields. Throws where a quote is open, or
-/// the last line has no end.
+/// The rows of a text in the format of RFC 4180, with quoted fields. Throws if a quote is not
+/// closed or if the last line does not end with a line break.
 inline std::vector<std::vector<std::string>> quoted_rows(const std::string& text) {
     std::vector<std::vector<std::string>> rows(1, {""});
     bool quoted = false;

@@ -1,4 +1,4 @@
-// A variable of the environment as long as a test needs it.
+// Sets an environment variable for the duration of a test.
 #pragma once
 
 #include <cstdlib>
@@ -7,7 +7,8 @@
 
 namespace carom::test {
 
-/// Sets the variable, and gives it back what it was. Not while other threads read it.
+/// Sets the variable, and restores its earlier value on destruction. Not thread-safe: no other
+/// thread may read the environment at these moments.
 class EnvironmentVariable {
   public:
     EnvironmentVariable(const char* name, const std::string& value) : name_(name) {

@@ -1,4 +1,4 @@
-// Gases of equal disks in a periodic box, as theory and simulations of reference have them.
+// Gases of equal disks in a periodic box, as used in theory and in published reference simulations.
 #pragma once
 
 #include <cmath>
@@ -9,10 +9,11 @@
 
 namespace carom::test {
 
-/// Disks of mass 1 and diameter 1 at temperature 1 on a lattice that fits the box without a fault.
+/// Disks of mass 1 and diameter 1 at temperature 1, on a lattice that fits the periodic box without
+/// defects.
 inline Gas equal_disks(double packing, std::int64_t count) {
     const double area = static_cast<double>(count) * std::numbers::pi * 0.25 / packing;
-    const double shape = std::sqrt(std::sqrt(0.75));  // of hexagonal rows, for a square number
+    const double shape = std::sqrt(std::sqrt(0.75));  // of hexagonal rows, for a square count
     Gas gas;
     gas.box.size = {std::sqrt(area) / shape, std::sqrt(area) * shape};
     gas.box.walls = {Wall::periodic, Wall::periodic};

@@ -1,4 +1,4 @@
-// What is known of a gas of equal hard disks at any packing fraction of the fluid.
+// Equation of state, collision rate and mean free path of the fluid of equal hard disks.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace carom::test {
 
-/// Z - 1, Z = P A / (N T), from Kolafa and Rottner 2006, eq. (7); good to a packing fraction of
-/// 0.70.
+/// Z - 1, where Z = P A / (N T) is the compressibility factor, from Kolafa and Rottner 2006, eq.
+/// (7); valid up to a packing fraction of 0.70.
 inline double excess_compressibility(double packing) {
     const double x = packing / (1.0 - packing);
     double sum = -1.0;
@@ -19,15 +19,15 @@ inline double excess_compressibility(double packing) {
     return sum;
 }
 
-/// Collisions of one disk per unit of time, for mass 1, diameter 1 and temperature T:
-/// (4/sqrt(pi)) (Z - 1) sqrt(T). Velocities of colliding disks are independent in equilibrium, so
-/// Enskog's rate is exact with the exact Z.
+/// Collisions per disk and unit of time, (4/sqrt(pi)) (Z - 1) sqrt(T), for mass 1, diameter 1 and
+/// temperature T. In equilibrium the velocities of colliding disks are independent, so Enskog's
+/// rate is exact if Z is.
 inline double collision_rate(double packing, double temperature) {
     return 4.0 / std::sqrt(std::numbers::pi) * excess_compressibility(packing) *
            std::sqrt(temperature);
 }
 
-/// Mean path between two collisions, in diameters: pi / (4 sqrt(2) (Z - 1)).
+/// Mean free path between two collisions of a disk, in diameters: pi / (4 sqrt(2) (Z - 1)).
 inline double mean_free_path(double packing) {
     return std::numbers::pi / (4.0 * std::numbers::sqrt2 * excess_compressibility(packing));
 }

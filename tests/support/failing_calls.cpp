@@ -1,7 +1,8 @@
-// A library to be preloaded: one call of the system fails, or writes half of its bytes.
-// FAULT_CALL names a class of calls (below), FAULT_NUMBER counts them from 1, FAULT_ERROR is the
-// errno, or "short" for writes. FAULT_OF counts only the openings of paths that contain it.
-// At the end FAULT_COUNTS, a file, is given a line for each class: how many calls there were.
+// A library for LD_PRELOAD that makes one system call fail, or write only half of its bytes.
+// FAULT_CALL names a class of calls (below), FAULT_NUMBER is the number of the failing call,
+// counted from 1, and FAULT_ERROR its errno, or "short" for a partial write. If FAULT_OF is set,
+// only calls with a path that contains it are counted. At exit one line for each class, with its
+// number of calls, is written to the file FAULT_COUNTS.
 #include <dirent.h>
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -48,7 +49,7 @@ struct Fault {
     const char* path = nullptr;
 };
 
-// Allocates nothing, as it is called from malloc too.
+// Must not allocate, as it is also called from malloc.
 Fault chosen() {
     Fault fault;
     const char* const of = std::getenv("FAULT_CALL");
@@ -63,7 +64,8 @@ Fault chosen() {
     return fault;
 }
 
-// Before the constructors of libraries have run, nothing fails: that is the loader's work.
+// Nothing fails before the constructors of this library have run: until then the dynamic loader is
+// at work.
 constinit Fault fault{};
 constinit bool is_ready = false;
 
@@ -104,7 +106,7 @@ mode_t mode_in(int flags, va_list rest) { return creates(flags) ? va_arg(rest, m
 
 }  // namespace
 
-// `call` is made unless it is the one that fails.
+// Returns `failure` if this call is the one to fail; otherwise calls the real function.
 #define CALL(of, path, failure, name, ...)                   \
     if (fails(of, path)) return failure;                     \
     static auto* const call = next<decltype(::name)>(#name); \
@@ -133,7 +135,7 @@ extern "C" {
 OPENING(open)
 OPENING(open64)
 
-// A sanitizer takes these calls itself.
+// A sanitizer intercepts these calls itself.
 #if defined(__GLIBC__) && !defined(CAROM_SANITIZERS)
 
 OPENING_AT(openat)
@@ -185,7 +187,7 @@ int unlink(const char* path) noexcept { CALL(naming, path, -1, unlink, path); }
 int fsync(int file) { CALL(syncing, nullptr, -1, fsync, file); }
 int fdatasync(int file) { CALL(syncing, nullptr, -1, fdatasync, file); }
 
-// As in Linux, the file is closed whatever close says.
+// As on Linux, the file is closed even if close reports an error.
 int close(int file) {
     const bool chosen = fails(closing);
     const long closed = syscall(SYS_close, file);
@@ -220,7 +222,7 @@ int pthread_create(pthread_t* id, const pthread_attr_t* how, void* (*work)(void*
     return next<decltype(::pthread_create)>("pthread_create")(id, how, work, with);
 }
 
-// dlsym allocates, so that these call what glibc itself has.
+// dlsym allocates, so the allocation functions call the internal ones of glibc.
 void* __libc_malloc(size_t);
 void* __libc_calloc(size_t, size_t);
 void* __libc_realloc(void*, size_t);

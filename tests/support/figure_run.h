@@ -1,4 +1,4 @@
-// The figures of a scene without their files.
+// Runs a scene for its figures without writing files.
 #pragma once
 
 #include "figures/figure_run.h"

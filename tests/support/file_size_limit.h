@@ -1,4 +1,4 @@
-// A limit on the size of files, which fails as a full disk does and needs no rights.
+// A limit on the size of files: writes fail as on a full disk, without special privileges.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -8,7 +8,7 @@
 
 namespace carom::test {
 
-/// No file of this process may grow beyond `bytes` while this lives.
+/// While this object lives, no file of this process can grow beyond `bytes`.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

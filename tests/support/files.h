@@ -12,7 +12,7 @@
 
 namespace carom::test {
 
-/// Bytes of a file; empty if there is none.
+/// The bytes of a file; empty if the file does not exist.
 inline std::string contents(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::stringstream text;
@@ -52,7 +52,7 @@ class TemporaryFolder {
         return names;
     }
 
-    /// A file in the folder, whose own folder is made if it is missing, and its path.
+    /// Writes a file in the folder, creating missing parent folders, and returns its path.
     std::filesystem::path write(const std::string& name, const std::string& text) const {
         std::filesystem::create_directories((path_ / name).parent_path());
         std::ofstream(path_ / name, std::ios::binary) << text;

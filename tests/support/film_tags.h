@@ -1,4 +1,4 @@
-// What every film of carom says of itself to ffprobe, whatever its codec.
+// Checks the metadata that every film of carom has according to ffprobe, independent of its codec.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -8,7 +8,7 @@
 
 namespace carom::test {
 
-/// Of the only stream of a film: colours as television has them, a constant rate.
+/// Checks the only stream of a film: television colours and a constant frame rate.
 inline void check_film_tags(const nlohmann::json& found, int frames_per_second) {
     REQUIRE(found["streams"].size() == 1);
     const nlohmann::json& stream = found["streams"][0];

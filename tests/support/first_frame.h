@@ -1,4 +1,4 @@
-// The first frame of a scene, as its own first pass sees it.
+// The first frame of a scene, drawn after a first pass over that frame alone.
 #pragma once
 
 #include <memory>
@@ -29,7 +29,7 @@ struct FirstFrame {
         view = painter->paint(frame).pixels();
     }
 
-    /// The box on the picture.
+    /// The rectangle of the gas box in the picture, in pixels.
     Rect box() const {
         return panels.gas().frame_in(
             Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas), 1.0);

@@ -1,5 +1,5 @@
-// Whether numbers follow a distribution: Kolmogorov and Smirnov's test, whose chance is known far
-// into the tail, where a correction for many tests needs it.
+// Tests whether numbers follow a distribution. The Kolmogorov-Smirnov test is used because its
+// p-value is known far into the tail, where a correction for many simultaneous tests needs it.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace carom::test {
 
-/// The chance of a larger Kolmogorov-Smirnov distance than that of `values` from the distribution
-/// with the distribution function `below`, for independent values (Stephens 1970's correction for
-/// their number).
+/// The p-value of the Kolmogorov-Smirnov test of `values` against the distribution function
+/// `below`: the probability of a larger distance if the values are independent draws from it (with
+/// the correction of Stephens 1970 for finite samples).
 inline double chance(std::vector<double> values, const std::function<double(double)>& below) {
     std::sort(values.begin(), values.end());
     const double n = static_cast<double>(values.size());
@@ -28,7 +28,8 @@ inline double chance(std::vector<double> values, const std::function<double(doub
     return t < 0.2 ? 1.0 : std::clamp(sum, 0.0, 1.0);
 }
 
-/// Correlation of each value with the next; for n independent ones normal with variance 1/n.
+/// Correlation of each value with the next. For n independent values it is normally distributed
+/// with variance 1/n.
 inline double correlation_with_next(const std::vector<double>& values) {
     double mean = 0.0, variance = 0.0, product = 0.0;
     for (const double v : values) mean += v / static_cast<double>(values.size());
@@ -39,8 +40,8 @@ inline double correlation_with_next(const std::vector<double>& values) {
     return product / variance;
 }
 
-/// Distribution function of Beta(a, b) at x for whole a and b: at least `a` of a + b - 1 uniform
-/// numbers lie below x.
+/// Distribution function of Beta(a, b) at x for integers a and b: the probability that at least `a`
+/// of a + b - 1 uniform random numbers lie below x.
 inline double beta_below(int a, int b, double x) {
     double sum = 0.0, choices = 1.0;
     for (int k = 0; k < a + b; ++k) {

@@ -1,4 +1,4 @@
-// Files of any size that ask a reader of scenes for as much work as they can.
+// Input files of any size that cause a reader of scenes as much work as possible.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace carom::test {
 
-/// The text for about so many bytes.
+/// An input file: `text` generates it with about `bytes` bytes.
 struct HostileFile {
     std::string about;
     std::function<std::string(std::size_t bytes)> text;

@@ -1,5 +1,5 @@
-// Words that would be script, markup, commands or formulas in what carom writes, if any were taken
-// for what it looks like. Each is at most as long as a name may be.
+// Words that would act as script, markup, commands or formulas if carom wrote them into its outputs
+// without escaping. None is longer than a name may be.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace carom::test {
 
-/// What each of them would do, if it could: set the attribute `pwned` of a document, make the file
-/// `pwned`, set the text of `canary.tex`.
+/// If one of them were executed, it would set the attribute `pwned` of a document, create the file
+/// `pwned`, or set the text of `canary.tex`.
 inline const std::vector<std::string> hostile_words{"<script>pwned()</script>",
                                                     "\"><img src=x onerror=pwned()>",
                                                     "'><svg onload=pwned()>",
@@ -30,7 +30,7 @@ inline const std::vector<std::string> hostile_words{"<script>pwned()</script>",
                                                     "+1, @SUM(A1), -2",
                                                     "\u202egnp.\u2066live\u2069"};
 
-/// The same as one text.
+/// All of these words, joined by spaces into one text.
 inline std::string all_hostile_words() {
     std::string all;
     for (const std::string& words : hostile_words) all += (all.empty() ? "" : " ") + words;

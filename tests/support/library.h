@@ -1,4 +1,4 @@
-// The scenes that come with carom, in all their folders.
+// The scenes that are shipped with carom, in all their folders.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 
 namespace carom::test {
 
-/// All scenes, sorted; figure sets, in a folder of their own, are none.
+/// The files of all scenes, sorted. Figure sets, which have a folder of their own, are not
+/// included.
 inline std::vector<std::filesystem::path> library_files() {
     const std::filesystem::path folder = checkout() / "scenes";
     std::vector<std::filesystem::path> files;
@@ -22,7 +23,7 @@ inline std::vector<std::filesystem::path> library_files() {
     return files;
 }
 
-/// The scene of a name, in whichever folder it is.
+/// The file of the scene with this name, in any of the folders.
 inline std::filesystem::path library_file(const std::string& name) {
     for (std::filesystem::path& file : library_files())
         if (file.stem() == name) return std::move(file);

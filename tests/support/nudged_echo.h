@@ -1,5 +1,5 @@
-// A gas that turns round, one of its disks moved by far less than anything could measure: when its
-// way back leaves the way out.
+// A gas whose velocities are reversed while one disk is displaced by far less than could ever be
+// measured: after how many collisions its return path leaves the original path.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@
 
 namespace carom::test {
 
-/// Bits by which a distance grows with each collision of a particle, as measured for 100 disks; by
-/// packing fraction.
+/// Bits by which the distance between two trajectories grows with each collision of a particle,
+/// measured for 100 disks; the key is the packing fraction.
 inline std::map<double, double> measured_growth() {
     std::map<double, double> bits_for_each;
     for (const auto& row : reference_rows("reversal_growth_rate.csv"))
@@ -23,8 +23,9 @@ inline std::map<double, double> measured_growth() {
     return bits_for_each;
 }
 
-/// Collisions of each of 100 disks between walls, from the reversal on, until one of them is a
-/// radius away from where it was on the way out; -1 if `most` are not enough.
+/// Collisions per disk, counted from the reversal of the velocities, until one of 100 disks between
+/// walls is a radius away from its place on the original path. `by` is the displacement of one
+/// disk. Returns -1 if this does not happen within `most` collisions.
 inline double collisions_until_astray(double packing, const std::string& by, double most,
                                       std::uint64_t seed = 1) {
     constexpr int count = 100;

@@ -1,5 +1,5 @@
-// Films whose frames tell their number, written through the writer of films, and an independent
-// reader of them.
+// Films whose frames show their own number, written through FilmWriter, and an independent reader
+// of such films.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -72,8 +72,8 @@ struct Frame {
     }
 };
 
-// Flat patches of known colours, the frame's number in black and white squares below them, and
-// something that moves.
+// A frame with flat patches of known colours, the frame number in binary as black and white squares
+// below them, and a moving square.
 inline Frame numbered_frame(const VideoSettings& settings, int number) {
     Frame frame{settings.width, settings.height, {}};
     frame.pixels.assign(std::size_t(settings.width * settings.height), 0xff181818u);
@@ -105,8 +105,9 @@ inline std::unique_ptr<FilmSegment> encode(FilmWriter& writer, const VideoSettin
 inline const std::vector<int> lengths = {7, 20, 13, 1, 2};
 inline constexpr int total = 43;
 
-// The format is that of the path. The segments one after the other, or each on a thread of its own,
-// all at once, the last one started first.
+// Writes a film, whose format follows from the extension of `path`. Its segments are encoded one
+// after the other or, with `in_threads`, each on its own thread, all at once and the last segment
+// started first.
 inline void write_film(const std::filesystem::path& path, const VideoSettings& settings,
                        bool in_threads = false, const std::vector<std::uint32_t>& palette = {}) {
     const std::unique_ptr<FilmWriter> writer = film_writer(path, settings, total);
@@ -128,7 +129,8 @@ inline void write_film(const std::filesystem::path& path, const VideoSettings& s
         CHECK(writer->bytes() == std::int64_t(std::filesystem::file_size(path)));
 }
 
-// Frames that do not compress: the file passes every buffer long before its end.
+// Writes frames of noise, which do not compress: the file outgrows every buffer long before its
+// end.
 inline void write_noise(const std::filesystem::path& path, const VideoSettings& settings,
                         int count) {
     const std::unique_ptr<FilmWriter> writer = film_writer(path, settings, count);
@@ -155,7 +157,7 @@ inline std::string failure_of(const std::filesystem::path& path, const VideoSett
     return "";
 }
 
-// `least`: bytes of the film, several buffers.
+// `least`: a lower bound on the size of the film in bytes, several times the size of the buffers.
 inline void check_failing_writes(const std::filesystem::path& path, const VideoSettings& settings,
                                  rlim_t least) {
     REQUIRE(failure_of(path, settings, 40) == "");

@@ -1,5 +1,5 @@
-// Formulae and the width, height and depth that pdfLaTeX gives them (TeX Live 2022, article at 10
-// points), over 10 points. tests/unit/app/latex.cpp measures them again.
+// Formulae with the width, height and depth of the boxes in which pdfLaTeX sets them (TeX Live
+// 2022, article at 10 points), in units of 10 points. tests/unit/app/latex.cpp measures them again.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 namespace carom::test {
 
 struct MeasuredFormula {
-    bool stands_alone;  ///< \displaystyle
+    bool stands_alone;  ///< set in \displaystyle
     const char* tex;
     double width, height, depth;
 };

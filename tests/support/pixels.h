@@ -1,4 +1,4 @@
-// The pixels of a picture, to compare it with another.
+// The pixels of a picture as a vector, for comparison with another picture.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace carom::test {
 
-/// Row by row, without what pads the rows.
+/// The pixels row by row, without the padding at the end of the rows.
 inline std::vector<std::uint32_t> pixels_of(const PixelView& view) {
     std::vector<std::uint32_t> pixels;
     for (int y = 0; y < view.height; ++y)

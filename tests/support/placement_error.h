@@ -1,4 +1,4 @@
-// What placement says when it finds no room.
+// The error message of the placement of particles when they do not fit.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace carom::test {
 
-/// The words of the error, none when there is room.
+/// The message of the placement error; empty if the particles fit.
 inline std::string placement_error(const Gas& gas) {
     try {
         place(gas);

@@ -17,7 +17,7 @@ struct Outcome {
 /// Runs a program (found on PATH) with arguments and waits; `folder` is its working directory.
 Outcome run(const std::vector<std::string>& command, const std::filesystem::path& folder = ".");
 
-/// The same through `sh -c`, for limits and pipes.
+/// Like run(), through `sh -c`, which allows limits and pipes.
 Outcome shell(const std::string& script, const std::filesystem::path& folder = ".");
 
 /// Whether a program of this name is on PATH.

@@ -5,7 +5,7 @@
 
 namespace carom::test {
 
-/// What differs from `value` by less than `tolerance` times the larger of the two.
+/// Equals a number that differs from `value` by less than `tolerance` times the larger of the two.
 inline doctest::Approx relative(double value, double tolerance) {
     return doctest::Approx(value).epsilon(tolerance).scale(0.0);
 }

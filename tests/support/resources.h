@@ -1,4 +1,4 @@
-// What carom brings along for scenes, as the loader takes it.
+// The templates and panel kinds of carom, in the form that the scene loader expects.
 #pragma once
 
 #include "panels/registry.h"
@@ -7,7 +7,7 @@
 
 namespace carom::test {
 
-/// The templates of the checkout, and all kinds of panel.
+/// The templates of this checkout, and all panel kinds.
 inline SceneResources resources() { return {checkout() / "templates", panel_kinds()}; }
 
 }  // namespace carom::test

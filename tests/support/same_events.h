@@ -1,4 +1,4 @@
-// The fast event loop against a slow, obvious simulator, event by event.
+// Compares the event loop with a slow, simple reference simulator, event by event.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -15,9 +15,10 @@
 namespace carom::test {
 
 /// Requires that the event loop finds the same collisions in the same order as `Slow`, a
-/// SlowSimulator or SlowLine: at most `most` of them, before the time `end`. Round-off of the
-/// doubles grows with every collision of a particle (of disks by some 4 to 13 bits); events are
-/// compared while it is small, and a wrong event shows as a jump. Returns how many were compared.
+/// SlowSimulator or SlowLine, for at most `most` collisions before the time `end`. The round-off of
+/// the doubles grows with every collision of a particle (for disks by some 4 to 13 bits), so events
+/// are compared only while it is small; a wrong event shows as a jump. Returns the number of
+/// collisions compared.
 template <int dimension, class Slow, class Scalar = double>
 int require_same_events(const Box& box, const Particles& particles, const Sample& start, double end,
                         int most, const Arithmetic& arithmetic = {}) {

@@ -1,4 +1,5 @@
-// The event loop of boxes whose surfaces act against the slow, obvious simulator, event by event.
+// Compares the event loop of boxes with active surfaces with the slow, simple reference simulator,
+// event by event.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -21,13 +22,14 @@
 
 namespace carom::test {
 
-/// What has been compared.
+/// Counts of what has been compared.
 struct SurfaceTally {
     int scenes = 0, pairs = 0, hits = 0, bath = 0, events = 0, refused = 0, ended = 0;
-    std::vector<double> flux, along;  ///< of velocities from baths, in units of sqrt(T/m)
+    std::vector<double> flux, along;  ///< velocities normal to and along baths, in sqrt(T/m)
 };
 
-/// From event to event: each starts from the state of the fast loop after the one before.
+/// Compares the two simulators from event to event: after each event the slow one takes over the
+/// state of the fast one.
 template <int dimension, class Scalar>
 class SurfaceComparison {
   public:
@@ -41,7 +43,8 @@ class SurfaceComparison {
         fast_.start(start);
     }
 
-    /// Goes on to `time`, through at most `most` events. False if these are used up.
+    /// Advances to `time`, through at most `most` events. Returns false if these are used up, or if
+    /// the comparison cannot go on.
     bool go_on(double time, int& most) {
         Collision found{};
         while (most > 0) {
@@ -56,7 +59,8 @@ class SurfaceComparison {
         return false;
     }
 
-    /// False if it cannot be, which ends a run.
+    /// Carries out an event of the run in both simulators. Returns false if it is impossible, which
+    /// ends a run.
     bool carry_out(const RunEvent& event) {
         std::vector<std::int32_t> in_the_way;
         const bool can_be = slow_.apply(event, in_the_way);
@@ -94,7 +98,7 @@ class SurfaceComparison {
         FAIL("a contact has been missed");
     }
 
-    // False where a run may go on in several ways.
+    // Checks one collision. Returns false if round-off may decide how the run continues.
     bool check(const Collision& found) {
         const bool is_pair = found.second.is_particle();
         const std::int32_t second = is_pair ? found.second.particle() : -1 - found.second.surface();
@@ -116,12 +120,13 @@ class SurfaceComparison {
             compare(found.time);
         fast_.sample(found.time, sample_);
         slow_.adopt(sample_, fast_.surfaces(found.time));
-        // One that lies in what reflects it may come back to it without having left it. A piston
-        // that nothing holds is far away in the end.
+        // A disk reflected while it overlaps the surface may meet it again without having left it.
+        // A piston that nothing holds is far away in the end, where round-off is large.
         return !touch.is_within && slow_.slack() < 1e-10L;
     }
 
-    // Away from the wall; the size is compared with its distribution in the end.
+    // The disk must leave the wall; its velocity is stored, and compared with its distribution in
+    // the end.
     void check_bath(const Collision& found) {
         const auto& mover = slow_.movers()[static_cast<std::size_t>(found.second.surface())];
         Eigen::Array2d normal = found.first_position - found.second_position;
@@ -145,7 +150,7 @@ class SurfaceComparison {
     void compare(double time) {
         fast_.sample(time, sample_);
         const auto surfaces = fast_.surfaces(time);
-        // Rounding of a contact's place turns the velocities after it.
+        // Round-off of the contact point rotates the velocities after the collision.
         const auto near = [&](double found, long double expected, long double scale) {
             return std::abs(found - expected) <= scale;
         };
@@ -193,7 +198,8 @@ class SurfaceComparison {
     SurfaceTally& tally_;
 };
 
-/// Disks at special places: in a corner, at rest on the floor.
+/// Moves some disks to special places, such as a corner, and sets some at rest, for instance on the
+/// floor.
 inline void move_some(const Box& box, const Particles& particles, Sample& start,
                       std::uint64_t seed) {
     Random random(seed, "special places");
@@ -214,7 +220,7 @@ inline void move_some(const Box& box, const Particles& particles, Sample& start,
     }
 }
 
-/// Requires the same events of both, at most `most` of them.
+/// Requires that both simulators find the same events, for at most `most` of them.
 template <int dimension, class Scalar = double>
 void require_same_surface_events(const SurfaceScene& scene, std::uint64_t seed, SurfaceTally& tally,
                                  int most, const Arithmetic& arithmetic = {}) {
@@ -223,7 +229,7 @@ void require_same_surface_events(const SurfaceScene& scene, std::uint64_t seed, 
     try {
         std::tie(particles, start) = place(scene.gas);
     } catch (const std::exception&) {
-        return;  // no room for them
+        return;  // the particles do not fit
     }
     move_some(scene.gas.box, particles, start, seed);
     ++tally.scenes;

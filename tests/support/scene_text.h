@@ -1,4 +1,4 @@
-// Scenes of tests, given as text.
+// Scenes of tests, written as text in the test.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace carom::test {
 
-/// The scene of a text, with the templates of carom; messages call it `test`.
+/// Loads a scene from text, with the templates of carom; messages call its file `test`.
 inline Scene scene_from(const std::string& text, const Overrides& overrides = {},
                         Wanted wanted = Wanted::film) {
     return load_scene_text(text, "test", resources(), overrides, wanted);

@@ -1,4 +1,4 @@
-// A panel that has seen a run, as the two passes of a film show it one.
+// A panel together with the run that it has processed, as in the two passes of a film.
 #pragma once
 
 #include <memory>
@@ -15,21 +15,22 @@
 
 namespace carom::test {
 
-/// A time from 0 to `end` in equal steps, both ends with it.
+/// Times from 0 to `end` in `steps` equal steps, both ends included.
 inline std::vector<double> times_up_to(double end, int steps) {
     std::vector<double> times;
     for (int i = 0; i <= steps; ++i) times.push_back(end * i / steps);
     return times;
 }
 
-/// Of a scene; by itself the panel is the first of its film. After the first pass.
+/// A panel of a scene after the first pass. If constructed from a scene alone, it is the first
+/// panel of its film.
 struct SeenPanel {
     Scene scene;
     std::vector<double> times;
     Particles particles;
     std::optional<EquilibriumGas> equilibrium = {};
     std::unique_ptr<Panel> panel;
-    std::vector<EnergyAccount> accounts = {};  ///< at each time
+    std::vector<EnergyAccount> accounts = {};  ///< one for each time
 
     SeenPanel(Scene of, const PanelSpec& spec, std::vector<double> at)
         : scene(std::move(of)),
@@ -45,7 +46,7 @@ struct SeenPanel {
     SeenPanel(const Scene& of, int steps)
         : SeenPanel(of, of.film.panels.at(0), times_up_to(of.run.until, steps)) {}
 
-    /// What the panel shows at the last time, after the second pass.
+    /// The state of the panel at the last time, after the second pass.
     std::shared_ptr<const PanelState> last_state() const {
         std::shared_ptr<const PanelState> last;
         run(panel->wants_collisions(),

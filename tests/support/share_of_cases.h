@@ -1,4 +1,4 @@
-// How much of a large set of cases a test looks at.
+// How many cases of a large set a test tries.
 #pragma once
 
 #include <cstdlib>
@@ -11,9 +11,9 @@ constexpr bool has_sanitizers = true;
 constexpr bool has_sanitizers = false;
 #endif
 
-/// A test looks at every n-th case: at every `usual`-th; in builds with sanitizers, where each
-/// takes several times as long, at every `sanitized`-th; at all where CAROM_SLOW is set, as by the
-/// slow tests.
+/// The n for which a test tries every n-th case: `usual`; in builds with sanitizers, where each
+/// case takes several times as long, `sanitized`; 1, that is all cases, if CAROM_SLOW is set, as
+/// the slow tests do.
 inline int every_nth(int usual, int sanitized) {
     if (std::getenv("CAROM_SLOW") != nullptr) return 1;
     return has_sanitizers ? sanitized : usual;

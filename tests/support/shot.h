@@ -1,4 +1,4 @@
-// The frames of a film without its file.
+// The frames of a film, without writing its file.
 #pragma once
 
 #include <algorithm>
@@ -17,22 +17,22 @@
 
 namespace carom::test {
 
-/// A film after its first pass. Its panels refer to it.
+/// A film after its first pass. Its panels hold references to it, so it is not copyable.
 struct SurveyedFilm {
     Scene scene;
     Particles particles;
     Sample start;                          ///< at time 0
-    std::optional<RunStart> start_beside;  ///< of the run beside the film's own, if there is one
+    std::optional<RunStart> start_beside;  ///< of the run shown beside the film's own, if any
     Recording run, beside;
-    std::string axes;  ///< what the first pass has fixed
+    std::string axes;  ///< the archive of what the first pass has fixed
 
-    /// With so much room for each run.
+    /// `room`: how much room the recording of each run may take.
     explicit SurveyedFilm(const Scene& loaded, const Recording::Room& room = {})
         : SurveyedFilm(start_scene(loaded), room) {}
     SurveyedFilm(const SurveyedFilm&) = delete;
     SurveyedFilm& operator=(const SurveyedFilm&) = delete;
 
-    /// Panels that have read what others have fixed, ready for the second pass.
+    /// Panels that have restored what the first pass has fixed, ready for the second pass.
     std::unique_ptr<PanelSet> read_panels() const {
         auto panels = std::make_unique<PanelSet>(scene, particles, start,
                                                  start_beside ? &*start_beside : nullptr);
@@ -67,8 +67,8 @@ struct SurveyedFilm {
     }
 };
 
-/// A film's frames, or the first `most` of them, and what draws them: panels that have read what
-/// the first pass of others has fixed.
+/// The frames of a film, or the first `most` of them, and the panels for drawing them, which have
+/// restored what the first pass of other panels has fixed.
 struct Shot : SurveyedFilm {
     std::unique_ptr<PanelSet> panels;
     std::vector<FrameData> frames;

@@ -1,7 +1,7 @@
-// The obvious simulator of beads on a line, to check the fast one against: at each event it looks
-// at all neighbours and both ends, moves everybody to the earliest contact, and collides. The order
-// of the beads is fixed at the start. No queue, no local times; long double makes up for its
-// round-off.
+// A simple simulator of beads on a line, as a reference for the fast one: at each event it examines
+// all pairs of neighbours and both ends, moves all beads to the earliest contact, and carries out
+// the collision. The order of the beads is fixed at the start. It has no event queue and no local
+// times; its arithmetic is long double, which makes up for its larger round-off.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,10 @@ class SlowLine {
   public:
     SlowLine(const Box& box, const Particles& particles, const Sample& start);
 
-    /// Goes on to the next collision, nothing if there is none before `end`. Of several at one
-    /// time, pairs come before walls, low numbers before high ones. Two neighbours of infinite mass
-    /// pass through each other: such scenes are not for it.
+    /// Advances to the next collision and returns it; none if there is none before `end`. Of
+    /// several collisions at one time, pairs come before walls and low numbers before high ones.
+    /// Scenes with two neighbours of infinite mass are not supported: they would pass through each
+    /// other.
     std::optional<SlowEvent> next(long double end);
 
     long double x(std::int32_t i) const;  ///< in [0, length) on a ring
@@ -28,7 +29,7 @@ class SlowLine {
 
   private:
     struct Bead {
-        long double x, v, radius, inverse_mass;  ///< x grows beyond the length on a ring
+        long double x, v, radius, inverse_mass;  ///< on a ring x is not wrapped
     };
     struct Contact {
         long double wait;

@@ -24,7 +24,7 @@ inline long double dot(SlowVector a, SlowVector b) { return a.x * b.x + a.y * b.
 inline long double size(SlowVector a) { return std::hypot(a.x, a.y); }
 inline SlowVector left_of(SlowVector a) { return {-a.y, a.x}; }
 
-// c[0] + c[1] t + ... + c[4] t^4.
+// The polynomial c[0] + c[1] t + ... + c[4] t^4.
 struct Polynomial {
     std::array<long double, 5> c{};
 
@@ -37,8 +37,8 @@ struct Polynomial {
     }
 };
 
-// Where it changes its sign between 0 and `end`: once at most between two places where its slope
-// does.
+// The places between 0 and `end` where the polynomial changes sign. Between two neighbouring sign
+// changes of its derivative there is at most one.
 inline std::vector<long double> sign_changes(const Polynomial& p, long double end) {
     std::vector<long double> found;
     if (p.is_constant()) return found;
@@ -60,7 +60,8 @@ inline std::vector<long double> sign_changes(const Polynomial& p, long double en
     return found;
 }
 
-// When it becomes negative before `end`; at 0 if it is negative there and falls.
+// The times before `end` at which the polynomial becomes negative, including 0 if it is negative
+// and falling there.
 inline std::vector<long double> falls_of(const Polynomial& p, long double end) {
     std::vector<long double> falls;
     bool is_negative = p(0.0L) < 0.0L;
@@ -72,7 +73,7 @@ inline std::vector<long double> falls_of(const Polynomial& p, long double end) {
     return falls;
 }
 
-// r + v t + a t^2 / 2 in a direction.
+// The component of r + v t + a t^2 / 2 along a direction, as a polynomial of t.
 inline Polynomial along(SlowVector direction, SlowVector r, SlowVector v, SlowVector a) {
     return {{dot(direction, r), dot(direction, v), 0.5L * dot(direction, a), 0.0L, 0.0L}};
 }

@@ -74,7 +74,8 @@ void SlowSimulator::collide(const Candidate& event) {
     b.vy -= b.inverse_mass * impulse * ny;
 }
 
-// So short that nothing flies further than a quarter of the box, and the images looked at suffice.
+// The longest time step in which nothing flies further than a quarter of the box, so that the
+// images examined suffice.
 long double SlowSimulator::longest_step() const {
     long double fastest = 1e-300L;
     for (const Disk& d : disks_) fastest = std::max(fastest, std::hypot(d.vx, d.vy));
@@ -105,7 +106,8 @@ std::optional<SlowEvent> SlowSimulator::next(long double end) {
             fly(step);
             continue;
         }
-        // Wrapping may change which image touches: collide first, at the places of the contact.
+        // Carry out the collision before wrapping positions into the box: wrapping may change which
+        // image is in contact.
         for (Disk& d : disks_) {
             d.x += d.vx * best.wait;
             d.y += d.vy * best.wait;

@@ -1,6 +1,8 @@
-// The obvious simulator of hard disks, to check the fast one against: at each event it looks at all
-// pairs (all images) and all walls, moves everybody to the earliest, and collides. No grid, no
-// queue, no local times, textbook quadratic formula; long double makes up for its round-off.
+// A simple simulator of hard disks, as a reference for the fast one: at each event it examines all
+// pairs (with all periodic images) and all walls, moves all disks to the earliest contact, and
+// carries out the collision. It has no cell grid, no event queue and no local times, and uses the
+// textbook quadratic formula; its arithmetic is long double, which makes up for its larger
+// round-off.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +23,7 @@ class SlowSimulator {
   public:
     SlowSimulator(const Box& box, const Particles& particles, const Sample& start);
 
-    /// Goes on to the next collision, nothing if there is none before `end`.
+    /// Advances to the next collision and returns it; none if there is none before `end`.
     std::optional<SlowEvent> next(long double end);
 
     long double x(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)].x; }

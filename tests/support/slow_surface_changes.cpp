@@ -1,4 +1,4 @@
-// What contacts and events change.
+// Contacts and run events: how they change the state.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -62,7 +62,7 @@ SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Disk& disk, std::int32_t 
         for (const Vector& image : images()) {
             const Motion m = motion_of(disk, part, image);
             const long double gap = gap_of(m, part, disk);
-            // A disk that a membrane lets through may be reflected from within it.
+            // A disk that a membrane has let in may be reflected while it overlaps the membrane.
             if (gap > slack_ || (gap < -slack_ && !is_membrane)) continue;
             if (!part.is_line && size(m.r) == 0.0L) continue;
             const Vector n = part.is_line ? left_of(part.along) : (1.0L / size(m.r)) * m.r;
@@ -114,7 +114,7 @@ bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_th
     const auto mover = [&](const auto& its) -> Mover& {
         return movers_[static_cast<std::size_t>(its.surface)];
     };
-    // That were let through, and would be in a wall.
+    // Finds disks that were let through the surface and would now overlap it.
     const auto close_on = [&](std::int32_t surface) {
         for (std::size_t i = 0; i < disks_.size(); ++i)
             for (const Part& part : parts_)
@@ -164,7 +164,8 @@ bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_th
             momentum = momentum + its * disk.v;
         }
         if (all.empty()) return false;
-        // As much for each direction of each particle, but for the motion of the gas as a whole.
+        // Equal energy for each degree of freedom, without those of the centre-of-mass motion of
+        // the gas.
         const auto count = static_cast<long double>(all.size());
         Vector mean;
         long double freedom = box_.dimension * count, of_mean = 0.0L;
@@ -207,7 +208,7 @@ void SlowSurfaces::adopt(const Sample& state, const std::vector<SurfaceState>& s
     settle();
 }
 
-// Of the places and, by the time's, of the ways of all.
+// Round-off of positions and, because of the round-off of time, of the distances travelled.
 void SlowSurfaces::find_slack() {
     long double furthest = box_.size.maxCoeff(), fastest = 0.0L;
     for (const Disk& disk : disks_) {

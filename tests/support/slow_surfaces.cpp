@@ -67,7 +67,7 @@ void SlowSurfaces::add_partition(int axis, long double at,
     const auto add_piece = [&](long double to) {
         if (to <= from) return;
         parts_.push_back({true, point(from), point(to), direction, to - from, 0.0L, surface});
-        if (!box_.is_periodic(1 - axis) && from == 0.0L)  // beyond the wall too, which may move
+        if (!box_.is_periodic(1 - axis) && from == 0.0L)  // also beyond the wall, which may move
             parts_.push_back(
                 {true, point(0.0L), point(0.0L), -1.0L * direction, 1e9L, 0.0L, surface});
         if (!box_.is_periodic(1 - axis) && to == end)
@@ -80,7 +80,7 @@ void SlowSurfaces::add_partition(int axis, long double at,
         from = gap_to;
     }
     add_piece(end);
-    // Where it reaches a wall, or its own image, it has no corner.
+    // No corner where the partition reaches a wall or its own periodic image.
     const bool is_ring = box_.is_periodic(1 - axis);
     const bool is_whole = gaps.front().first > 0.0 && gaps.back().second < end;
     std::erase_if(parts_, [&](const Part& part) {
@@ -111,7 +111,7 @@ void SlowSurfaces::add_obstacle(const Obstacle& obstacle, std::int32_t surface) 
     }
 }
 
-// As its behaviour has it; the velocity of a piston is its own.
+// Sets the motion that follows from the behaviour; a piston keeps its own velocity.
 void SlowSurfaces::set_motion(Mover& mover) {
     mover.inverse_mass = mover.acceleration = 0.0L;
     mover.stops = infinite;
@@ -133,7 +133,7 @@ void SlowSurfaces::set_motion(Mover& mover) {
     }
 }
 
-// Disks fall, but for those that a wall at rest carries.
+// Disks fall, except those that rest on a wall that does not move.
 void SlowSurfaces::settle() {
     const Vector gravity{box_.surfaces.gravity[0], box_.surfaces.gravity[1]};
     for (Disk& disk : disks_) {
@@ -150,8 +150,8 @@ void SlowSurfaces::settle() {
     }
 }
 
-// On which side of a line something is; of a wall that is the inside of the box, which left and top
-// have to the right of their way.
+// On which side of a line a body is. For walls it is always the inside of the box, which lies to
+// the right of the left and top walls, seen along their direction.
 long double SlowSurfaces::side_of(const Part& part, long double distance) {
     if (part.surface < 4) return part.surface == 0 || part.surface == 3 ? -1.0L : 1.0L;
     return distance < 0.0L ? -1.0L : 1.0L;
@@ -195,7 +195,7 @@ SlowSurfaces::Motion SlowSurfaces::motion_of(const Disk& disk, const Part& part,
     const auto k = static_cast<std::size_t>(part.surface);
     if (k >= movers_.size()) return m;
     const Mover& mover = movers_[k];
-    // Parts are where their surface was at the start.
+    // The place of a part is that at the start; the mover has the present one.
     m.r[mover.axis] = disk.x[mover.axis] + image[mover.axis] - mover.place;
     m.v[mover.axis] -= mover.velocity;
     m.a[mover.axis] -= mover.acceleration;
@@ -219,7 +219,8 @@ long double SlowSurfaces::time_to_circle(const Motion& m, long double distance,
 
 long double SlowSurfaces::time_to_part(const Disk& disk, const Part& part, const Motion& m,
                                        long double before) const {
-    // One that is let through, and in the surface, must leave it to meet it again.
+    // A disk that is let through and overlaps the surface must leave it before it can meet it
+    // again.
     const bool is_passing = disk.passing.contains(part.surface) && gap_of(m, part, disk) < slack_;
     const long double reach = disk.radius + part.radius - (is_passing ? 0.0L : slack_);
     const long double soonest = is_passing ? 1e-9L : 0.0L;
@@ -239,7 +240,7 @@ long double SlowSurfaces::time_to_part(const Disk& disk, const Part& part, const
         if (part.surface < 4 && from != side) continue;
         Polynomial gap = along(from * normal, m.r, m.v, m.a);
         gap.c[0] -= reach;
-        if (from != side && gap.c[0] > 0.0L) continue;  // a point in contact is on its side
+        if (from != side && gap.c[0] > 0.0L) continue;  // a body in contact stays on its own side
         for (const long double t : falls_of(gap, before)) {
             if (t < soonest || (t == 0.0L && from != side)) continue;
             if (part.length == infinite || (foot(t) >= 0.0L && foot(t) <= part.length)) {
@@ -290,7 +291,7 @@ void SlowSurfaces::look_at_parts(Next& next) const {
         }
 }
 
-// The end of a part that a mover meets, unless it is beside the part.
+// The end of the part that the mover would hit; none if the mover is already alongside the part.
 std::optional<long double> SlowSurfaces::end_towards(const Part& part, const Mover& mover) const {
     const long double first = part.place[mover.axis], last = part.end[mover.axis];
     const long double low = std::min(first, last) - part.radius;
@@ -299,8 +300,8 @@ std::optional<long double> SlowSurfaces::end_towards(const Part& part, const Mov
     return mover.place - low < high - mover.place ? low : high;
 }
 
-// consider(distance, velocity, acceleration, what, its place): another mover (-2 - its number), or
-// a part at rest.
+// Calls consider(distance, velocity, acceleration, what, place) for everything that mover k can
+// hit: another mover (what = -2 - its number) or a part at rest (what = its number).
 template <class Consider>
 void SlowSurfaces::for_each_that_reaches(std::size_t k, const Consider& consider) const {
     const Mover& mover = movers_[k];
@@ -320,8 +321,8 @@ void SlowSurfaces::for_each_that_reaches(std::size_t k, const Consider& consider
     }
 }
 
-// Movers on one axis meet each other and what stands across their way; one that is in the reach of
-// such a thing already passes by it.
+// Movers on one axis meet each other and whatever extends across their path. A mover that already
+// overlaps the extent of such an obstacle passes by it.
 void SlowSurfaces::look_at_movers(Next& next) const {
     for (std::size_t k = 0; k < movers_.size(); ++k) {
         const Mover& mover = movers_[k];
@@ -349,7 +350,8 @@ long double SlowSurfaces::least_room() const {
     return least;
 }
 
-// So short that nothing moves further than a quarter of the box, and the images looked at suffice.
+// The longest time step in which nothing moves further than a quarter of the box, so that the
+// images examined suffice.
 long double SlowSurfaces::longest_step() const {
     long double fastest = 1e-300L, acceleration = 0.0L;
     for (const Disk& disk : disks_) {
@@ -379,7 +381,8 @@ void SlowSurfaces::fly(long double wait) {
     }
 }
 
-// A mover stops (second = -1), or bounces off another (-2 - its number) or a part at rest.
+// A mover stops (second = -1), or bounces off another mover (-2 - its number) or off a part at
+// rest.
 void SlowSurfaces::bounce(const Next& next) {
     Mover& mover = movers_[static_cast<std::size_t>(-1 - next.first)];
     if (next.second == -1) {
@@ -393,7 +396,7 @@ void SlowSurfaces::bounce(const Next& next) {
         other.velocity -= impulse * other.inverse_mass;
         mover.place = other.place;
     } else {
-        mover.place = next.place;  // exactly: beyond it would not meet it again
+        mover.place = next.place;  // exactly: from beyond the obstacle it would not meet it again
         mover.velocity = -mover.velocity;
     }
 }

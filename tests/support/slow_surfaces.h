@@ -1,11 +1,13 @@
-// The obvious simulator of disks, or beads on a line, among surfaces that act, obstacles and
-// gravity, to check the fast one against. From one state to the next it looks at all pairs and all
-// parts of surfaces (all images), at pistons and driven walls too. Each distance is a polynomial of
-// the time, whose roots are found between those of its derivative. No cells, no queue, no local
-// times; long double makes up for its round-off. It does not draw what leaves a heat bath.
+// A simple simulator of disks, or of beads on a line, with active surfaces, obstacles and gravity,
+// as a reference for the fast one. From one state to the next it examines all pairs and all parts
+// of surfaces (with all periodic images), including pistons and driven walls. Each distance is a
+// polynomial of time; its roots are bracketed by those of its derivative. There are no cells, no
+// event queue and no local times; its arithmetic is long double, which makes up for its larger
+// round-off. It does not draw the random velocities after contacts with a heat bath.
 //
-// It is told which contact comes next and says whether that is one, and whether another would have
-// come before: contacts at one time, and those that round-off makes or misses, have no order.
+// The caller names the next contact; the simulator checks that it is a contact and that no other
+// one should have come before. It does not choose the contact itself because the order is undefined
+// for simultaneous contacts and for those that round-off creates or misses.
 #pragma once
 
 #include <array>
@@ -23,7 +25,7 @@
 namespace carom::test {
 
 struct SlowContact {
-    std::int32_t first, second;  ///< second: -1 - the number of a surface, as in surface.h
+    std::int32_t first, second;  ///< second < 0: surface -1 - second, as in surface.h
 };
 
 class SlowSurfaces {
@@ -32,73 +34,75 @@ class SlowSurfaces {
         SlowVector x, v, a;
         long double radius, inverse_mass;
         std::int32_t species;
-        std::set<std::int32_t> passing = {};  ///< surfaces that have let it through
+        std::set<std::int32_t> passing = {};  ///< surfaces that have let the disk through
     };
-    /// A side or a partition.
+    /// A side of the box or a partition.
     struct Mover {
         int axis;
         long double place, velocity = 0.0L, acceleration = 0.0L;
-        long double inverse_mass = 0.0L;  ///< 0: nothing that hits it changes its motion
+        long double inverse_mass = 0.0L;  ///< 0: collisions do not change its motion
         Behaviour behaviour;
         bool is_open = false, is_held = false;
-        bool is_mobile = false;  ///< has ever moved
+        bool is_mobile = false;  ///< is or was a piston or driven wall
         long double stops = std::numeric_limits<long double>::infinity();
     };
 
     SlowSurfaces(const Box& box, const Particles& particles, const Sample& start);
 
-    /// How far two may overlap, or be apart at a contact, by round-off.
+    /// How far two bodies may overlap, or be apart at a contact, because of round-off.
     long double slack() const { return slack_; }
     long double time() const { return time_; }
     const std::vector<Disk>& disks() const { return disks_; }
     const std::vector<Mover>& movers() const { return movers_; }
 
-    /// Moves all on to a time, through what surfaces do by themselves. Stops at a contact before it
-    /// that should have happened, and returns it.
+    /// Advances all bodies to a time, including what surfaces do by themselves. If a contact should
+    /// have happened earlier, stops at the first of them and returns it.
     std::optional<SlowContact> advance(long double time);
 
-    /// The contact at the present: what it does. `like` is the velocity of the first that another
-    /// simulator has found, of the parts of a surface in contact the one is taken that gives this.
-    /// Returns the distance of the two, and the velocity at which they approach (negative).
+    /// Carries out a contact at the present time. `like` is the velocity of the first body after
+    /// the contact according to another simulator: if several parts of a surface are in contact,
+    /// the one that gives the velocity nearest to it is used. Returns the gap between the two and
+    /// the normal velocity of approach (negative).
     struct Touch {
         long double gap, approach;
         bool is_bath = false;
-        bool is_within = false;  ///< of a disk that a membrane had let in, and reflects
+        bool is_within = false;  ///< a membrane had let the disk in and now reflects it
     };
     Touch collide(const SlowContact& contact, const SlowVector& like);
 
-    /// What an event of the run does, at the present. False if it cannot be: `in_the_way` are the
-    /// disks on which a partition would close.
+    /// Carries out an event of the run at the present time. Returns false if it is impossible;
+    /// `in_the_way` then lists the disks on which a partition would close.
     bool apply(const RunEvent& event, std::vector<std::int32_t>& in_the_way);
 
     /// Takes over the state of another simulator.
     void adopt(const Sample& state, const std::vector<SurfaceState>& surfaces);
 
-    /// The smallest distance of a mover from what it could reach: where it is none, round-off
-    /// decides what a disk between them does.
+    /// The smallest distance between a mover and anything that it can hit. If it vanishes,
+    /// round-off decides what happens to a disk in between.
     long double least_room() const;
 
-    /// The smallest distance of any two that should not overlap.
+    /// The smallest gap between any two bodies that must not overlap.
     long double least_gap() const;
 
   private:
-    /// A straight line from `place` on, or a circle; `surface` moves it.
+    /// A straight line of `length` from `place` in the direction `along`, or a circle; it moves
+    /// with `surface`.
     struct Part {
         bool is_line;
-        SlowVector place, end;  ///< of a circle both its center
+        SlowVector place, end;  ///< both the centre for a circle
         SlowVector along;       ///< the direction of a line
-        long double length;     ///< of a line; of one without ends infinite
+        long double length;     ///< of a line; infinite for a line without ends
         long double radius;     ///< of a circle
         std::int32_t surface;
     };
-    /// As one thing sees another: r + v t + a t^2 / 2.
+    /// The motion of one body relative to another: r + v t + a t^2 / 2.
     struct Motion {
         SlowVector r, v, a;
     };
     struct Next {
         long double wait;
-        std::int32_t first = -1, second = -1;  ///< first < 0: of movers, or none
-        long double place = 0.0L;              ///< of a part that a mover reaches
+        std::int32_t first = -1, second = -1;  ///< first < 0: an event of movers, or none
+        long double place = 0.0L;              ///< where a mover meets a part
     };
 
     void add_partition(int axis, long double at, const std::vector<std::pair<double, double>>& gaps,

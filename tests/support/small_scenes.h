@@ -1,4 +1,4 @@
-// Small scenes of every kind, in the plane and on a line, each from a number.
+// Small random scenes of every kind, in the plane and on a line, each generated from a seed.
 #pragma once
 
 #include <cmath>
@@ -13,8 +13,8 @@ inline Wall any_wall(Random& random) {
     return random.uniform() < 0.5 ? Wall::periodic : Wall::solid;
 }
 
-/// A small scene of any kind: mixed sizes and masses, fixed and moving infinite masses, all walls,
-/// boxes of few cells as well as dilute ones.
+/// A small random scene: mixed radii and masses, fixed and moving particles of infinite mass, all
+/// kinds of walls, boxes with few cells as well as dilute ones.
 inline Gas small_scene(std::uint64_t seed) {
     Random random(seed, "small scene");
     Gas gas;
@@ -43,12 +43,12 @@ inline Gas small_scene(std::uint64_t seed) {
     return gas;
 }
 
-/// Whether a disk may come between a moving and a fixed infinite mass, where collisions have no
-/// end.
+/// Whether a disk may be trapped between a moving and a fixed particle of infinite mass, where
+/// collisions accumulate without end.
 inline bool may_crush(const Gas& gas) { return gas.species.size() > 3; }
 
-/// A small line of any kind: points and rods, mixed masses, a fixed bead, walls or a ring, one bead
-/// alone, all at rest.
+/// A small random line: points and rods, mixed masses, a fixed bead, walls or a ring, a single
+/// bead, beads all at rest.
 inline Gas small_line(std::uint64_t seed) {
     Random random(seed, "small wire");
     Gas gas;

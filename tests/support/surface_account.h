@@ -1,5 +1,5 @@
-// A small gas beside surfaces of many kinds, for as long as asked: how deep a disk was in a surface
-// at most, and how its energy has changed.
+// A small gas among surfaces of many kinds, run for a given number of events: the deepest overlap
+// of a disk with a surface, and the relative error of the energy.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@ struct LongRun {
     double error = 0.0;    ///< of the energy, relative
 };
 
-/// Disks of radius 0.3 under gravity and a lid, with a peg, a shelf and a window. `clock`: when the
-/// run starts; it is looked at each `step` of time.
+/// Disks of radius 0.3 under gravity and a lid, with a peg, a shelf and a window. The run starts at
+/// the time `clock` and is examined at intervals of `step`.
 inline LongRun long_run_of_surfaces(double clock, std::int64_t events, double step) {
     constexpr double radius = 0.3, mass = 30.0, force = -20.0;
     Gas gas;

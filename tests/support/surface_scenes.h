@@ -1,5 +1,5 @@
-// Small scenes with surfaces that act, obstacles, gravity and events, in the plane and on a line,
-// each from a number.
+// Small random scenes with active surfaces, obstacles, gravity and events, in the plane and on a
+// line, each generated from a seed.
 #pragma once
 
 #include <algorithm>
@@ -19,10 +19,10 @@ struct SurfaceScene {
     std::vector<RunEvent> events = {};
 };
 
-/// From much lighter than a disk to much heavier.
+/// A random mass, from much lighter to much heavier than a disk.
 inline double any_mass(Random& random) { return std::pow(10.0, random.uniform(-4.0, 2.0)); }
 
-/// What a side or a partition does. `piston`: it may be one.
+/// A random behaviour of a side or a partition. `may_move`: it may be a piston or a driven wall.
 inline Behaviour any_behaviour(Random& random, bool is_side, bool may_move) {
     const double which = random.uniform();
     if (may_move && which < 0.2)
@@ -45,7 +45,7 @@ inline Partition any_partition(Random& random, const Box& box, bool may_move, st
                    .behaviour = any_behaviour(random, false, may_move && !box.is_periodic(axis)),
                    .is_open = random.uniform() < 0.15};
     if (!has_gaps || std::holds_alternative<Piston>(line.behaviour)) return line;
-    // Some narrower than a disk, some from a wall on.
+    // Some gaps are narrower than a disk, some begin at a wall.
     const double length = box.length(1 - axis);
     double from = random.uniform() < 0.2 ? 0.0 : length * random.uniform(0.05, 0.4);
     for (int k = 0; k < 2 && from < 0.9 * length; ++k) {
@@ -90,7 +90,7 @@ inline Obstacle any_obstacle(Random& random, const Box& box, std::string name) {
     }
 }
 
-/// Whether a side or a partition that moves would begin inside of it.
+/// Whether a side or a partition that moves would start inside the obstacle.
 inline bool is_across(const Obstacle& obstacle, const Box& box) {
     const auto is_at = [&](int axis, double place) {
         double low = 1e300, high = -1e300;
@@ -110,7 +110,7 @@ inline bool is_across(const Obstacle& obstacle, const Box& box) {
     return is;
 }
 
-/// What happens to the first partition, if any, a side, or the velocities.
+/// Random events: changes of the first partition, if any, of a side, or of the velocities.
 inline std::vector<RunEvent> any_events(Random& random, const Box& box, bool surfaces_move = true) {
     std::vector<RunEvent> events;
     double time = 0.0;
@@ -157,7 +157,7 @@ inline std::vector<RunEvent> any_events(Random& random, const Box& box, bool sur
     return events;
 }
 
-/// Disks in the plane among surfaces of all kinds.
+/// A random scene of disks in the plane among surfaces of all kinds.
 inline SurfaceScene small_box(std::uint64_t seed) {
     Random random(seed, "small box with surfaces");
     SurfaceScene scene;
@@ -194,7 +194,7 @@ inline SurfaceScene small_box(std::uint64_t seed) {
     return scene;
 }
 
-/// Beads between ends that act.
+/// A random scene of beads between active ends.
 inline SurfaceScene small_wire(std::uint64_t seed) {
     Random random(seed, "small wire with surfaces");
     SurfaceScene scene;

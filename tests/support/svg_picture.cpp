@@ -22,7 +22,7 @@ struct Matrix {
     }
 };
 
-// Numbers of a list with commas or spaces between them.
+// The numbers of a list that is separated by commas or spaces.
 std::vector<double> numbers_in(std::string text) {
     std::ranges::replace(text, ',', ' ');
     std::istringstream stream(text);
@@ -42,8 +42,8 @@ Matrix matrix_of(const pugi::xml_node& node) {
     return {n[0], n[1], n[2], n[3], n[4], n[5]};
 }
 
-// A property in `style`, as Cairo 1.16 writes it, or an attribute, as 1.18 does; of the element or
-// of the nearest around it that says it.
+// A property of an element, or of its nearest ancestor that sets it: from the attribute `style`, as
+// Cairo 1.16 writes it, or from an attribute of its own, as 1.18 does.
 std::string property(pugi::xml_node node, const std::string& name) {
     for (; node; node = node.parent()) {
         std::istringstream style(node.attribute("style").value());
@@ -91,7 +91,7 @@ std::vector<Outline> pieces_of(const std::string& path, const Matrix& to_picture
             throw std::runtime_error("an unknown command in a path: " + path);
         add_points(command, command == 'C' ? 3 : command == 'Z' ? 0 : 1);
     }
-    // After each closed piece Cairo goes back to where it began.
+    // After each closed subpath Cairo moves back to its start; drop these lone moves.
     std::erase_if(pieces, [](const Outline& piece) { return piece.commands == "M"; });
     return pieces;
 }
@@ -192,12 +192,12 @@ std::optional<Edges> Shape::rectangle() const {
 }
 
 std::optional<Circle> Shape::circle() const {
-    constexpr double rounding = 0.02;  // pixels, of Cairo's numbers
+    constexpr double rounding = 0.02;  // pixels: the numbers of Cairo are rounded
     if (pieces.size() != 1) return {};
     const auto& [commands, points] = pieces.front();
     if (commands.size() < 4 || commands.find('L') != std::string::npos || commands[1] != 'C')
         return {};
-    std::vector<Spot> ends;  // of the arcs, which are equally long
+    std::vector<Spot> ends;  // ends of the arcs, which are equally long
     for (std::size_t i = 3; i < points.size(); i += 3) ends.push_back(points[i]);
     Circle circle;
     for (const Spot& end : ends) {

@@ -1,5 +1,5 @@
-// Reads back what an SVG of Cairo (1.16 or 1.18) draws: shapes and letters in the picture's own
-// coordinates. Shares no code with what draws them.
+// Reads the shapes and letters of an SVG written by Cairo (1.16 or 1.18), in the coordinates of the
+// picture. Shares no code with the drawing.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct Edges {
 /// Red, green and blue from 0 to 255, and alpha from 0 to 1.
 using Paint = std::array<double, 4>;
 
-/// Commands of a path, and its points: one of M and L, three of C, none of Z.
+/// The commands of a path and its points: one for each M and L, three for each C, none for Z.
 struct Outline {
     std::string commands;
     std::vector<Spot> points;
@@ -42,22 +42,23 @@ struct Shape {
     bool is_stroke = false;
     double width = 0;  ///< of a stroke
     Paint paint = {};
-    std::vector<Outline> pieces;  ///< of its path
+    std::vector<Outline> pieces;  ///< the subpaths
 
-    /// A rectangle with level sides, without what Cairo adds to close it; none otherwise.
+    /// The axis-aligned rectangle that this shape is, ignoring the points that Cairo adds to close
+    /// it; none for other shapes.
     std::optional<Edges> rectangle() const;
-    /// A whole circle of arcs; none otherwise.
+    /// The full circle, drawn as arcs, that this shape is; none for other shapes.
     std::optional<Circle> circle() const;
-    /// The corners of a path of straight lines in one piece; none otherwise.
+    /// The corners of a single subpath of straight lines; empty for other shapes.
     std::vector<Spot> corners() const;
 };
 
 struct Letter {
-    Outline outline;  ///< from the baseline's start
+    Outline outline;  ///< relative to the start of the baseline
     Spot at;
 };
 
-/// Letters that follow each other in one colour.
+/// Consecutive letters of one colour.
 struct Letters {
     std::vector<Letter> all;
     Paint paint = {};
@@ -71,7 +72,7 @@ struct SvgPicture {
     std::vector<Letters> texts;
 };
 
-/// Throws std::runtime_error where the file has something that this reader does not know.
+/// Throws std::runtime_error if the file has something that this reader does not know.
 SvgPicture svg_picture(const std::filesystem::path& file);
 SvgPicture svg_picture(const std::string& document);
 

@@ -1,5 +1,5 @@
-// Where the checkout is. Compiled once for each program, so that no other file of the tests depends
-// on the folder it is built in, and a compiler cache serves several checkouts.
+// The root folder of the checkout. It is compiled once for each program, so that no other test file
+// depends on the folder in which it is built, and one compiler cache serves several checkouts.
 #pragma once
 
 #include <filesystem>

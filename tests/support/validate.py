@@ -15,7 +15,7 @@ import yaml
 class Yaml12(yaml.SafeLoader):
     yaml_implicit_resolvers = {}
 
-    def construct_mapping(self, node, deep=False):  # PyYAML keeps the last of two equal keys
+    def construct_mapping(self, node, deep=False):  # PyYAML keeps the last of equal keys
         names = [key.value for key, _ in node.value]
         if len(set(map(str, names))) < len(names):
             raise yaml.constructor.ConstructorError(None, None, "a key is there twice", node.start_mark)

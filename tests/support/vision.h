@@ -1,4 +1,5 @@
-// How colours look to viewers with and without colour vision, and how far apart they are.
+// How colours look to viewers with normal and with deficient colour vision, and how different they
+// are.
 #pragma once
 
 #include <algorithm>
@@ -45,12 +46,12 @@ inline Triple times(const Matrix& m, const Triple& v) {
     return product;
 }
 
-/// Code value to light, IEC 61966-2-1.
+/// Linear light of an sRGB code value, IEC 61966-2-1.
 inline double light_of(double channel) {
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 
-/// A colour as linear sRGB, as a viewer sees it.
+/// A colour as a viewer sees it, in linear sRGB.
 inline Triple seen_by(const Vision& vision, Color color) {
     Triple light =
         times(vision.matrix, {light_of(color.red), light_of(color.green), light_of(color.blue)});
@@ -58,7 +59,7 @@ inline Triple seen_by(const Vision& vision, Color color) {
     return light;
 }
 
-/// CIE 1976 L*a*b* under D65 from linear sRGB.
+/// CIE 1976 L*a*b* under illuminant D65, from linear sRGB.
 inline Triple lab_of(const Triple& light) {
     constexpr Matrix to_xyz = {{{0.4124564, 0.3575761, 0.1804375},
                                 {0.2126729, 0.7151522, 0.0721750},
@@ -71,7 +72,8 @@ inline Triple lab_of(const Triple& light) {
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-/// CIEDE2000, as Sharma, Wu and Dalal write it (Color Res. Appl. 30, 21-30, 2005).
+/// The colour difference CIEDE2000 in the formulation of Sharma, Wu and Dalal (Color Res. Appl. 30,
+/// 21-30, 2005).
 inline double ciede2000(const Triple& one, const Triple& two) {
     constexpr double degrees = 180.0 / std::numbers::pi;
     const auto power7 = [](double x) { return std::pow(x, 7); };
@@ -112,16 +114,16 @@ inline double distance(const Vision& vision, Color a, Color b) {
     return ciede2000(lab_of(seen_by(vision, a)), lab_of(seen_by(vision, b)));
 }
 
-/// CIE lightness in [0, 100]: what is left of a colour in a grey copy.
+/// CIE lightness in [0, 100]: what remains of a colour in a greyscale copy.
 inline double lightness(Color color) { return lab_of(seen_by(visions[0], color))[0]; }
 
-/// Colours that stand for different things are this far apart (CIEDE2000) for every viewer. About 1
-/// is just seen side by side; at 10 a difference is seen at a glance, at 20 from the back of a
-/// hall.
+/// Colours that stand for different things differ at least this much (CIEDE2000) for every viewer.
+/// A difference of about 1 is just visible side by side; one of 10 is seen at a glance, and one of
+/// 20 from the back of a lecture hall.
 inline constexpr double least_distance = 20.0;
 
-/// Neighbours on one scale, which are parted by numbers beside it, keep this much, and so do the
-/// colours of panels from those of a scale beside them.
+/// The least difference of neighbouring colours of one scale, which are also told apart by the
+/// numbers beside it, and of the colours of panels from those of a scale beside them.
 inline constexpr double least_distance_on_scale = 10.0;
 
 }  // namespace carom::test

@@ -1,4 +1,4 @@
-// Walls that are heat baths.
+// Validation of heat baths.
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -1,4 +1,4 @@
-// Points that fly among fixed bodies.
+// Validation of billiards: points that move among fixed bodies.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 constexpr const char* billiards_field = "Billiards and the Lorentz gas";
 
-/// The mean path of a point of speed 1 between hits, from a random direction.
+/// The mean free path of a point of speed 1 between hits, started in a random direction.
 double mean_path(const Box& box, double x, double y, const RunOf& run) {
     const double angle = Random(run.seed, "direction of a point").uniform(0.0, 2.0 * pi);
     Simulation simulation =
@@ -65,7 +65,7 @@ Study any_billiard() {
     return study;
 }
 
-/// Weijland and van Leeuwen's expansion in x = n R^2, with the term that Bruin added.
+/// Weijland and van Leeuwen's density expansion in x = n R^2, with the additional term of Bruin.
 double lorentz_slowing(double x) {
     const double log = x * std::log(x);
     return 1.0 - 4.0 / 3.0 * log - 0.8775 * x + 4.519 * log * log;
@@ -120,7 +120,8 @@ Study lorentz() {
             sum += (squares[1] - squares[0]) / (4.0 * 20.0 * relaxation * windows);
             start += 30.0 * relaxation;
         }
-        // Random disks leave exp(-pi x) of the area, and each shows 2 pi exp(-pi x) of its edge.
+        // Random overlapping disks leave the fraction exp(-pi x) of the area free, and expose
+        // 2 pi R exp(-pi x) of the edge of each.
         return std::vector<double>{sum / boltzmann, count * start / hits * 2.0 * x};
     };
     study.truths[1].what = "mean free path of the points, over 1/(2*nR*)";

@@ -1,4 +1,4 @@
-// The drag on a large disk in a gas of points: Epstein's, in a plane.
+// Validation of the drag on a large disk in a gas of points: Epstein's law, in two dimensions.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -16,12 +16,13 @@ constexpr const char* drag_field = "Brownian drag";
 constexpr double size = 40.0, radius = 5.0;
 constexpr int count = 8000;
 constexpr double density = count / (size * size - pi * radius * radius);
-constexpr double last = 6.0;  // before a point comes round to the disk again
+constexpr double last = 6.0;  // before a point meets the disk again through the periodic box
 
-/// Epstein's friction for slow disks: 2 sqrt(2 pi) n R sqrt(m T).
+/// Epstein's friction coefficient for slow disks: 2 sqrt(2 pi) n R sqrt(m T).
 const double epstein = 2.0 * std::sqrt(2.0 * pi) * density * radius;
 
-/// The force on the disk at any velocity, where points of mass 1 at T = 1 come from all sides.
+/// The force on the disk at any velocity, from points of mass 1 at T = 1 that come from all
+/// directions.
 double drag(double velocity) {
     constexpr int steps = 2000;
     double sum = 0.0;
@@ -34,7 +35,7 @@ double drag(double velocity) {
     return radius * sum * 2.0 * pi / steps;
 }
 
-/// The velocity of a disk of this mass at a time, when it began at x-velocity `start`.
+/// The velocity of a disk of mass `mass` after `time`, started at the x-velocity `start`.
 double velocity_after(double time, double start, double mass, std::uint64_t seed) {
     Random random(seed, "points around a disk");
     Particles particles{Eigen::ArrayXd::Zero(count + 1), Eigen::ArrayXd::Ones(count + 1),
@@ -60,7 +61,7 @@ double velocity_after(double time, double start, double mass, std::uint64_t seed
     return simulation.sample().velocity(0, 0);
 }
 
-/// The mean over several starts.
+/// The mean of this velocity over several starts.
 double mean_velocity(double start, double mass, const RunOf& run) {
     const int starts = std::max(2, static_cast<int>(10 * run.effort));
     double sum = 0.0;
@@ -70,7 +71,7 @@ double mean_velocity(double start, double mass, const RunOf& run) {
     return sum;
 }
 
-/// One that is so heavy that it keeps its velocity.
+/// A disk so heavy that it keeps its velocity.
 Study at_constant_velocity(double velocity) {
     constexpr double mass = 1e7;
     Study study;
@@ -89,8 +90,8 @@ Study at_constant_velocity(double velocity) {
     return study;
 }
 
-/// The mean of v / v0 of a disk that the drag slows down and the points make tremble: by F(v) to
-/// the third power of v, and the variance that the points give it.
+/// The mean of v / v0 of a disk that is slowed by the drag and fluctuates under the impacts of the
+/// points: integrates F(v) to third order in v, with the velocity variance due to the impacts.
 double slowed(double start, double mass, double time) {
     const double rate = epstein / (mass + 1.0);
     double v = start, t = 0.0;

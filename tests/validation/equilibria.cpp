@@ -1,4 +1,4 @@
-// What a gas of few particles is like in equilibrium, where its energy is fixed.
+// Validation of equilibrium distributions of few particles at fixed total energy.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -16,7 +16,8 @@ constexpr const char* equilibria_field = "Equilibrium of few particles";
 
 enum Column : std::size_t { mean_f2 = 3, kurtosis = 4, mean_speed = 6 };
 
-/// The row of the table of moments that begins with these words and has this N.
+/// The value of `column` in the table of moments, in the row that begins with `ensemble` and has
+/// N = `count`.
 double moment(const std::string& ensemble, int count, Column column) {
     for (const auto& row : test::reference_rows("microcanonical_moments.csv"))
         if (row[0].starts_with(ensemble) && std::stoi(row[1]) == count)
@@ -33,8 +34,8 @@ Gas few_disks(int count, Wall wall, std::uint64_t seed) {
     return gas;
 }
 
-/// Of all disks at many times: mean speed over sqrt(T), mean square of the share of the energy, and
-/// the kurtosis of a component of velocity.
+/// Averages over all disks and many times: mean speed over sqrt(T), mean square of the share of the
+/// energy, and kurtosis of a velocity component.
 std::vector<double> moments(Simulation simulation, double freedom, double effort) {
     const auto count = static_cast<double>(simulation.particles().count());
     const double energy = kinetic_energies(simulation.particles(), simulation.sample()).sum();

@@ -1,4 +1,4 @@
-// Sound and shocks.
+// Validation of sound waves and shocks.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -34,14 +34,15 @@ Gas gas_in(double length, double width, double packing, std::uint64_t seed) {
     return gas;
 }
 
-/// c^2 = T (Z + packing Z' + Z^2) / m, as the heat capacity of a disk is 1.
+/// The square of the speed of sound is c^2 = T (Z + packing Z' + Z^2) / m, as the heat capacity per
+/// disk is 1.
 double speed_of_sound(double packing) {
     const double z = kolafa_rottner(packing);
     return std::sqrt(z + packing * derivative(kolafa_rottner, packing) + z * z);
 }
 
-/// The frequency of a damped oscillation: of (a cos wt + b sin wt) exp(-gt) through these values,
-/// by least squares in steps of Levenberg and Marquardt.
+/// The angular frequency w of a damped oscillation: fits (a cos wt + b sin wt) exp(-gt) to the
+/// values by least squares (Levenberg-Marquardt).
 double frequency(const Eigen::ArrayXd& times, const Eigen::ArrayXd& values, double guess) {
     Eigen::Vector4d best{values[0], 0.0, guess, 0.05 * guess};
     const auto residual = [&](const Eigen::Vector4d& p) -> Eigen::ArrayXd {
@@ -74,7 +75,7 @@ double frequency(const Eigen::ArrayXd& times, const Eigen::ArrayXd& values, doub
     return best[2];
 }
 
-/// w / k of a standing wave of one wavelength in a box of this length.
+/// The phase velocity w / k of a standing wave of one wavelength in a box of this length.
 double speed_of_wave(double length, double packing, const RunOf& run) {
     constexpr double amplitude = 0.15;
     const double area = std::max(1600.0, 12'000.0 * run.effort);
@@ -118,9 +119,9 @@ Study sound(double packing) {
     return study;
 }
 
-/// Of a steady shock that a piston drives into a gas at T = 1: Rankine and Hugoniot's conditions.
+/// A steady shock that a piston drives into a gas at T = 1, from the Rankine-Hugoniot conditions.
 struct Shock {
-    double density, pressure, speed;  ///< behind it
+    double density, pressure, speed;  ///< density and pressure behind it; speed of the shock
 };
 
 Shock shock_of(double density, double piston) {
@@ -145,7 +146,7 @@ struct Regime {
     double packing, piston, length, width;
 };
 
-/// Pressure on the piston while the shock is on its way, and the density behind the shock.
+/// Measures the pressure on the piston while the shock travels, and the density behind the shock.
 std::vector<double> driven(const Regime& regime, const Shock& shock, std::uint64_t seed) {
     Gas gas = gas_in(regime.length, regime.width, regime.packing, seed);
     gas.box.walls = {Wall::solid, Wall::periodic};

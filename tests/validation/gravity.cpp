@@ -1,4 +1,4 @@
-// Gases that fall.
+// Validation of gases under gravity.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr const char* gravity_field = "Gravity";
 
-/// N disks in a box without a lid. Roman, White and Velasco's law is for points; disks of radius r
-/// cannot be at the same place, which to first order raises the mean height by e / 4N, with
+/// N disks in a box without a lid. The law of Roman, White and Velasco holds for points. Disks of
+/// radius r cannot overlap, which to first order raises the mean height by e / 4N, where
 /// e = N (N - 1) / 2 times the area pi (2r)^2 over the width.
 Study column() {
     constexpr int count = 6;
@@ -86,7 +86,7 @@ Study bouncing() {
         box.surfaces.gravity = {0.0, -1.0};
         Simulation simulation = test::simulation_of(box, {{2.0, 2.5, 0.0, 0.0}});
         simulation.record_collisions(true);
-        // The bounce k is a quarter of the whole way from top to top after k - 1 of them.
+        // A period is the time from top to top; bounce k occurs half a period after k - 1 periods.
         const AdvanceResult advanced = simulation.advance_to(4.0 * 1000.0);
         const double last = advanced.collisions.back().time, first = advanced.collisions[0].time;
         const auto gaps = static_cast<double>(advanced.collisions.size() - 1);

@@ -1,5 +1,5 @@
-// Equations of state of the fluid of equal hard disks, and how a fixed number of disks differs from
-// many.
+// Equations of state of the fluid of equal hard disks, and corrections for a finite number of
+// disks.
 #pragma once
 
 #include <cmath>
@@ -12,14 +12,14 @@
 
 namespace carom::validation {
 
-/// Z = P A / (N T) by Kolafa and Rottner.
+/// The compressibility factor Z = P A / (N T) according to Kolafa and Rottner.
 inline double kolafa_rottner(double packing) { return 1.0 + test::excess_compressibility(packing); }
 
 inline double henderson(double packing) {
     return (1.0 + packing * packing / 8.0) / ((1.0 - packing) * (1.0 - packing));
 }
 
-/// The virial series to the tenth coefficient.
+/// Z from the virial series up to the tenth coefficient.
 inline double virial_series(double packing) {
     double sum = 1.0;
     for (const auto& row : test::reference_rows("virial_hard_disk.csv"))
@@ -27,7 +27,7 @@ inline double virial_series(double packing) {
     return sum;
 }
 
-/// d/dx of a function.
+/// The derivative of a function at x, by finite differences of fourth order.
 double derivative(const auto& function, double x) {
     const double step = 1e-4;
     return (8.0 * (function(x + step) - function(x - step)) -
@@ -35,9 +35,9 @@ double derivative(const auto& function, double x) {
            (12.0 * step);
 }
 
-/// Z of so many disks in a periodic box, less that of infinitely many: a number that is fixed
-/// cannot fluctuate. To first order rho / 2N times d ln(chi) / d rho, chi = d rho / d(P / T)
-/// (Lebowitz and Percus, Phys. Rev. 122, 1675, 1961).
+/// The difference between Z of `count` disks in a periodic box and that of infinitely many: a fixed
+/// number of disks cannot fluctuate. To first order it is rho / 2N times d ln(chi) / d rho, where
+/// chi = d rho / d(P / T) (Lebowitz and Percus, Phys. Rev. 122, 1675, 1961).
 inline double finite_number(double packing, double count) {
     const auto stiffness = [](double x) {
         return std::log(derivative([](double y) { return y * kolafa_rottner(y); }, x));
@@ -45,15 +45,15 @@ inline double finite_number(double packing, double count) {
     return -packing / (2.0 * count) * derivative(stiffness, packing);
 }
 
-/// How much larger the mean size of a component of velocity is than in a gas of infinitely many,
-/// where the energy of so many degrees of freedom is fixed.
+/// The mean magnitude of a velocity component at fixed energy of `freedom` degrees of freedom,
+/// relative to that in an infinite gas.
 inline double fixed_energy(double freedom) {
     return std::sqrt(0.5 * freedom) *
            std::exp(std::lgamma(0.5 * freedom) - std::lgamma(0.5 * (freedom + 1.0)));
 }
 
-/// The area of pairs of places of two disks of diameter s in a box whose centres have a by b, at
-/// which they would overlap.
+/// The excluded area of two disks of diameter s whose centres move in a rectangle of a by b: the
+/// measure of the pairs of places at which they would overlap.
 inline double excluded(double a, double b, double s) {
     return std::numbers::pi * s * s * a * b - 4.0 / 3.0 * s * s * s * (a + b) + 0.5 * s * s * s * s;
 }

@@ -1,5 +1,5 @@
-// Collisions in a fluid: how often, how far apart, what they hand over, and the diffusion that
-// follows.
+// Validation of collisions in a fluid: their rate, the mean free path, the momentum transferred,
+// and the diffusion that follows.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -31,7 +31,7 @@ Gas gas_of(double packing, int count, std::uint64_t seed) {
     return gas;
 }
 
-/// Collisions of one disk per time, of so many disks at T = 1, from theory.
+/// The theoretical collision rate per disk, for `count` disks at T = 1.
 double enskog_rate(double packing, int count) {
     return 4.0 / std::sqrt(pi) * (kolafa_rottner(packing) - 1.0 + finite_number(packing, count)) *
            fixed_energy(2.0 * count - 2.0);
@@ -44,7 +44,7 @@ Study collision_rate(double packing, double duration) {
     study.runs = 20;
     const std::string at = packing == 0.05 ? "0.05" : packing == 0.3 ? "0.30" : "0.60";
     const double rate = enskog_rate(packing, count);
-    // The mean speed of a disk of fixed energy, 2 components of 2N - 2.
+    // The mean speed of a disk at fixed energy: 2 components of 2N - 2 degrees of freedom.
     const double speed =
         std::sqrt(0.5 * pi * (1.0 - 1.0 / count)) *
         std::exp(0.5 * std::log(count - 1.0) + std::lgamma(count - 1.0) - std::lgamma(count - 0.5));
@@ -69,12 +69,13 @@ Study collision_rate(double packing, double duration) {
     return study;
 }
 
-/// The mean over two intervals, in units of Enskog's D in the first Sonine approximation.
+/// The self-diffusion coefficient from the slope of the mean squared displacement between 8 and 16
+/// relaxation times, in units of Enskog's D in the first Sonine approximation.
 double diffusion(double packing, int count, std::uint64_t seed, double windows) {
     const double density = 4.0 * packing / pi;
     const double contact = (1.0 - 7.0 / 16.0 * packing) / ((1.0 - packing) * (1.0 - packing));
     const double first = 1.0 / (2.0 * density * contact * std::sqrt(pi));
-    const double relaxation = first;  // T / m times the time of decay
+    const double relaxation = first;  // D is T / m times the relaxation time
     Run how;
     how.equilibrate = 20.0 * relaxation;
     Simulation simulation(gas_of(packing, count, seed), how);
@@ -126,7 +127,8 @@ Study dilute_diffusion() {
     return study;
 }
 
-/// a2 = <v^4> / (2 <v^2>^2) - 1 after c collisions of a disk, of a gas that begins with one speed.
+/// a2 = <v^4> / (2 <v^2>^2) - 1 after c collisions per disk, in a gas that starts with equal
+/// speeds.
 Study relaxation() {
     Study study;
     study.field = kinetic_theory_field;

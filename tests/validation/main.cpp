@@ -1,4 +1,5 @@
-// Measures what theory and others know of gases, and writes the page of validation.
+// Measures quantities of gases that are known from theory or the literature, and writes the page of
+// validation.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -54,14 +55,16 @@ double seconds_of_thread() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// A quick run of few runs is no close look: it fails where a truth is grossly missed.
+/// A quick run has too few samples for the close test; it fails only if a known value is grossly
+/// missed.
 bool is_outside(const Row& row, double bound, bool is_quick) {
     if (!is_quick) return std::abs(row.z) > bound;
     const double off = std::abs(row.measured.mean - row.truth->value);
     return std::abs(row.z) > 3.0 && off > 0.05 * std::abs(row.truth->value);
 }
 
-/// All runs of all studies, on threads; the same numbers on any number of them.
+/// Carries out all runs of all studies on several threads; the results do not depend on their
+/// number.
 class Validation {
   public:
     Validation(std::vector<Study> studies, const Options& options) : options_(options) {
@@ -115,7 +118,7 @@ class Validation {
         }
     }
 
-    /// Says what a study has measured when its last run ends.
+    /// Prints what a study has measured when its last run has ended.
     void report(Measured& one) {
         one.find_rows();
         for (const Row& row : one.rows) {
@@ -131,7 +134,7 @@ class Validation {
     Options options_;
     std::vector<Measured> all_;
     std::vector<Task> tasks_;
-    std::vector<int> left_;  ///< runs of each study that have not ended
+    std::vector<int> left_;  ///< unfinished runs of each study
     std::size_t rows_ = 0;
     double bound_ = 0.0;
     int outside_ = 0;

@@ -16,7 +16,7 @@ namespace carom::validation {
 
 namespace {
 
-/// To two digits of the error; of exact numbers all that are needed.
+/// The value to two digits of its error; exact numbers with all digits that they need.
 std::string number(double value, double error) {
     if (!(error > 0.0)) {
         if (value == std::round(value) && std::abs(value) < 1e12)

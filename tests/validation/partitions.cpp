@@ -1,4 +1,4 @@
-// Gases that partitions part, and then do not.
+// Validation of gases behind partitions that are then removed or opened.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -77,7 +77,7 @@ Study window() {
     return study;
 }
 
-/// The entropy of places, by their numbers in parts of equal size.
+/// The entropy per particle of the distribution of x over parts of equal size.
 double entropy(const Sample& sample, double size, int parts) {
     Eigen::ArrayXd numbers = Eigen::ArrayXd::Zero(parts);
     for (const double x : sample.position.col(0))
@@ -143,7 +143,7 @@ Study and_back() {
         how.bits = 2048;
         how.events = {{1.0, SetOpen{Surfaces::first_partition, true}}, {60.0, ReverseVelocities{}}};
         Simulation simulation(gas, how);
-        simulation.advance_to(119.5);  // the divider is there again since 119
+        simulation.advance_to(119.5);  // reversed in time, the divider is back since 119
         return std::vector<double>{
             static_cast<double>((simulation.sample().position.col(0) < 10.0).count())};
     };

@@ -1,4 +1,4 @@
-// Pistons, and walls that are driven.
+// Validation of pistons and driven walls.
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* pistons_field = "Pistons and driven walls";
 
-/// The mean of h under the weight p, from 0 to `end`.
+/// The mean of h from 0 to `end`, weighted by `weight`.
 double mean_of(const auto& weight, double end) {
     constexpr int steps = 20'000;
     double sum = 0.0, moment = 0.0;
@@ -39,7 +39,8 @@ double mean_height(Simulation& simulation, std::int32_t piston, double step, dou
     return sum;
 }
 
-/// p(h) ~ h^N (E - F h)^(N - 1/2), with the room that N disks have instead of points.
+/// The height of the piston has the density p(h) ~ h^N (E - F h)^(N - 1/2), where h^N is corrected
+/// for the size of the disks.
 Study piston_on_a_plane() {
     constexpr int count = 5;
     constexpr double radius = 0.02, width = 1.0, force = 2.0, start = 4.0, mass = 3.0;
@@ -78,7 +79,7 @@ Study piston_on_a_plane() {
     return study;
 }
 
-/// On a wire p(h) ~ h^N (E - F h)^((N - 1) / 2): mean (E / F) (N + 1) / ((3 N + 3) / 2).
+/// On a wire p(h) ~ h^N (E - F h)^((N - 1) / 2), with the mean (E / F) (N + 1) / ((3 N + 3) / 2).
 Study piston_on_a_wire() {
     constexpr int count = 5;
     constexpr double force = 2.0, start = 3.0;
@@ -106,7 +107,8 @@ Study piston_on_a_wire() {
     return study;
 }
 
-/// T V, or T L^2, after a wall has halved the room at this speed, over that before.
+/// T V, or T L^2 in one dimension, after a wall has halved the volume at this speed, relative to
+/// its value before.
 double kept(int dimension, double speed, std::uint64_t seed) {
     constexpr double size = 10.0, radius = 0.03;
     Gas gas;
@@ -123,7 +125,7 @@ double kept(int dimension, double speed, std::uint64_t seed) {
     simulation.advance_to(0.5 * size / speed);
     const double ratio = simulation.energy_account().kinetic / before;
     if (dimension == 1) return ratio / 4.0;
-    // E^N Q is kept, where Q is the room of all disks together.
+    // The adiabatic invariant is E^N Q, where Q is the configuration integral of all disks.
     const auto logarithm = [&](double length) {
         const double a = length - 2.0 * radius, b = size - 2.0 * radius;
         const double share = excluded(a, b, 2.0 * radius) / (a * a * b * b);
@@ -179,8 +181,8 @@ Study one_hit() {
     return study;
 }
 
-/// The mean of exp(-W / T), of gases of one point and of three, over points in a box whose wall
-/// moves at this velocity; points do not meet, so that each is a start of its own.
+/// The mean of exp(-W / T) for gases of one point and of three, in a box whose wall moves at this
+/// velocity. Points do not collide with each other, so each of them is an independent sample.
 std::array<double, 2> jarzynski(double velocity, double from, double to, std::uint64_t seed) {
     const double time = (to - from) / velocity;
     Gas gas;

@@ -1,4 +1,4 @@
-// The pressure of equal hard disks, from the momentum that they exchange.
+// Validation of the pressure of equal hard disks, measured from the momentum that they exchange.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -33,7 +33,7 @@ Gas gas_of_li(double packing, std::uint64_t seed) {
     return gas;
 }
 
-/// P A / (N T) of a run, where the centre of mass is at rest: 2N - 2 degrees of freedom.
+/// P A / (N T) of a run whose centre of mass is at rest: there are 2N - 2 degrees of freedom.
 double compressibility(Simulation& simulation, double duration) {
     const double count = static_cast<double>(simulation.particles().count());
     const double temperature =
@@ -93,8 +93,8 @@ Study by_henderson(const char* name, double packing, double duration) {
                     duration);
 }
 
-/// Two disks between walls: Q, the area of pairs of places, is known, and with it the force on a
-/// wall, E/2 d ln Q / da.
+/// Two disks between walls: the configuration integral Q (the area of allowed pairs of places) is
+/// known, and thus also the force on a wall, E/2 d ln Q / da.
 Study two_disks() {
     constexpr double a = 2.0, b = 1.5;
     Study study;
@@ -123,7 +123,7 @@ Study two_disks() {
 std::vector<Study> pressures() {
     std::vector<Study> all{li(0.70, 9.12956, 0.00017, 20, 3000.0),
                            li(0.67, 7.986735, 0.000026, 20, 2000.0)};
-    // A number that is fixed: the correction of some 0.1 % is larger than the errors.
+    // The number of disks is fixed: the correction of about 0.1 % exceeds the errors.
     all.push_back(equation("at packing 0.10", 0.1, virial_series(0.1), 0.0,
                            "virial coefficients to *B*₁₀: N. Clisby, B. M. McCoy, J. Stat. Phys. "
                            "122, 15 (2006), and 1/*N*",

@@ -1,4 +1,4 @@
-// A study: independent runs of one gas, and what is known of the numbers that they measure.
+// A study: independent runs of one gas, and the known values of the quantities that they measure.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace carom::validation {
 
-/// Which of the independent runs, and how long: the share of the usual duration.
+/// One of the independent runs: its seed, and its length as a share of the usual duration.
 struct RunOf {
     std::uint64_t seed = 1;
     double effort = 1.0;
@@ -18,13 +18,13 @@ struct RunOf {
 
 struct Study {
     std::string field;  ///< the heading of its rows
-    std::string how;    ///< Markdown: what is simulated, and what is corrected
+    std::string how;    ///< Markdown: the simulation and its corrections
     int runs = 1;
-    std::function<std::vector<double>(const RunOf&)> measure;  ///< a number for each truth
+    std::function<std::vector<double>(const RunOf&)> measure;  ///< one number for each truth
     std::vector<Truth> truths;
 };
 
-// Each field of physics has a file.
+// The studies of each field of physics; each field has its own source file.
 std::vector<Study> pressures();
 std::vector<Study> kinetic_theory();
 std::vector<Study> equilibria();

@@ -1,4 +1,4 @@
-// Beads on a wire.
+// Validation of beads on a wire.
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -39,7 +39,7 @@ Study places() {
                                               {0.6, random.normal(), 1.0 / 3.3},
                                               {0.8, random.normal(), 1.0 / 5.7}});
         const int samples = std::max(10, static_cast<int>(100'000 * run.effort));
-        // A time in which a bead crosses the wire a few times.
+        // The time in which a bead crosses the wire a few times.
         const double energy = kinetic_energies(wire.particles(), wire.sample()).sum();
         const double step = 1.37 / std::sqrt(energy);
         double sum = 0.0, squares = 0.0;
@@ -98,7 +98,7 @@ double entry(const nlohmann::json& value) {
     return value.is_string() ? test::fraction(value.get<std::string>()) : value.get<double>();
 }
 
-/// Whether beads end with the known velocities after as many collisions as known.
+/// Whether the beads have the known final velocities after the known number of collisions.
 bool is_right(const nlohmann::json& cradle) {
     std::vector<test::Bead> beads;
     double x = 500.0;

@@ -18,8 +18,9 @@
 namespace carom {
 namespace {
 
-// Sampled velocities, sides that are heat baths and collisions of unequal disks: the functions of
-// the processor and of the mathematical library that a run rests on.
+// The fingerprint of a run with sampled velocities, heat baths at sides and collisions of unequal
+// disks, which uses those functions of the processor and of the mathematical library that runs
+// depend on.
 std::string fingerprint_of_physics() {
     Gas gas;
     gas.box.size = {10.0, 10.0};

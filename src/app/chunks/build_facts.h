@@ -1,5 +1,5 @@
-// What results depend on beside their input: the program that was built, and its libraries. Two
-// machines where all facts are the same give the same bytes.
+// What results depend on apart from their input: the build of the program, and its libraries. Two
+// machines on which all facts are equal give the same bytes.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace carom {
 
-/// Names and values, in one order: "carom" its version, "source" a fingerprint of the files that it
-/// was compiled from, "physics" one of the final state of a short reference run; of films also
-/// "pictures" and "encoder", each versions of libraries and a fingerprint of what they make of a
-/// reference picture.
+/// Names and values, always in the same order: "carom", the version; "source", a fingerprint of the
+/// files that it was compiled from; "physics", a fingerprint of the final state of a short
+/// reference run. For films also "pictures" and "encoder": each gives the versions of libraries and
+/// a fingerprint of what they make of a reference picture.
 using BuildFacts = std::vector<std::pair<std::string, std::string>>;
 
-/// Of runs of the physics. May be called from any thread.
+/// The facts that runs of the physics depend on. May be called from any thread.
 BuildFacts physics_facts();
 
-/// Of films in a format. Throws SystemError.
+/// The facts that films in a format depend on. Throws SystemError.
 BuildFacts film_facts(const OutputFormat& format);
 
 Json to_json(const BuildFacts& facts);
 
-/// What differs, in words: "pictures: A in one, B in the other"; empty if all are the same.
+/// The differences in words, "pictures: A in one, B in the other"; empty if there are none.
 std::string difference(const Json& one, const Json& other, const std::string& name_of_one,
                        const std::string& name_of_other);
 

@@ -36,7 +36,7 @@ const char* name_of(PlanKind kind) { return kind == PlanKind::film ? "film" : "s
 const char* unit_of(PlanKind kind) { return kind == PlanKind::film ? "frame" : "run"; }
 const char* ending_of(PlanKind kind) { return kind == PlanKind::film ? ".chunk" : ".runs"; }
 
-// All that a plan and its chunks are, in its folder.
+// The names of everything that a plan and its chunks have in their folder.
 constexpr std::array<std::string_view, 6> names_in_plan{"plan.json",    "film.plan", "film.sound",
                                                         "summary.json", "starts",    "chunks"};
 
@@ -52,7 +52,7 @@ std::span<const std::uint8_t> as_bytes(std::string_view text) {
 
 std::string stem_of(int chunk) { return fmt::format("chunks/{:04}", chunk); }
 
-// First and last, as people count frames; from 0, as they are numbered in panels and files.
+// Gives the first and the last frame or run (inclusive), numbered from 0 as in panels and files.
 Json to_json(const PlannedChunk& chunk, PlanKind kind) {
     const std::string unit = unit_of(kind);
     Json json{{"chunk", chunk.number},
@@ -69,7 +69,7 @@ Json to_json(const PlannedChunk& chunk, PlanKind kind) {
 
 std::string start_of(int chunk) { return fmt::format("starts/{:04}.start", chunk); }
 
-// Throws Json::exception where it is no chunk.
+// Throws Json::exception if the JSON does not describe a chunk.
 PlannedChunk chunk_of(const Json& json, PlanKind kind) {
     const std::string unit = unit_of(kind);
     return {.number = whole_in<int>(json.at("chunk")),
@@ -81,14 +81,15 @@ PlannedChunk chunk_of(const Json& json, PlanKind kind) {
             .start = json.value("start", "")};
 }
 
-// The numbers of chunks name files, and what they begin from is named by them.
+// File names are made from the numbers of chunks, so that number and start file must be as
+// expected.
 bool is_chunk(const PlannedChunk& its, int number) {
     return its.number == number && its.first >= 0 && its.first < its.end &&
            (its.start.empty() || its.start == start_of(number));
 }
 
-// The chunks of a plan whose other parts are what they have to be; nothing where they are not.
-// Throws Json::exception too.
+// The chunks of a plan; nothing if any part of the contents is invalid. Throws Json::exception if a
+// part is missing or has the wrong type.
 std::optional<std::vector<PlannedChunk>> chunks_in(const Json& contents, PlanKind kind) {
     const Json &request = contents.at("request"), &files = contents.at("files");
     if (!request.is_object() || !request.at("build").is_object() || !files.is_object())
@@ -105,16 +106,16 @@ std::optional<std::vector<PlannedChunk>> chunks_in(const Json& contents, PlanKin
     return chunks;
 }
 
-// Of all but the fingerprint itself.
+// The fingerprint of plan.json without its own "fingerprint" entry.
 std::string fingerprint_of(Json contents) {
     contents.erase("fingerprint");
     return fingerprint(text_of(contents));
 }
 
-// What other plans in the making are, too.
+// True also for other plans that are being written.
 bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
 
-// What the files of a plan are called; nothing else is ever removed.
+// Whether a path has the name of a file or folder of a plan; nothing else is ever removed.
 bool is_of_plan(const fs::path& path) {
     std::error_code error;
     const std::string name = path.filename().string();
@@ -132,7 +133,8 @@ bool is_of_plan(const fs::path& path) {
             (folder == "chunks" && (ending == ".chunk" || ending == ".runs" || ending == ".json")));
 }
 
-// Of plan.json, the summary of a sweep, or the manifest of a chunk.
+// Whether a JSON file was written by carom: plan.json, the summary of a sweep, or the manifest of a
+// chunk.
 bool is_from_carom(const Json& contents, const std::string& name) {
     if (!contents.is_object()) return false;
     const Json format = contents.value("format", Json());
@@ -141,8 +143,9 @@ bool is_from_carom(const Json& contents, const std::string& name) {
     return contents.contains("plan") && contents.contains("chunk");
 }
 
-// Beside a plan of carom names tell what belongs to it; without one, as where a scheduler has
-// removed it, the contents do.
+// If the folder holds a plan of carom, names tell which files belong to it. If plan.json is
+// missing, for example because a scheduler has removed it, the contents of the JSON files are
+// checked.
 void refuse_other_files(const fs::path& folder) {
     const auto refuse = [](const fs::path& path) {
         throw UsageError(fmt::format(
@@ -167,7 +170,7 @@ void refuse_other_files(const fs::path& folder) {
             refuse(path);
 }
 
-// Files and folders that get other names, all or none.
+// Renames of files and folders, all of which are undone unless keep() is called.
 class Moves {
   public:
     Moves() = default;
@@ -179,7 +182,7 @@ class Moves {
     Moves(const Moves&) = delete;
     Moves& operator=(const Moves&) = delete;
 
-    // Where there is nothing, nothing is done.
+    // Does nothing if `from` does not exist.
     void move(const fs::path& from, const fs::path& to) {
         std::error_code error;
         if (!fs::exists(fs::symlink_status(from, error))) return;
@@ -195,7 +198,7 @@ class Moves {
     std::vector<std::pair<fs::path, fs::path>> done_;
 };
 
-// The first of some numbers.
+// The first few of a list of numbers, and how many more there are.
 std::string shortened(std::vector<std::string> numbers) {
     constexpr std::size_t most = 12;
     if (numbers.size() <= most) return fmt::format("{}", fmt::join(numbers, ", "));
@@ -248,7 +251,8 @@ void PlanWriter::write(const std::string& name, std::string_view bytes) {
     files_[name] = fingerprint(bytes);
 }
 
-// plan.json goes first and comes last: what lies there in between is no plan.
+// plan.json is moved away first and put in place last: in between the folder does not count as a
+// plan.
 void PlanWriter::replace_earlier() {
     const MustCleanUp together;
     Moves moves;
@@ -349,7 +353,7 @@ fs::path PlanFolder::manifest(const PlannedChunk& chunk) const {
     return folder_ / (stem_of(chunk.number) + ".json");
 }
 
-// Null where there is none, or what is there is no JSON.
+// Null if there is no manifest, or if the file is not a JSON object.
 Json PlanFolder::read_manifest(const PlannedChunk& chunk) const {
     std::error_code error;
     if (!fs::is_regular_file(manifest(chunk), error)) return {};

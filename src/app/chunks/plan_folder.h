@@ -1,10 +1,10 @@
-// The folder of a plan: work that is divided into chunks, which other processes on other machines
-// do in any order. Owns plan.json, the files beside it and the manifests of chunks; does not know
-// what a chunk does.
+// The folder of a plan: work divided into chunks that several processes, also on several machines,
+// do in any order. This module owns plan.json, the other files of the plan and the manifests of
+// chunks; it does not know what a chunk does.
 //
-// plan.json is written last and lists the fingerprints of all other files of the plan. A chunk
-// writes its output under a temporary name and renames it, then its manifest: no locks are needed,
-// and two processes may work on one chunk.
+// plan.json is written last and lists the fingerprints of all other files of the plan. The process
+// that does a chunk writes the output under a temporary name and renames it, then does the same
+// with the manifest: no locks are needed, and two processes may work on one chunk.
 #pragma once
 
 #include <cstdint>
@@ -22,38 +22,38 @@ namespace carom {
 
 /// A part of the work.
 struct PlannedChunk {
-    int number = 0;                            ///< from 1
-    std::int64_t first = 0, end = 0;           ///< of its frames or runs, counted from 0
-    double seconds = 0.0;                      ///< expected, on one core
-    std::int64_t memory_bytes = 0;             ///< expected at most, with one thread
-    std::int64_t memory_bytes_per_thread = 0;  ///< of each further thread
-    std::string start = {};                    ///< file that it begins from; empty: none
+    int number = 0;                   ///< from 1
+    std::int64_t first = 0, end = 0;  ///< its frames or runs are [first, end), counted from 0
+    double seconds = 0.0;             ///< expected, on one core
+    std::int64_t memory_bytes = 0;    ///< upper estimate, with one thread
+    std::int64_t memory_bytes_per_thread = 0;  ///< upper estimate for each further thread
+    std::string start = {};  ///< file with the state that it begins from; empty: none
 
     std::int64_t count() const { return end - first; }
 };
 
-/// What a plan is of.
+/// The kind of work that is planned.
 enum class PlanKind { film, sweep };
 
-/// The header of a plan, as it stands in plan.json.
+/// The header of a plan, as written in plan.json.
 struct PlanHeader {
     PlanKind kind = PlanKind::film;
     Json request = {};  ///< all that the plan was made from: scene, options, build facts ("build")
-    Json facts = {};    ///< what else readers want to know, by kind ("film", "sweep")
+    Json facts = {};    ///< further information for readers, by kind ("film", "sweep")
 };
 
-/// Texts by the names of files, whose bytes need not be UTF-8; and back.
+/// Texts by file name, as JSON and back. The bytes of the names need not be UTF-8.
 Json texts_to_json(const std::map<std::string, std::string>& texts);
 std::map<std::string, std::string> texts_from(const Json& json);
 
-/// Writes a plan, in a hidden folder in its own. Until commit() an earlier one stays, with its
-/// chunks.
+/// Writes a plan, first into a hidden folder inside the plan's folder. Until commit() an earlier
+/// plan in that folder stays, with its chunks.
 class PlanWriter {
   public:
-    /// Creates the folder if it is missing. Throws UsageError where it holds something else than a
-    /// plan, SystemError.
+    /// Creates the folder if it is missing. Throws UsageError if it holds anything else than a
+    /// plan, SystemError if it cannot be written.
     explicit PlanWriter(std::filesystem::path folder);
-    ~PlanWriter();  ///< uncommitted: leaves all as it was
+    ~PlanWriter();  ///< without commit(): leaves everything as it was
     PlanWriter(const PlanWriter&) = delete;
     PlanWriter& operator=(const PlanWriter&) = delete;
 
@@ -73,19 +73,19 @@ class PlanWriter {
     bool is_committed_ = false;
 };
 
-/// A plan that was written.
+/// Reads a plan that was written, and keeps account of its chunks.
 class PlanFolder {
   public:
-    /// Throws UsageError where the folder holds no plan, or one that was changed since it was
-    /// written, or of another version; SystemError where it cannot be read.
+    /// Throws UsageError if the folder holds no plan, or if the plan was changed after it was
+    /// written or has another format version; SystemError if it cannot be read.
     explicit PlanFolder(std::filesystem::path folder);
 
     const std::filesystem::path& path() const { return folder_; }
     PlanKind kind() const;
     const Json& request() const { return contents_.at("request"); }
 
-    /// What `read` makes of the contents of plan.json. Throws UsageError where they are not as it
-    /// reads them.
+    /// Returns read(contents of plan.json). Throws UsageError if `read` throws Json::exception
+    /// because the contents do not have the expected form.
     template <class Read>
     auto read_contents(const Read& read) const {
         try {
@@ -100,13 +100,14 @@ class PlanFolder {
     /// Fingerprints of the other files of the plan, by their names.
     const Json& files() const { return contents_.at("files"); }
 
-    /// No output takes the place of a file of the plan or of its chunks from now on.
+    /// From now on outputs that would replace a file of the plan or of its chunks are refused.
     void keep_files() const;
 
     /// Identifies the plan: a fingerprint of plan.json.
     std::string fingerprint() const;
 
-    /// Throws UsageError if it is a plan of the other kind; `command` is what was asked for.
+    /// Throws UsageError if the plan is of the other kind; `command` is the command of the user,
+    /// for the message.
     void require(PlanKind kind, const std::string& command) const;
 
     /// The chunk of this number. Throws UsageError if there is none.
@@ -115,23 +116,24 @@ class PlanFolder {
     /// A file of the plan. Throws SystemError where it is missing or was changed.
     std::string read(const std::string& name) const;
 
-    /// Where the output of a chunk is, or will be.
+    /// The path of the output of a chunk, which need not exist yet.
     std::filesystem::path output(const PlannedChunk& chunk) const;
 
-    /// Whether a chunk's output is there, whole, of this plan.
+    /// Whether the output of a chunk exists, is complete and belongs to this plan.
     bool is_done(const PlannedChunk& chunk) const;
 
-    /// The numbers of those that are not.
+    /// The numbers of the chunks that are not done.
     std::vector<int> missing() const;
 
-    /// Writes the manifest of a chunk whose output is there. `build` is that of this process.
+    /// Writes the manifest of a chunk whose output exists. `build` are the build facts of this
+    /// process.
     void finish(const PlannedChunk& chunk, const Json& build, double seconds) const;
 
-    /// Throws UsageError where chunks are missing, SystemError where an output is not what its
-    /// manifest says, or was made by another build than the plan, unless `allow_mixed`.
+    /// Throws UsageError if chunks are missing, SystemError if an output does not match its
+    /// manifest or, unless `allow_mixed`, was made by another build than the plan.
     void require_all_done(bool allow_mixed) const;
 
-    /// Throws UsageError where `build` is not that of the plan, with both.
+    /// Throws UsageError, naming both, if `build` differs from the build facts of the plan.
     void require_same_build(const Json& build) const;
 
   private:
@@ -148,7 +150,7 @@ class PlanFolder {
 /// Whether a path is a folder that holds a plan.
 bool is_plan(const std::filesystem::path& path);
 
-/// Whether a folder holds a plan that was made from the same request, and all of its files.
+/// Whether a folder holds a plan made from the same request, with all of its files unchanged.
 bool is_planned(const std::filesystem::path& folder, const Json& request);
 
 }  // namespace carom

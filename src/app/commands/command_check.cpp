@@ -33,7 +33,8 @@ struct CheckArguments : SceneOptions {
     bool json = false, measures = false, accessible = false;
 };
 
-// A scene that says nothing of a film, and of which none can be made, is good for its physics.
+// Loads a scene. One that says nothing about a film, and from which none can be made, is still
+// valid for its physics.
 std::pair<Scene, bool> loaded(const std::string& path, const SceneResources& resources,
                               const Overrides& overrides) {
     try {
@@ -47,7 +48,7 @@ std::pair<Scene, bool> loaded(const std::string& path, const SceneResources& res
     }
 }
 
-// What is asked for, of films of the format asked for.
+// Finds barriers if they are asked for, in films of the format asked for.
 void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedFile& found) {
     if (!arguments.accessible) return;
     const bool has_format = !arguments.format.empty();
@@ -57,20 +58,20 @@ void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedF
     found.barriers->insert(found.barriers->end(), its.begin(), its.end());
 }
 
-// A joined sweep need not be there yet.
+// Checks a figure. The joined sweep that it shows need not exist yet.
 void check_figure(const Scene& scene, const FigureSpec& figure) {
     refuse_long_words(scene, figure);
     if (figure.panel.kind == "sweep" && !figure.panel.sweep.from) check_swept_figure(scene, figure);
 }
 
-// What the cards of the set's joined film say.
+// The words on the title cards of the set's joined film.
 std::string words_on_cards(const FigureSet& set) {
     std::string words = set.title + set.description;
     for (const SetPart& part : set.parts) words += part.title;
     return words;
 }
 
-// With all its scenes, figures and pages.
+// Checks a figure set with all its scenes, figures and pages; returns its facts.
 Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
                    const Overrides& overrides, CheckedFile& found) {
     const FigureSet set = load_set(path, resources_of(arguments), overrides);
@@ -87,7 +88,7 @@ Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
     return facts_of(set);
 }
 
-// Of the format asked for, an MP4 where none is.
+// Measures the cost of a film in the format asked for, or else as MP4.
 FilmCost measured(const CheckArguments& arguments, const std::string& path, const Scene& scene,
                   FilmOptions options) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(path));
@@ -142,7 +143,8 @@ CheckedFile checked(const CheckArguments& arguments, const std::string& path,
     return found;
 }
 
-// The errors themselves go to standard error with the exit code; in JSON they stand in it.
+// Throws if files are invalid: with the errors themselves for standard error, unless the JSON
+// contains them.
 void refuse_invalid(const std::vector<CheckedFile>& files, bool json) {
     std::vector<Diagnostic> errors;
     std::size_t invalid = 0;

@@ -42,7 +42,7 @@ fs::path folder_of(const FiguresArguments& arguments, const std::string& name) {
     return arguments.scenes.size() > 1 ? output / scene_stem(name) : output;
 }
 
-// What is said on the command line wins over the file.
+// Options of the command line take precedence over the file.
 FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
     FigureSet set = load_set(name, resources_of(arguments), overrides_of(arguments),
                              arguments.formats, arguments.pages);
@@ -50,7 +50,8 @@ FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
     return set;
 }
 
-// All scenes before any work: a mistake in the last one must not cost the time of the first.
+// Loads all scenes before any work, so that a mistake in the last one shows before time is spent on
+// the first.
 std::vector<FigureSet> sets_of(const FiguresArguments& arguments) {
     return all_made(arguments.scenes,
                     [&](const std::string& name) { return set_of(arguments, name); });
@@ -148,7 +149,7 @@ void make_all(const FiguresArguments& arguments) {
     }
 }
 
-// What `carom figure` draws, which the scene need not list.
+// The figure that `carom figure` draws. The scene need not list it.
 struct FigureAsked {
     std::string kind;
     std::optional<double> at;
@@ -174,7 +175,7 @@ void check_kind(const std::string& kind) {
                                  near ? *near : "speed-histogram"));
 }
 
-// A key of the figure, and the option that it stands for.
+// A key of the figure, and the option by which it was given.
 struct AskedKey {
     std::string key, flag, typed, value;
 };
@@ -192,7 +193,8 @@ std::vector<AskedKey> keys_of(const FigureAsked& asked) {
     return keys;
 }
 
-// All of them as a change of the scene; and where each value begins in its text, from 1 on.
+// All keys as one override of the scene, and the column (from 1) at which each value begins in its
+// text.
 std::pair<std::string, std::vector<int>> change_by(const std::vector<AskedKey>& keys) {
     std::string change = "figures=[{";
     std::vector<int> places;
@@ -205,8 +207,8 @@ std::pair<std::string, std::vector<int>> change_by(const std::vector<AskedKey>& 
     return {change + "}]", places};
 }
 
-// What is wrong in the figure that was asked for, at the option that was typed. A name that is
-// wrong is so because the kind is.
+// Makes errors in the figure that was asked for quote the option as it was typed. If the name is
+// wrong, the reason is the kind.
 SceneError at_options(const SceneError& error, const std::vector<AskedKey>& keys) {
     const auto [change, places] = change_by(keys);
     std::vector<Diagnostic> all;

@@ -31,7 +31,7 @@ void write_whole(const fs::path& path, const std::string& text) {
     output.commit();
 }
 
-// As they are installed below share/.
+// Writes the manual pages and completions as they are installed below share/.
 void write_manual(const fs::path& share) {
     const std::vector<Command> commands = all_commands();
     const auto write_page = [&](const ManualPage& page) {

@@ -52,7 +52,7 @@ CLI::Option& declare(CLI::App& app, const Option& option, int* value) {
     return *app.add_option(flags_of(option), *value, option.meaning)->check(complaint);
 }
 
-// Behind a flag one word only, so that a scene may stand behind it.
+// An option takes only one word per flag, so that a scene may follow it.
 CLI::Option& declare(CLI::App& app, const Option& option, std::vector<std::string>* value) {
     CLI::Option& declared = *app.add_option(flags_of(option), *value, option.meaning);
     if (option.name.starts_with('-')) declared.allow_extra_args(false);
@@ -76,7 +76,8 @@ std::string first_command_among(const std::vector<std::string>& words,
     return first == words.end() ? "" : *first;
 }
 
-// Where the value of an option that sets a key of the scene is wrong: as it was typed.
+// If a diagnostic is about the value of an option that sets a key of the scene, makes it quote the
+// option as it was typed.
 void place_at_option(Diagnostic& diagnostic, const Option& option, const CLI::App& called) {
     const CLI::Option* const given =
         option.key.empty() ? nullptr : called.get_option_no_throw(flags_of(option));
@@ -86,7 +87,7 @@ void place_at_option(Diagnostic& diagnostic, const Option& option, const CLI::Ap
     if (diagnostic.span.file != text) return;
     const SourceSpan in_change = diagnostic.span;
     show_at_option(diagnostic, flags_of(option), value);
-    if (!text.ends_with("=" + value)) return;  // written as YAML in another way: all of it
+    if (!text.ends_with("=" + value)) return;  // the value was rewritten as YAML: mark all of it
     SourceSpan& span = diagnostic.span;
     span.column =
         in_change.column + static_cast<int>(span.file.size()) - static_cast<int>(text.size());
@@ -103,7 +104,8 @@ SceneError as_typed(const SceneError& error, const Command& command, const CLI::
     return SceneError(std::move(all));
 }
 
-// A mistake, and which of these the word was meant to be, if one is near.
+// The message about a mistake, with the known word of similar spelling, if there is one, as a
+// suggestion.
 std::string with_meant(const std::string& mistake, const std::string& word,
                        const std::vector<std::string>& known) {
     const auto meant = nearest_spelling(word, known);
@@ -115,7 +117,8 @@ std::string other_choice(const std::string& word, const std::vector<std::string>
                       choices);
 }
 
-// With the options of the one that is called: to declare those of all takes a millisecond.
+// Declares a command, with options only if it is the one that is called: to declare those of all
+// commands takes a millisecond.
 void add_command(CLI::App& app, const Command& command, bool is_called) {
     CLI::App& declared = *app.add_subcommand(command.name, command.meaning);
     if (!is_called) return;
@@ -156,7 +159,7 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
         fmt::format("there is no command `{}`; {}", word, spelling_hint(word, names, commands)));
 }
 
-// The flags of other commands that are likely to be tried.
+// A flag that a command does not have but users are likely to try, as other commands have it.
 struct OtherFlag {
     std::string command, flag, hint;
 };
@@ -168,8 +171,8 @@ const std::vector<OtherFlag> other_flags{
     {"still", "--width", "carom figure SCENE --kind gas --width 8cm draws a figure"},
 };
 
-// Of words that a command does not take: what is wrong with the first. Those behind a `--` are kept
-// by the program, not by the command.
+// The message about the first word that a command does not take. The library keeps words after `--`
+// in the program's object, not in that of the command.
 std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
     std::vector<std::string> words = command.remaining();
     if (&app != &command) std::ranges::copy(app.remaining(), std::back_inserter(words));
@@ -203,7 +206,7 @@ std::string call_of(const CLI::App& command) {
     return call;
 }
 
-// What is wrong with the command line, and what to write instead.
+// The message about a mistake in the command line, and what to write instead.
 std::string mistake_in(const CLI::App& app, const CLI::ParseError& error) {
     const std::vector<CLI::App*> commands = app.get_subcommands();
     if (commands.empty())
@@ -242,7 +245,7 @@ std::string mistake_in(const CLI::App& app, const CLI::ParseError& error) {
     return what + help;
 }
 
-// A variable of a shell that is not set must not be taken for the number 0, or for no file.
+// Refuses empty values: an unset shell variable must not be read as the number 0, or as no file.
 void refuse_empty_values(CLI::App& app) {
     const auto complaint = [](const std::string& value) {
         return std::string(value.empty() ? "the value is empty" : "");
@@ -253,7 +256,7 @@ void refuse_empty_values(CLI::App& app) {
                 option->check(complaint);
 }
 
-// `--set a=1 b=2` is `--set a=1 --set b=2`, but for files of such a name.
+// Turns `--set a=1 b=2` into `--set a=1 --set b=2`, unless a file has such a name.
 std::vector<std::string> with_each_set(int argc, const char* const* argv) {
     std::vector<std::string> words(argv + 1, argv + argc);
     const auto is_change = [](const std::string& word) {
@@ -267,7 +270,8 @@ std::vector<std::string> with_each_set(int argc, const char* const* argv) {
     return words;
 }
 
-// Of what a command has printed there, and of the help; that it was closed is no error.
+// Flushes standard output; throws if output was lost. It is no error if standard output was closed
+// from the start.
 void finish_standard_output() {
     if ((std::cout.flush() && std::fflush(stdout) == 0) || errno == EBADF) return;
     const int error = errno;
@@ -275,7 +279,7 @@ void finish_standard_output() {
                        error);
 }
 
-// The command that is named does its work at the end of parsing.
+// Parses the arguments. The library runs the named command at the end of parsing.
 int parse_and_run(int argc, const char* const* argv, const std::vector<Command>& commands) {
     CLI::App app{"carom: lecture films of gases from scene files, without a screen", "carom"};
     app.set_version_flag("--version", "carom " CAROM_VERSION);
@@ -289,7 +293,7 @@ int parse_and_run(int argc, const char* const* argv, const std::vector<Command>&
     refuse_unknown_command(app, argc, argv);
     try {
         std::vector<std::string> words = with_each_set(argc, argv);
-        std::ranges::reverse(words);  // as the library takes them
+        std::ranges::reverse(words);  // the library expects them in reverse order
         app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) throw UsageError(mistake_in(app, error));
@@ -314,7 +318,7 @@ int complain(int code, const std::exception& error) {
     return complain(code, "carom: " + printable(error.what()));
 }
 
-// Of storage that is there from the start: a message that is made now might not fit any more.
+// Uses only static storage: there may be no memory left to compose a message.
 int complain_of_memory() noexcept {
     std::fflush(stderr);
     write_to_standard_error({"carom: not enough memory; ", state_of_outputs(),
@@ -322,8 +326,8 @@ int complain_of_memory() noexcept {
     return 1;
 }
 
-// Libraries promise in places not to throw where they ask for memory: CLI11 in comparing names,
-// nlohmann-json in destroying lists.
+// Called by std::terminate: some library functions that are declared noexcept allocate memory
+// (CLI11 when it compares names, nlohmann-json when it destroys lists).
 [[noreturn]] void end_without_memory() {
     try {
         if (const std::exception_ptr error = std::current_exception())
@@ -335,7 +339,8 @@ int complain_of_memory() noexcept {
     std::abort();
 }
 
-// Throws std::bad_alloc, of the command or of what is said about its error.
+// Runs the command and reports its errors. Lets std::bad_alloc pass, from the command or from
+// reporting its error.
 int run_and_complain(int argc, const char* const* argv) {
     try {
         const std::vector<Command> commands = all_commands();
@@ -373,7 +378,7 @@ int run_command_line(int argc, const char* const* argv) {
 void check_command_line(const std::vector<std::string>& words) {
     std::vector<Command> commands = all_commands();
     for (Command& command : commands)
-        command.run = [values = command.run] {};  // which own where values go
+        command.run = [values = command.run] {};  // keeps alive the destinations of option values
     std::vector<const char*> arguments{"carom"};
     for (const std::string& word : words) arguments.push_back(word.c_str());
     parse_and_run(static_cast<int>(arguments.size()), arguments.data(), commands);

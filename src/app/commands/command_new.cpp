@@ -38,8 +38,9 @@ fs::path named(const std::string& name) {
 
 constexpr const char* schema_beside = "scene.schema.json";
 
-// Where the file finds the schema, by a way that stays true when its folder is moved or given to
-// others: in the library that of the library, elsewhere the one beside it.
+// The relative path by which a scene file refers to the schema, so that it stays valid when its
+// folder is moved or given to others: in the library the schema of the library, elsewhere the one
+// next to the file.
 std::string schema_reference(const fs::path& file) {
     std::error_code error;
     const fs::path way = fs::relative(library_folder(), fs::absolute(file).parent_path(), error);
@@ -49,7 +50,7 @@ std::string schema_reference(const fs::path& file) {
     return is_in_library ? (way / schema_beside).lexically_normal().string() : schema_beside;
 }
 
-// The scenes of all its folders by their names; figure sets are none.
+// The scenes in all folders of the library, by name, without figure sets.
 std::map<std::string, fs::path> library() {
     std::map<std::string, fs::path> scenes;
     std::error_code error;
@@ -77,7 +78,7 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
     const std::string schema = schema_reference(file);
     if (arguments.from.empty())
         return starter_scene(panel_kinds(), schema, file.filename().string());
-    // Its mistakes are reported where they are.
+    // Mistakes in that scene are reported at their place in its file.
     const Scene scene = load_scene(source(arguments.from), scene_resources());
     return starter_from(scene.source.text, schema);
 }
@@ -90,7 +91,8 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
         cause);
 }
 
-// Only where there is nothing: an earlier file is never replaced, not even one of this moment.
+// Creates a file. An existing file is never replaced, not even one that another process creates at
+// this moment.
 void write_new(const fs::path& file, const std::string& text) {
     std::error_code error;
     if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
@@ -105,7 +107,7 @@ void write_new(const fs::path& file, const std::string& text) {
     fail(file, written ? at_closing : cause);
 }
 
-// One that is there already is left as it is.
+// Writes the schema next to a scene; an existing one is left as it is.
 void write_schema_beside(const fs::path& file) {
     const fs::path schema = file.parent_path() / schema_reference(file);
     std::error_code error;

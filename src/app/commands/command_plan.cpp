@@ -25,7 +25,7 @@ struct PlanArguments : SceneOptions {
     std::vector<std::string> scenes;
     std::string output;
     bool list = false, missing = false;
-    FilmPlanArguments film;  // and what sweeps have in common with films
+    FilmPlanArguments film;  // also what sweeps have in common with films
     std::string seeds;
     std::vector<std::string> vary;
 
@@ -41,7 +41,7 @@ bool has_film_options(const FilmPlanArguments& its) {
     return its.chunk_seconds || !its.format.empty() || changes_film(its.film);
 }
 
-// Of a plan that is there only what it holds is asked.
+// For an existing plan, options that make a new plan are refused.
 void refuse_options_of_scenes(const PlanArguments& arguments) {
     const FilmPlanArguments& film = arguments.film;
     if (arguments.is_of_sweep() || !arguments.output.empty() || film.force || film.chunks > 0 ||
@@ -66,7 +66,7 @@ void list_chunks(const PlanArguments& arguments) {
     Output("-").write(text);
 }
 
-// `option` gives what `read` makes of a text.
+// Returns read(text), the value of an option; errors name the option.
 template <class Read>
 auto value_of_option(const char* option, const std::string& text, const Read& read) {
     try {

@@ -46,14 +46,14 @@ struct RenderArguments : SceneOptions {
     FilmDestination destination;
     FilmOptions film;      ///< without the path
     std::string max_size;  // empty: any
-    std::string page;      // the kind of the page that the film goes into; empty: none
+    std::string page;      // kind of the page that contains the film; empty: no page
     std::string depfile, cache;
     bool join = false;
-    int chunk = 0;  // of a plan; 0: all that are missing
+    int chunk = 0;  // number of a chunk of a plan; 0: all missing ones
     bool force = false, allow_mixed = false;
 };
 
-// Where the film of a scene goes, or the page that holds it.
+// The path of the film of a scene, or of the page that contains it.
 fs::path output_of(const RenderArguments& arguments, const std::string& scene) {
     const FilmDestination& its = arguments.destination;
     if (arguments.page.empty()) return film_path(its, scene);
@@ -61,7 +61,7 @@ fs::path output_of(const RenderArguments& arguments, const std::string& scene) {
     return output_path(its.output, its.several, scene, {"." + arguments.page});
 }
 
-// What tells the format of the film there.
+// The film path from which the format is determined.
 fs::path film_at(const RenderArguments& arguments, const fs::path& output) {
     if (arguments.page.empty()) return output;
     const std::string& format = arguments.destination.format;
@@ -82,7 +82,7 @@ std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
     return outputs;
 }
 
-// A scene to be rendered, and what a list of scenes says instead of it.
+// A scene to be rendered, and the values that a list of scenes overrides in it.
 struct ListedScene {
     std::string name;
     Overrides values = {};
@@ -105,7 +105,8 @@ std::vector<ListedScene> scenes_of(const SetFile& set) {
     return scenes;
 }
 
-// All scenes before any work: a mistake in the last one must not cost the hours of the first.
+// Loads all scenes before any work, so that a mistake in the last one shows before hours are spent
+// on the first.
 std::vector<Scene> load_all(const RenderArguments& arguments,
                             const std::vector<ListedScene>& listed_scenes) {
     const SceneResources resources = resources_of(arguments);
@@ -125,7 +126,7 @@ std::vector<Scene> load_all(const RenderArguments& arguments,
     });
 }
 
-// What cannot be one film.
+// Refuses options and scenes that cannot be joined to one film.
 void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& scenes) {
     if (arguments.film.from || arguments.film.to)
         throw UsageError("--join: --from and --to apply to one scene; leave them out");
@@ -152,7 +153,7 @@ void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& sce
             "frames");
 }
 
-// What does not go with a page, or with pages of a PDF.
+// Refuses options that are incompatible with a page, or with the pages of a PDF.
 void refuse_page_options(const RenderArguments& arguments, const OutputFormat& format) {
     if (!arguments.max_size.empty() && format.in_one_piece)
         throw UsageError("--max-size: the pages of a PDF have no pixels, and no size is foreseen");
@@ -168,7 +169,7 @@ void refuse_page_options(const RenderArguments& arguments, const OutputFormat& f
                         upper_case(format.name)));
 }
 
-// What each film was made from, of which one may be made from several scenes.
+// The depfile rules: what each film was made from. A joined film is made from several scenes.
 std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::path>& outputs,
                        const std::vector<ListedScene>& listed_scenes,
                        const std::vector<Scene>& scenes) {
@@ -192,7 +193,7 @@ std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::p
     return text;
 }
 
-// Bytes that a film may have.
+// The largest number of bytes that a film may have.
 double most_bytes(const RenderArguments& arguments) {
     if (arguments.max_size.empty()) return std::numeric_limits<double>::infinity();
     return parsed_bytes("--max-size", arguments.max_size);
@@ -235,7 +236,7 @@ RenderReport render_to_stream(Output& stream, const std::vector<Scene>& scenes,
     return report;
 }
 
-// In another shape, whatever the scenes say of it.
+// The scenes with another picture size and frame rate, overriding their own.
 std::vector<Scene> in_shape(const std::vector<Scene>& scenes, const FilmShape& shape) {
     const Overrides values{fmt::format("film.size=[{}, {}]", shape.size.width, shape.size.height),
                            fmt::format("film.fps={}", shape.fps)};
@@ -250,7 +251,7 @@ double seconds_of(const std::vector<Scene>& scenes, const JoinedTitle& title,
     return seconds;
 }
 
-// The scenes of a film, as large as so many bytes allow.
+// The scenes of a film, in the largest shape that fits into `most` bytes.
 std::vector<Scene> fitted(const RenderArguments& arguments, const std::vector<Scene>& scenes,
                           const JoinedTitle& title, double most, const FilmOptions& options,
                           Progress& progress) {
@@ -273,7 +274,7 @@ std::vector<Scene> fitted(const RenderArguments& arguments, const std::vector<Sc
     return tried.at({shape->size.width, shape->fps});
 }
 
-// Of one scene, or of several joined.
+// Renders the film of one scene, or the joined film of several.
 void render_film(const RenderArguments& arguments, const std::string& name,
                  const std::vector<Scene>& asked, const fs::path& output,
                  const JoinedTitle& title = {}) {
@@ -285,11 +286,12 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     options.most_bytes = most_bytes(arguments);
     std::vector<Scene> scenes = asked;
     RenderReport report;
-    // A page or a stream, opened once: the reader of a pipe leaves at its end.
+    // A page or a stream is opened only once, because the reader of a pipe ends when it is closed.
     std::optional<Output> whole;
     const bool is_page = !arguments.page.empty();
     const std::string target = is_page ? output.string() : arguments.destination.output;
-    // What was measured on a few frames may be a little less than the whole film.
+    // The size measured on a few frames may be slightly less than that of the whole film: if the
+    // film is too large, aim lower.
     for (double aim = options.most_bytes;; aim *= 0.9) {
         if (std::isfinite(aim)) scenes = fitted(arguments, asked, title, aim, options, progress);
         if (!whole && (is_page || Output::is_stream(target))) whole.emplace(target);
@@ -305,7 +307,7 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     if (!arguments.quiet) say(warnings_of(report, format_of_film(options.output), is_page));
 }
 
-// What a plan has fixed already, or would be the same for all its chunks.
+// Refuses options that a plan has fixed already, or that would be the same for all its chunks.
 void refuse_film_options(const RenderArguments& arguments) {
     const bool changes =
         !arguments.destination.output.empty() || !arguments.destination.format.empty() ||
@@ -357,7 +359,7 @@ void render_loaded(const RenderArguments& arguments, const std::vector<Scene>& s
     }
 }
 
-// The films, and the files of their words.
+// Refuses outputs, films and their text files, that would replace files in use.
 void refuse_used(const RenderArguments& arguments, const std::vector<Scene>& scenes,
                  const std::vector<fs::path>& outputs) {
     if (Output::is_stream(arguments.destination.output)) return;

@@ -34,12 +34,12 @@ namespace fs = std::filesystem;
 
 struct RunArguments : SceneOptions {
     std::string scene;
-    // Paths, or - for standard output; empty: none.
+    // Paths of outputs, or - for standard output; empty: not written.
     std::string json, csv, surfaces, xyz, events, depfile;
-    int chunk = 0;  // of a sweep; 0: all that are missing
+    int chunk = 0;  // number of a chunk of a sweep; 0: all missing ones
     bool force = false, allow_mixed = false;
 
-    // By their options.
+    // The outputs with their options.
     std::array<std::pair<const char*, std::string>, 6> outputs() const {
         return {{{"--json", json},
                  {"--csv", csv},
@@ -71,7 +71,7 @@ bool standard_output_is_taken(const RunArguments& arguments) {
     });
 }
 
-// A table of surfaces would have no rows where there are only walls that reflect.
+// Refuses a table of surfaces for a box with only reflecting walls: it would have no rows.
 void refuse_no_surfaces(const RunArguments& arguments, const Scene& scene) {
     const auto is_of_surface = [](const RunEvent& event) {
         return std::holds_alternative<ChangeSurface>(event.action) ||
@@ -106,13 +106,13 @@ void print(const RunArguments& arguments, const std::string& text) {
     Output("-").write(text);
 }
 
-// What goes to an output, where it was asked for.
+// A table and its output, if it was asked for.
 template <typename Table>
 struct TableOutput {
     std::optional<Output> output;
     std::optional<Table> table;
 
-    // Before the work: it may not be allowed to write it.
+    // Opens the output before the work, in case it cannot be written.
     template <typename Subject>
     TableOutput(const std::string& path, const Subject& subject) {
         if (!path.empty()) table.emplace(subject, output.emplace(path));
@@ -148,14 +148,14 @@ class RunOutputs {
         return take;
     }
 
-    // Hands what the tables still hold to their outputs.
+    // Passes the rows that the tables still hold to their outputs.
     void finish() {
         if (samples_.table) samples_.table->finish();
         if (trajectory_.table) trajectory_.table->finish();
         if (collisions_.table) collisions_.table->finish();
     }
 
-    // When the work is interrupted, tables that went to streams are there as far as they came.
+    // After an interruption: a message about tables that were partly written to streams.
     std::string left_behind() {
         std::vector<std::string> left;
         for (const std::optional<Output>* output : tables())
@@ -187,7 +187,7 @@ class RunOutputs {
     std::optional<Output> json_, depfile_;
 };
 
-// What the files that a run writes are made from; empty where it is not asked for.
+// The depfile: what the files that a run writes are made from; empty if it is not asked for.
 std::string depfile_of(const RunArguments& arguments, const Scene& scene) {
     if (arguments.depfile.empty()) return "";
     std::vector<std::string> made;
@@ -201,7 +201,7 @@ std::string depfile_of(const RunArguments& arguments, const Scene& scene) {
     return depfile_rule(made, files_of(scene));
 }
 
-// What says what a run is and where its results go; a plan has them.
+// Refuses options that define a run or the destination of its results: a plan has fixed them.
 void refuse_options_of_scene(const RunArguments& arguments) {
     for (const auto& [flag, path] : arguments.outputs())
         if (!path.empty())
@@ -215,7 +215,7 @@ void refuse_options_of_scene(const RunArguments& arguments) {
         throw UsageError(fmt::format("--limits is for one scene; {} is planned", arguments.scene));
 }
 
-// Those that are done already are left as they are.
+// Does the chunks of a sweep. Chunks that are done already are left as they are.
 void run_sweep(const RunArguments& arguments) {
     refuse_options_of_scene(arguments);
     const PlanFolder plan(arguments.scene);
@@ -241,7 +241,7 @@ void refuse_options_of_sweep(const RunArguments& arguments) {
                 arguments.scene));
 }
 
-// The outputs before the work: it may not be allowed to write them.
+// Runs a scene. The outputs are opened before the work, in case they cannot be written.
 void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
     const Scene scene = load_scene(arguments.scene, resources_of(arguments),

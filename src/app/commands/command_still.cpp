@@ -30,7 +30,8 @@ struct StillArguments : SceneOptions {
     bool is_quick = false;
 };
 
-// Of a picture for standard output, a device or a pipe, the name that it would have.
+// The path of the picture; for standard output, a device or a pipe, the path that it would have as
+// a file.
 std::filesystem::path still_path(const StillArguments& arguments) {
     const std::string &output = arguments.output, &format = arguments.format;
     std::vector<std::string> extensions;

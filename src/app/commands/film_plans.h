@@ -11,24 +11,24 @@
 
 namespace carom {
 
-/// What is asked of the films to be planned.
+/// Arguments of `carom plan` for films.
 struct FilmPlanArguments {
     std::string format;
     FilmOptions film;                          ///< without the path
-    int chunks = 0;                            ///< of each; 0: by their seconds
-    std::optional<double> chunk_seconds = {};  ///< of expected work
+    int chunks = 0;                            ///< for each film; 0: by the expected seconds
+    std::optional<double> chunk_seconds = {};  ///< expected work for each chunk
     bool force = false;
 };
 
 /// --chunk-seconds, --format and the options of a film.
 std::vector<Option> film_plan_options(SceneOptions& options, FilmPlanArguments& arguments);
 
-/// Plans the films of scenes: of one in the folder `output`, of several in folders in it; empty:
-/// out/SCENE.plan.
+/// Plans the films of scenes: a single one in the folder `output`, several in subfolders of it.
+/// With an empty `output` the folders are out/SCENE.plan.
 void plan_films(const std::vector<std::string>& scenes, const std::string& output,
                 const FilmPlanArguments& arguments, const SceneOptions& options);
 
-/// What is asked of a film to be joined.
+/// Arguments of `carom join` for films.
 struct FilmJoinArguments {
     std::string output;
     bool text = false, poster = false, allow_mixed = false, quiet = false;

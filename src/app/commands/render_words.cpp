@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-// What pages and mail take without trouble is soon passed by a format that holds every change of
-// every pixel.
+// Warns if a film is large for its format. A format that stores every change of every pixel soon
+// exceeds what web pages and mail accept.
 std::string warning(const OutputFormat& format, const RenderReport& report) {
     const auto bytes = static_cast<double>(report.bytes);
     if (format.large_bytes == 0.0 || bytes < format.large_bytes) return "";

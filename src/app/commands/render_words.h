@@ -1,4 +1,4 @@
-// What carom render says of a film that it has made.
+// Messages of `carom render` about a finished film.
 #pragma once
 
 #include <string>
@@ -9,17 +9,18 @@
 
 namespace carom {
 
-/// The seconds of each stage, and what they were spent on.
+/// A table of the seconds of each stage, and what they were spent on.
 std::string timings_of(const RenderReport& report);
 
-/// Of a scene with sound whose film is in a format without.
+/// Warns that the format of the film has no sound although the scene has.
 std::string warning_of_silence(const OutputFormat& format);
 
-/// That there is no room for these (FramePainter::cut_words()). Empty: nothing is cut.
+/// Warns that there was no room for these words (FramePainter::cut_words()). Empty if nothing is
+/// cut.
 std::string warning_of_cut(const std::vector<std::string>& cut);
 
-/// What may disappoint: no sound, its size for its format or `in_page`, words that are cut,
-/// callouts that are not there. Empty: nothing.
+/// All warnings about a film: missing sound, a large size for its format or for a page (`in_page`),
+/// words that are cut, callouts that no frame shows. Empty if there are none.
 std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page);
 
 }  // namespace carom

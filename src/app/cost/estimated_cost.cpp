@@ -3,8 +3,8 @@
 namespace carom {
 namespace {
 
-// One core, `carom run --timings` of the scenes in scenes/: 1.0 to 1.3 million. Slower in large
-// gases, which memory holds up.
+// On one core, `carom run --timings` of the scenes in scenes/ gives 1.0 to 1.3 million. Large gases
+// are slower, limited by access to memory.
 constexpr double events_per_second = 1e6;
 
 }  // namespace

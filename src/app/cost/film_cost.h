@@ -1,4 +1,5 @@
-// What films cost: estimated from films that were measured, or measured on a few of their frames.
+// What films cost in time, bytes and memory: estimated from measurements of other films, or
+// measured on a few frames of the film itself.
 #pragma once
 
 #include <cstdint>
@@ -13,27 +14,27 @@ namespace carom {
 
 struct FilmCost {
     std::string format;
-    double seconds = 0.0;  ///< of work on all cores
+    double seconds = 0.0;  ///< elapsed, with drawing and encoding on all FilmOptions::threads
     double bytes = 0.0;    ///< of the film
-    double memory = 0.0;   ///< bytes, at most, whatever the quality
+    double memory = 0.0;   ///< upper estimate in bytes, for any quality
 };
 
-/// Of the sound of so many frames, if there is one.
+/// Bytes of the sound of `frames` frames; 0 for a film without sound.
 double bytes_of_sound(const Scene& scene, const OutputFormat& format, int frames);
 
-/// An estimate for a film of so many frames at a quality, of so many particles in each of its runs,
-/// in which so many collisions are calculated, in all passes and before time 0 too: interpolated
-/// from films that were measured (docs/encoding.md), on a machine like the one they were made on.
-/// Does not know how far everything moves from frame to frame: short films of fast gases take
-/// several times as much.
+/// Estimates the cost of a film of `frames` frames, with `particles` particles in each of its runs,
+/// in which `calculated` collisions are calculated (in all passes, before time 0 included).
+/// Interpolated from films that were measured (docs/encoding.md), and valid for a machine like the
+/// one of these measurements. Ignores how far particles move from frame to frame: short films of
+/// fast gases take several times as much.
 FilmCost estimated_cost(const OutputFormat& format, const Scene& scene, const FilmOptions& options,
                         int frames, std::int64_t particles, double calculated,
                         const FilmCollisions& collisions);
 
-/// Simulates the film's run, and draws and encodes a few frames at each of several places spread
-/// over the film, as render() would: its bytes are right within a tenth or so. `options`
-/// are those of the film; its `output` names the format, and is not written. Throws as render()
-/// does.
+/// Simulates the film's run, then draws and encodes a few successive frames at each of several
+/// places spread over the film, as render() would. The bytes are accurate to about 10 %. `options`
+/// are those of the film; the ending of `options.output` gives the format, and no file is written.
+/// Throws what render() throws.
 FilmCost measured_cost(const Scene& scene, const FilmOptions& options, Progress& progress);
 
 }  // namespace carom

@@ -21,11 +21,11 @@ constexpr std::array rates{50, 30, 25, 20, 15, 12, 10};
 
 struct Candidate {
     FilmShape shape;
-    double loss = 0.0;  ///< halvings
+    double loss = 0.0;  ///< number of halvings, of size and of rate together
     bool is_measured = false;
 };
 
-// Both even, as videos have them.
+// Width and height are rounded to even numbers, as video formats require.
 PictureSize scaled(const PictureSize& size, double factor) {
     const auto even = [&](int length) {
         return std::max(2, 2 * static_cast<int>(std::lround(0.5 * factor * length)));
@@ -33,7 +33,7 @@ PictureSize scaled(const PictureSize& size, double factor) {
     return {even(size.width), even(size.height)};
 }
 
-// What was asked for, and the smaller ones.
+// The value asked for, and all smaller steps of the ladder.
 template <class Ladder>
 std::vector<int> steps(int asked, const Ladder& ladder) {
     std::vector<int> found{asked};
@@ -41,7 +41,7 @@ std::vector<int> steps(int asked, const Ladder& ladder) {
     return found;
 }
 
-// In the order of what is lost; the first is what was asked for.
+// Sorted by loss; the first is the shape that was asked for.
 std::vector<Candidate> candidates_of(const FilmShape& asked) {
     std::vector<Candidate> found;
     const int shorter = std::min(asked.size.width, asked.size.height);
@@ -55,7 +55,7 @@ std::vector<Candidate> candidates_of(const FilmShape& asked) {
     return found;
 }
 
-// From what another took.
+// The bytes to expect in a shape, extrapolated from those measured in another.
 double expected(const FilmShape& shape, const FilmShape& measured, double bytes,
                 const FormatCost& cost) {
     const auto pixels = [](const FilmShape& one) {
@@ -69,7 +69,7 @@ double expected(const FilmShape& shape, const FilmShape& measured, double bytes,
 
 std::optional<FilmShape> fitting_shape(const FilmShape& asked, const FormatCost& cost, double most,
                                        const std::function<double(const FilmShape&)>& measure) {
-    constexpr double margin = 0.95;  // the sample of frames is not the film
+    constexpr double margin = 0.95;  // because only a sample of the frames is measured
     constexpr int most_measured = 6;
     std::vector<Candidate> candidates = candidates_of(asked);
     std::optional<Candidate> best;
@@ -84,7 +84,7 @@ std::optional<FilmShape> fitting_shape(const FilmShape& asked, const FormatCost&
                    expected(one.shape, shape, bytes, cost) <= margin * most;
         });
         next = found == candidates.end() ? nullptr : &*found;
-        // What no one expects to fit is tried all the same before it is refused.
+        // The smallest shape is measured, although it is not expected to fit, before giving up.
         if (next == nullptr && !best && !candidates.back().is_measured) next = &candidates.back();
     }
     return best ? std::optional(best->shape) : std::nullopt;

@@ -12,8 +12,9 @@
 namespace carom {
 namespace {
 
-// Frames in a row that are encoded as the beginning of a segment is: one that is whole, and others
-// that change it: two whole rows of B frames with the P frame behind each (media/codecs.cpp).
+// The number of places, and the successive frames encoded at each, like the beginning of a segment:
+// one key frame, then two complete groups of B frames, each with the P frame that follows it
+// (media/codecs.cpp).
 constexpr int places = 10, in_a_row = 9;
 
 double bytes_of(FilmSegment& segment) {
@@ -34,7 +35,7 @@ class FrameSampler {
             firsts_.push_back(plan.span.first + k * frames / rows + (frames / rows - row_) / 2);
     }
 
-    // Of the whole film: a segment begins with a whole frame.
+    // The cost of the whole film, in which each segment begins with a key frame.
     FilmCost measure() {
         const auto end =
             static_cast<std::size_t>(firsts_.back() + row_ - plan_.run.ticks().front().frame);

@@ -45,7 +45,7 @@ std::string manifest_json(const Manifest& manifest) {
            "\n";
 }
 
-// Nothing if it is no such text.
+// Parses a manifest; returns nothing if the text is not one.
 std::optional<Manifest> read_manifest(std::string_view text) {
     try {
         const Json json = json_in(text);
@@ -105,7 +105,8 @@ std::vector<std::string> FigureFolder::foreign(std::span<const std::string> file
     return found;
 }
 
-// Of a file that is there already, and was carom's, both contents are known until it is replaced.
+// Records the coming contents of a file. For an existing file of carom, both the old and the new
+// fingerprint are recorded until it is replaced.
 void FigureFolder::announce(const std::string& file, const std::string& figure,
                             const std::string& content) {
     manifest_.files.try_emplace(file, WrittenFile{figure, "", ""}).first->second.coming = content;
@@ -152,7 +153,7 @@ std::vector<std::string> FigureFolder::remove_all_but(const std::set<std::string
         const auto& [file, written] = known;
         if (kept.contains(file)) return false;
         if (!is_there(path_ / file)) return true;
-        // What the manifest says may be a stranger's.
+        // The manifest may come from elsewhere: check that the path is inside the folder.
         const fs::path inside = fs::weakly_canonical(path_ / file).lexically_relative(whole);
         std::error_code error;
         const bool is_own = !inside.empty() && *inside.begin() != ".." &&

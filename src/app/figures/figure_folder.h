@@ -1,5 +1,5 @@
-// A folder of figures: which of its files carom wrote, whether they are what it wrote, and from
-// what. Nothing that carom did not write is ever replaced unasked.
+// A folder of figures, with a record of which files carom wrote, from what, and whether they have
+// changed since. A file that carom did not write is never replaced unless the user asks for it.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,27 @@ namespace carom {
 
 /// A file as carom wrote it.
 struct WrittenFile {
-    std::string figure;   ///< whose; empty: of the whole folder
-    std::string inputs;   ///< fingerprint of all that it was made from
-    std::string content;  ///< fingerprint of its bytes; empty: it was not there yet
+    std::string figure;   ///< name of its figure; empty: it belongs to the whole folder
+    std::string inputs;   ///< fingerprint of everything that it was made from
+    std::string content;  ///< fingerprint of its bytes; empty: not written yet
     std::string coming =
-        {};  ///< of those that were about to replace them; empty: nothing was on its way
+        {};  ///< fingerprint of the bytes that were about to be written; empty: none
 };
 
 /// A file to be written.
 struct NewFile {
     std::string file;
     std::vector<std::uint8_t> bytes;
-    std::string figure, inputs;  ///< as of a WrittenFile
+    std::string figure, inputs;  ///< as in WrittenFile
 };
 
-/// What a figure says, kept so that captions need no run of the physics.
+/// The texts of a figure, stored so that captions need no new run of the physics.
 struct WrittenWords {
     std::string inputs;
     std::string caption, alt;
 };
 
-/// What figures.json holds.
+/// The contents of figures.json.
 struct Manifest {
     std::string of;  ///< the scene or set whose figures these are
     std::map<std::string, WrittenFile> files;
@@ -47,37 +47,39 @@ inline constexpr const char* figures_manifest = "figures.json";
 
 class FigureFolder {
   public:
-    /// Reads what is known of the folder, which need not exist, from the file `manifest` in it.
-    /// Throws UsageError when it holds what was made of another scene, set or folder, or when that
-    /// file is not carom's.
+    /// Reads the record of the folder, which need not exist, from the file `manifest` in it. Throws
+    /// UsageError if the folder holds files made from another scene, set or folder, or if that file
+    /// is not a manifest of carom.
     FigureFolder(std::filesystem::path path, std::string of,
                  std::string manifest = figures_manifest);
 
     const Manifest& manifest() const { return manifest_; }
 
-    /// Whether a file was made from these inputs and is what it was then.
+    /// Whether a file was made from these inputs and has not been changed since.
     bool is_current(const std::string& file, const std::string& inputs) const;
 
-    /// Those of `files` that are there and were not written by carom, or changed since.
+    /// Those of `files` that exist and were not written by carom, or were changed since.
     std::vector<std::string> foreign(std::span<const std::string> files) const;
 
-    /// Writes files, each whole or not at all, unless these very bytes are there. figures.json
-    /// says first what they will be: wherever the work is cut off, the folder knows its files.
+    /// Writes files, each complete or not at all; a file that has these bytes already is not
+    /// touched. The new fingerprints are recorded in the manifest first, so that files are
+    /// recognised wherever the work is interrupted.
     void write(std::span<const NewFile> files);
 
-    /// Takes a file of `from` that others have written into the folder, in the same way.
+    /// Copies a file from the folder `from` into this folder, and records it in the same way.
     void take_in(const std::filesystem::path& from, const std::string& file,
                  const std::string& figure, const std::string& inputs);
 
     void remember(const std::string& figure, WrittenWords words);
 
-    /// Removes the files that carom wrote and that are not among `kept`, and tells them. Gives
-    /// those that others have changed, or that lie outside of the folder: they are left, and no
-    /// longer known.
+    /// Removes the files that carom wrote and that are not among `kept`, and adds them to
+    /// `removed`. Returns those that others have changed, or that are outside the folder: they are
+    /// left in place, but no longer recorded.
     std::vector<std::string> remove_all_but(const std::set<std::string>& kept,
                                             std::vector<std::string>& removed);
 
-    /// Writes figures.json, if it says anything new; not where there was none and no file is known.
+    /// Writes the manifest if its contents have changed; does not create it if there is nothing to
+    /// record.
     void save();
 
   private:

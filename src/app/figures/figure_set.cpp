@@ -29,19 +29,19 @@ namespace {
 struct PlannedFigure {
     const SetPart* part;
     const FigureSpec* spec;
-    std::string inputs;                 ///< what its files are made from
-    bool chosen;                        ///< to be drawn, where it is not there yet
+    std::string inputs;                 ///< fingerprint of what its files are made from
+    bool chosen;                        ///< to be drawn if it is not up to date
     std::vector<std::string> due = {};  ///< its files that are to be made
 };
 
-// Texts that are put together keep their borders.
+// Joins texts so that the boundaries between them count.
 std::string all_of(std::initializer_list<std::string_view> texts) {
     std::string all;
     for (const std::string_view text : texts) all += fmt::format("{}:{};", text.size(), text);
     return all;
 }
 
-// `what` is made of it.
+// Fingerprint of the inputs from which `what` is made of a scene.
 std::string inputs_of(const Scene& scene, std::string_view what) {
     std::string overrides;
     for (const std::string& one : scene.source.overrides) overrides += all_of({one});
@@ -51,7 +51,7 @@ std::string inputs_of(const Scene& scene, std::string_view what) {
 
 // A film is made from the scene beside it, too.
 std::string inputs_of_film(const Scene& scene) {
-    std::string all = inputs_of(scene, "the film");  // no name of a figure
+    std::string all = inputs_of(scene, "the film");  // a figure cannot have this name
     for (const auto& [file, text] : scene.source.files) all += all_of({text});
     return fingerprint(all);
 }
@@ -86,7 +86,7 @@ RunsCallbacks shown_runs(const Scene& scene, Progress& progress) {
     };
 }
 
-// A film and what stands beside it.
+// The names of a film's file and of the files next to it, by role.
 std::map<std::string, std::string> film_files(const SetPart& part) {
     std::map<std::string, std::string> files{{"film", part.stem + ".mp4"},
                                              {"poster", part.stem + ".poster.png"}};
@@ -106,7 +106,7 @@ void refuse_unknown(const FigureSet& set, const std::vector<std::string>& only) 
     }
 }
 
-// The files of a figure; words are no numbers, and have no table.
+// The files of a figure. A figure of words has no numbers, and so no table.
 std::vector<std::string> figure_files(const FigureSet& set, const FigureSpec& spec) {
     std::vector<std::string> files;
     for (const std::string& format : set.formats)
@@ -124,14 +124,14 @@ class Maker {
 
     SetReport make() {
         refuse_foreign();
-        for (const PageTemplate& page : set_.pages)  // its mistakes before the work
+        for (const PageTemplate& page : set_.pages)  // report mistakes before the work
             refuse_page(page);
         try {
             for (const SetPart& part : set_.parts) draw(part);
             for (const SetPart& part : set_.parts) render_film(part);
             write_words();
         } catch (...) {
-            folder_.save();  // what is written is known, however the work ended
+            folder_.save();  // record what was written, however the work ended
             throw;
         }
         folder_.save();
@@ -150,7 +150,8 @@ class Maker {
         figures_.push_back(std::move(figure));
     }
 
-    // What its caption was when it was made from what it is now; null: it was not.
+    // The recorded caption and alternative text of a figure if they are up to date with its inputs,
+    // else null.
     const WrittenWords* words_there(const PlannedFigure& figure) const {
         const auto words = folder_.manifest().figures.find(figure.spec->name);
         const bool known =
@@ -158,7 +159,7 @@ class Maker {
         return known ? &words->second : nullptr;
     }
 
-    // Whether anything of it is to be made.
+    // Whether any part of the figure must be made.
     bool is_due(const PlannedFigure& figure) const {
         return figure.chosen && !(figure.due.empty() && words_there(figure));
     }
@@ -182,8 +183,8 @@ class Maker {
             one ? "it" : "them", one ? "it" : "them"));
     }
 
-    // What is known before there are figures: mistakes in the template, and pictures that the page
-    // would find neither among those there are nor among those to be made.
+    // Checks a page before figures are made: for mistakes in the template, and for pictures that
+    // neither exist nor are to be made.
     void refuse_page(const PageTemplate& page) const {
         page_text(set_, page, {}, {});
         for (const PlannedFigure& planned : figures_) {
@@ -194,7 +195,7 @@ class Maker {
         }
     }
 
-    // Of those that show a figure as it is now.
+    // The existing files of a figure that are up to date.
     std::vector<std::string> files_there(const PlannedFigure& planned) const {
         std::vector<std::string> files;
         for (const std::string& format : figure_formats())
@@ -204,7 +205,8 @@ class Maker {
         return files;
     }
 
-    // Where a picture comes from that has left its folder; `made from` is as in figures.json.
+    // The origin of a picture, stored in it in case it leaves its folder; `made from` is as in
+    // figures.json.
     std::string origin_of(const PlannedFigure& planned) const {
         const Scene& scene = planned.part->scene;
         std::string origin = fmt::format("carom {}; {} {}; seed {}", CAROM_VERSION,
@@ -215,8 +217,8 @@ class Maker {
         return origin + "; made from " + planned.inputs;
     }
 
-    // One run of the physics for all figures of a scene, as many as are to be drawn: their axes
-    // must not depend on what is drawn.
+    // Draws the figures of a scene that are due. The run of the physics is for all figures of the
+    // scene, because axes must not depend on which of them are drawn.
     void draw(const SetPart& part) {
         std::vector<const PlannedFigure*> due;
         for (const PlannedFigure& figure : figures_) {
@@ -250,7 +252,7 @@ class Maker {
         folder_.remember(name, {planned.inputs, words.caption, words.alt});
     }
 
-    // The figures that are there as the scenes have them now.
+    // The existing figures that are up to date with the scenes.
     std::vector<SetFigure> present() const {
         std::vector<SetFigure> all;
         for (const PlannedFigure& planned : figures_)

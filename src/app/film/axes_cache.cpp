@@ -11,11 +11,12 @@
 namespace carom {
 namespace {
 
-// Of all that decides what the first pass finds. Paths do not: a copy of a scene has the same axes.
+// Fingerprint of all that determines what the first pass finds. Paths are left out: a copy of a
+// scene has the same axes.
 std::string fingerprint_of(const SceneSource& source) {
     GrowingFingerprint all;
     const auto add = [&](const std::string& text) {
-        all.add(std::to_string(text.size()) + ":");  // so that parts cannot run into one another
+        all.add(std::to_string(text.size()) + ":");  // so that the boundaries between parts count
         all.add(text);
     };
     for (const auto& [name, value] : physics_facts()) add(value);

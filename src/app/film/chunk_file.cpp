@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t length_bytes = 8;
 
-// Behind its length, little-endian.
+// The bytes, preceded by their length as a little-endian number.
 std::string with_length(const std::string& bytes) {
     std::string whole;
     for (std::size_t i = 0; i < length_bytes; ++i)
@@ -91,7 +91,7 @@ std::string ChunkReader::next() {
     return bytes;
 }
 
-// By the error of the system, if there was one.
+// The message gives the error of the system, if there was one.
 void ChunkReader::refuse() const {
     const int reason = errno;
     throw_system_error(

@@ -1,5 +1,5 @@
-// The file of a chunk: its encoded segments one after the other, each checked by itself, so that
-// neither writing nor joining holds more than one of them.
+// The file of a chunk: its encoded segments one after the other, each with its own fingerprint, so
+// that neither writing nor joining holds more than one of them in memory.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace carom {
 
-/// Which chunk a file is.
+/// Identifies the chunk that a file holds.
 struct ChunkIdentity {
     std::string plan;  ///< as PlanFolder::fingerprint()
     int number = 0;
@@ -26,7 +26,8 @@ struct ChunkIdentity {
     }
 };
 
-/// Writes the segments of a chunk, which `encoder` makes, whole or not at all.
+/// Writes the segments of a chunk, encoded by `encoder`, to a file that appears complete or not at
+/// all.
 class ChunkWriter : public FilmWriter {
   public:
     ChunkWriter(const std::filesystem::path& path, ChunkIdentity identity, FilmWriter& encoder);
@@ -44,10 +45,10 @@ class ChunkWriter : public FilmWriter {
     std::int64_t bytes_ = 0;
 };
 
-/// Reads them back in order. All throw SystemError where the file is damaged.
+/// Reads the segments back in order. All functions throw SystemError if the file is damaged.
 class ChunkReader {
   public:
-    /// Throws SystemError where it is another chunk.
+    /// Throws SystemError if the file holds another chunk than `expected`.
     ChunkReader(const std::filesystem::path& path, const ChunkIdentity& expected);
 
     /// Reads the next segment into a new one.
@@ -60,7 +61,7 @@ class ChunkReader {
 
     std::filesystem::path path_;
     std::ifstream file_;
-    std::uint64_t left_ = 0;  ///< bytes to be read
+    std::uint64_t left_ = 0;  ///< bytes not read yet
 };
 
 }  // namespace carom

@@ -38,7 +38,7 @@ const char* name_of(Quality quality) {
     return quality == Quality::standard ? "standard" : "final";
 }
 
-// All that a plan is made from.
+// Everything that determines a plan, for comparing plans: the "request" in plan.json.
 Json request_of(const Scene& scene, const FilmOptions& options, const FilmDivision& division) {
     const OutputFormat& format = format_of_film(options.output);
     Json request{{"scene",
@@ -108,7 +108,8 @@ FilmPlan without_run(const FilmPlan& plan) {
 
 std::string name_of_start(int chunk) { return fmt::format("starts/{:04}.start", chunk); }
 
-// The second pass over the run, without drawing: it writes what each chunk begins with.
+// The second pass over the run, without drawing: writes for each chunk the state that it begins
+// with.
 class StartWriter {
   public:
     StartWriter(FilmPlan& plan, const FormatCost& cost, Quality quality, PlanWriter& writer,
@@ -121,7 +122,7 @@ class StartWriter {
           panels_(plan.panels()),
           player_(plan.run) {}
 
-    /// Of the chunks in order; sets their file names and memory.
+    /// Writes the starts of all chunks in order; sets their file names and memory.
     void write(std::vector<PlannedChunk>& chunks) {
         progress_.begin("writing the starts of chunks", static_cast<double>(plan_.span.end));
         for (PlannedChunk& chunk : chunks) {
@@ -190,7 +191,7 @@ Json facts_of(const FilmPlan& plan, const OutputFormat& format) {
               {"particles", plan.particles.count()}}}};
 }
 
-// The segments of a chunk, counted as the plan's.
+// The segment starts of a chunk, counted like those of the plan.
 std::vector<int> segments_of(const FilmPlan& plan, const PlannedChunk& chunk) {
     std::vector<int> segments;
     for (const int start : plan.segments)
@@ -209,7 +210,7 @@ FilmPlan read_plan(const PlanFolder& folder, FilmOptions& options) {
     return read_shared(folder.read(plan_file), (folder.path() / plan_file).string(), options);
 }
 
-// Apart from what chunks need.
+// The sound is stored in a file of its own, because chunks do not need it.
 std::string sound_bytes(std::vector<std::int16_t>& samples) {
     Archive archive;
     archive(samples);
@@ -226,7 +227,7 @@ std::vector<std::int16_t> read_sound(const PlanFolder& folder, const FilmPlan& p
     return samples;
 }
 
-// As a plan of its own.
+// The plan of the film that consists of one chunk only.
 FilmPlan plan_of_chunk(const PlanFolder& folder, const FilmPlan& whole, const PlannedChunk& chunk) {
     FilmPlan plan = whole;
     const fs::path start = folder.path() / chunk.start;
@@ -304,7 +305,7 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     FilmOptions options = asked;
     options.text = true;
     options.room.file = 0;  // a chunk of a large run begins with a state, which is smaller
-    // Before the work, as it may not be allowed to write.
+    // Open the folder before the work, in case it cannot be written.
     std::optional<PlanWriter> writer;
     FilmPlan plan =
         prepare(scene, options, progress, [&](const FilmPlan&) { writer.emplace(folder); });
@@ -317,7 +318,7 @@ FilmPlanReport plan_film(const Scene& scene, const FilmOptions& asked, const Fil
     starts.write(chunks);
     writer->write(plan_file, shared_bytes(plan, options));
     if (!plan.sound.empty()) writer->write(sound_file, sound_bytes(plan.sound));
-    report.cut = starts.cut_words();  // draws, which may fail
+    report.cut = starts.cut_words();  // called before commit(), because it draws, which may fail
     writer->commit({PlanKind::film, request, facts_of(plan, format)}, chunks);
     report.chunks = static_cast<int>(chunks.size());
     report.frames = plan.frames();

@@ -1,4 +1,4 @@
-// How what a film shows moves from frame to frame, for its encoder.
+// Classifies the motion from frame to frame in a film, for the settings of its encoder.
 #pragma once
 
 #include "media/film_writer.h"
@@ -7,9 +7,9 @@
 
 namespace carom {
 
-/// Of a film of this scene, whose gas begins with these particles and velocities; by its size, its
-/// frame rate and the length of its run, so that all parts of a film have the same. Without
-/// particles, as films that are joined of several have them, it is the usual one.
+/// The motion in the film of a scene whose gas begins with these particles and velocities. Depends
+/// on the picture size, the frame rate and the length of the run, so that all parts of a film get
+/// the same result. Returns Motion::usual without particles, as for films joined from several.
 Motion motion_of(const Scene& scene, const Particles& particles, const Sample& start);
 
 }  // namespace carom

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Endings of films that are one file.
+// The file endings of film formats that are single files.
 std::vector<std::string> video_extensions() {
     std::vector<std::string> endings;
     for (const std::string& name : film_formats())
@@ -24,7 +24,8 @@ std::vector<std::string> video_extensions() {
     return endings;
 }
 
-// Frames never go among other files, from which they could not be told afterwards.
+// Frames are never written into a folder with other files, from which they could not be told apart
+// later.
 void refuse_used_folder(const std::string& output, const std::string& scene) {
     std::error_code error;
     if (!fs::is_directory(output, error)) return;
@@ -48,7 +49,7 @@ fs::path frames_folder(std::string output, const std::string& scene) {
     throw UsageError(fmt::format("-o {}: several scenes need a folder; name one", output));
 }
 
-// Of standard output, a device or a pipe: the name that it would have.
+// For standard output, a device or a pipe: the path that the film would have as a file.
 fs::path streamed_path(const FilmDestination& destination) {
     const auto& [output, format, several] = destination;
     if (several) refuse_several(output);
@@ -64,7 +65,7 @@ fs::path streamed_path(const FilmDestination& destination) {
     return "film." + (format.empty() ? "mp4" : format);
 }
 
-// One film, named by -o as a file or as its folder of frames.
+// The path of a single film whose file or folder of frames is given by -o.
 fs::path named_path(const FilmDestination& destination, const std::string& scene) {
     const auto& [output, format, several] = destination;
     if (output.ends_with('/') || (format == "png" && !is_video(output)))

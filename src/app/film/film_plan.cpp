@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of frames of the whole film, evenly spread.
+// The palette of a film, chosen from `previews` of its frames, evenly spread.
 std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Progress& progress) {
     progress.begin("choosing colours", static_cast<double>(plan.span.end));
     const std::unique_ptr<PanelSet> panels = plan.panels();
@@ -44,7 +44,7 @@ std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Pro
     return {palette.begin(), palette.end()};
 }
 
-// What is simulated once serves all, where it is kept.
+// If the run is kept, one simulation serves both the first pass and the pictures.
 std::vector<std::string> passes_for(const Scene& asked, bool settled, bool kept, bool text,
                                     bool sound, bool colors) {
     std::vector<std::string> passes;
@@ -62,7 +62,8 @@ std::vector<std::string> passes_for(const Scene& asked, bool settled, bool kept,
     return passes;
 }
 
-// What a plan's scene is made from again, and what must still be as it was.
+// The data from which a plan's scene is made again, and with which it is checked that nothing has
+// changed.
 struct SceneRecord {
     std::string program = CAROM_VERSION;
     SceneSource source;
@@ -87,12 +88,13 @@ Scene scene_of(const SceneRecord& record, const Archive& archive) {
     return with_bits(std::move(scene), record.bits);
 }
 
-// What is wanted of the film beside the scene; where it is written is asked again.
+// Archives the options of a film. Its output path is not restored: the reader is asked for it
+// again.
 void archive_options(Archive& archive, FilmOptions& options) {
     std::string output = options.output.string();
     archive(output, options.quality, options.from, options.to);
     if (!archive.is_reading()) return;
-    // Of what is read only the format counts: it leads nowhere.
+    // Only the format is taken from the archived path, which is replaced by a dummy.
     options.output = fs::path(output).has_filename()
                          ? fs::path("film").replace_extension(fs::path(output).extension())
                          : fs::path("film/");
@@ -123,7 +125,7 @@ bool fits_together(const FilmPlan& plan) {
                                      plan.beside->start.sample));
 }
 
-// As a simulation of the gas has it: heat baths draw velocities by the seed of the gas.
+// The box as in a simulation of the gas: heat baths draw velocities with the seed of the gas.
 Box box_of(const Gas& gas) {
     Box box = gas.box;
     box.surfaces.seed = gas.seed;
@@ -138,8 +140,8 @@ void archive_run(Archive& archive, FilmPlan& plan) {
     plan.beside->run.archive(archive, box_of(other.gas), plan.beside->start.particles, other.run);
 }
 
-// Of trails that are asked for by species or for all particles, and of panels that average over all
-// starting times: they keep a part of the way of each particle.
+// Bytes for stored parts of the paths of particles: for trails, and for panels that average over
+// all starting times.
 double memory_of_ways(const Scene& scene, double particles) {
     constexpr double of_trail = 1000.0, of_place = 250.0, of_lags = 7000.0;  // measured peaks
     const Film& film = scene.film;
@@ -161,7 +163,7 @@ double memory_of_ways(const Scene& scene, double particles) {
     return bytes;
 }
 
-// Its panels are surveyed as it is recorded.
+// Prepares the second run, which its panels survey while it is recorded.
 void start_beside(FilmPlan& plan, std::optional<Simulation>& simulation, Progress& progress) {
     if (!plan.scene.film.beside) return;
     auto [scene, start] = start_scene(*plan.scene.film.beside->scene, progress);
@@ -215,7 +217,7 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
                     plan.beside ? &plan.beside->start : nullptr);
     Recording::Room room = options.room;
     if (other) room = {room.memory / 2, room.file / 2};
-    // With less to see it is not worth a thread.
+    // With fewer particles a separate thread for the panels does not pay.
     constexpr Eigen::Index enough = 2000;
     const bool aside = options.threads > 1 && plan.particles.count() >= enough;
     std::optional<FilmTextMaker> text;
@@ -226,8 +228,8 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
     if (options.text || sound)
         text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at,
                      sound.has_value());
-    // Of what comes after the span only the axes know, and the sound of its last frame, which is
-    // that of the collisions before the next one.
+    // Frames after the span are needed only for the axes, except one: the sound of the last frame
+    // is made from the collisions before the next frame.
     if (settled) ticks.resize(std::min(ticks.size(), static_cast<std::size_t>(plan.span.end) + 1));
     progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
     if (other)
@@ -270,9 +272,9 @@ bool has_sound(const Scene& scene, const OutputFormat& format) {
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
                             const FilmCollisions& collisions, int threads) {
     constexpr double of_program = 120e6, of_particle = 1500.0;
-    constexpr double of_kept_particle = 40.0, of_frame = 8192.0;  // in a recording, or waiting
-    constexpr double of_filed_frame = 512.0;  // whose samples are in a temporary file
-    constexpr double most_of_pixel = 0.5;     // encoded: PNGs of dense gases have 0.2
+    constexpr double of_kept_particle = 40.0, of_frame = 8192.0;  // bytes, recorded or waiting
+    constexpr double of_filed_frame = 512.0;  // bytes; samples are in a temporary file
+    constexpr double most_of_pixel = 0.5;  // encoded bytes per pixel; PNGs of dense gases have 0.2
     constexpr double most_kept = static_cast<double>(Recording::most_bytes) + most_waiting_bytes;
     const double pixels = static_cast<double>(scene.film.size.width) * scene.film.size.height;
     const int frames = frame_count(scene.film);
@@ -280,14 +282,16 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     const std::vector<int> segments = segment_starts(frames, particles);
     const auto workers = static_cast<double>(std::clamp<std::size_t>(
         static_cast<std::size_t>(std::max(1, threads)), 1, segments.size() - 1));
-    // Segments grow, or are finished and wait for their turn: two for each worker.
+    // Two encoded segments per worker: one that is growing, and one that is finished and waits to
+    // be joined.
     const double encoded =
         std::min(frames * most_of_pixel * pixels, 2.0 * workers * most_encoded_bytes);
     const double of_collisions = sizeof(Collision) * collisions.count;
     const double kept = std::min(
         most_kept + frames * of_filed_frame,
         frames * (of_frame + of_kept_particle * disks) + (collisions.kept ? of_collisions : 0.0));
-    // A list that grows, its copy on the way to the panels, and the one that is kept.
+    // Collisions of one frame: a growing list, its copy on the way to the panels, and the list that
+    // is kept.
     const bool are_seen = collisions.kept || has_sound(scene, format);
     const double of_one_frame = are_seen ? 4.0 * of_collisions / frames : 0.0;
     const double sound =

@@ -1,5 +1,6 @@
-// A film that is ready to be drawn: the settled first pass over its run, as a value. It can be
-// written, read back by another process, and drawn from there, whole or from any frame on.
+// A film that is ready to be drawn: the results of the first pass over its run, as a value. The
+// value can be written and read back by another process, which draws the whole film or any part of
+// it from there.
 #pragma once
 
 #include <cstdint>
@@ -22,97 +23,102 @@
 
 namespace carom {
 
-/// What is wanted of a scene's film beyond what the scene says.
+/// Options of a scene's film that are not part of the scene.
 struct FilmOptions {
-    std::filesystem::path output = {};  ///< as format_of_film() reads it
+    std::filesystem::path output = {};  ///< path; format_of_film() takes the format from it
     Quality quality = Quality::standard;
-    bool is_quality_asked = false;  ///< by the user, if only for the usual one
+    bool is_quality_asked = false;  ///< the user has given --quality, even if with its default
     int threads = 1;
-    bool text = false;                     ///< its FilmText, in files beside it
-    std::optional<double> joined_at = {};  ///< seconds of the film that it is a part of
+    bool text = false;                     ///< also write its FilmText, in files next to the film
+    std::optional<double> joined_at = {};  ///< second at which it begins in a joined film
     std::optional<double> from = {},
-                          to = {};     ///< as frames_between() reads them; none: the whole film
-    Recording::Room room = {};         ///< for the frames of the run; beyond it is simulated again
-    std::filesystem::path cache = {};  ///< folder of an AxesCache; empty: none
+                          to = {};  ///< times, as for frames_between(); none: the whole film
+    Recording::Room room = {};      ///< for the frames of the run; a larger run is simulated again
+    std::filesystem::path cache = {};  ///< folder of an AxesCache; empty: no cache
     double most_bytes = std::numeric_limits<double>::infinity();  ///< a larger film is not written
 };
 
-/// The run that a film shows beside its own.
+/// A second run that a film shows next to its own.
 struct RunBeside {
     RunStart start;
     Recording run;
 };
 
 struct FilmPlan {
-    Scene scene;     ///< with the precision that it calculates with; so has that beside it
-    FrameSpan span;  ///< that is drawn
+    Scene scene;  ///< with the precision (bits) that was found; also in the scene of the second run
+    FrameSpan span;             ///< the frames that are drawn
     std::vector<int> segments;  ///< as segment_starts(), counted from span.first
     Particles particles;
     Sample start;                     ///< at time 0
-    Recording run;                    ///< of the whole film, or from some frame on
-    std::optional<RunBeside> beside;  ///< if there is one, its run from the same frame on
-    std::string progress;  ///< how far the panels are at the first frame of `run`; empty: at their
-                           ///< beginning
-    std::string axes;      ///< what the first pass has fixed of each panel
-    std::vector<std::int16_t> sound;    ///< of the span; none: it is silent
-    std::vector<std::uint32_t> colors;  ///< 0xffRRGGBB, where the format has few
-    FilmText text;                      ///< where it is wanted
-    std::vector<std::string> passes;    ///< what the run was simulated for, each time that it was
+    Recording run;                    ///< of the whole film, or from a later frame on
+    std::optional<RunBeside> beside;  ///< the second run, if there is one, from the same frame on
+    std::string progress;  ///< archived state of the panels before the first frame of `run`; empty:
+                           ///< their initial state
+    std::string axes;  ///< archived axes and scales that the first pass has fixed for each panel
+    std::vector<std::int16_t> sound;    ///< samples for the span; empty: silent
+    std::vector<std::uint32_t> colors;  ///< palette, 0xffRRGGBB, for formats with few colours
+    FilmText text;                      ///< if it is asked for
+    std::vector<std::string> passes;    ///< what each simulation of the run was for
 
     int frames() const { return span.frames(); }
 
-    /// How many frames of `run` there are up to the end of the span.
+    /// The number of frames of `run` up to the end of the span.
     std::size_t frames_to_play() const {
         return static_cast<std::size_t>(span.end - run.ticks().front().frame);
     }
 
-    /// The film's panels with their axes, ready for the second pass. Refers to the plan.
+    /// The film's panels with fixed axes, ready for the second pass. They refer to the plan, which
+    /// must outlive them.
     std::unique_ptr<PanelSet> panels() const;
 };
 
-/// Simulates the run of a scene, which fixes all that holds for the whole film. `when_placed` is
-/// called once the gas has found its places, with what is known then: the scene, the span and the
-/// particles. Throws SceneError (the gas cannot be placed, or does not return), SystemError,
-/// Interrupted.
+/// The first pass: simulates the run of a scene and fixes everything that holds for the whole film.
+/// `when_placed` is called once the particles are placed, with a plan that contains what is known
+/// then: the scene, the span and the particles. Throws SceneError (the gas cannot be placed, or
+/// does not return), SystemError, Interrupted.
 FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progress,
                  const std::function<void(const FilmPlan&)>& when_placed = {});
 
-/// Ends the first pass of panels, and gives what it has fixed of each.
+/// Ends the first pass of panels; returns what it has fixed for each, as FilmPlan::axes.
 std::string fixed_axes(PanelSet& panels);
 
-/// Frames that are drawn of the film of a scene.
+/// The number of frames that are drawn of a scene's film with these options.
 int frames_of(const Scene& scene, const FilmOptions& options);
 
 /// Whether the film of a scene has sound in a format.
 bool has_sound(const Scene& scene, const OutputFormat& format);
 
-/// What a film will be simulated for, as far as is known before: of so many particles.
+/// As FilmPlan::passes, predicted from the number of particles before the simulation.
 std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
 
-/// Collisions in all runs of a film, those with walls included.
+/// Number of collisions in all runs of a film, including those with walls.
 struct FilmCollisions {
     double count = 0.0;
-    bool kept = false;  ///< for its panels; for sound they are seen and not kept
+    bool kept = false;  ///< the panels need them, so they are recorded; for sound they are seen but
+                        ///< not recorded
 };
 
-/// Bytes of memory that render() takes at most for a film in a format, whatever its quality, of so
-/// many particles in each of its runs: an upper estimate from measured peaks (docs/scaling.md).
+/// The memory in bytes that render() takes at most for a film in a format, at any quality, with
+/// `particles` particles in each of its runs: an upper estimate from measured peaks
+/// (docs/scaling.md).
 std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
                             const FilmCollisions& collisions, int threads);
 
-/// What all parts of a film share, and what is wanted of it, as bytes: all but its sound and the
+/// What all parts of a film share, and its options, as bytes: everything except its sound and the
 /// frames of its runs.
 std::string shared_bytes(FilmPlan& plan, FilmOptions& options);
 
-/// Reads them back, into `options` too; `name` stands for the bytes in messages. Throws SystemError
-/// where they are damaged, of another version of carom, or the scene's template has changed.
+/// Reads back what shared_bytes() gave, including `options`; `name` denotes the bytes in messages.
+/// Throws SystemError if the bytes are damaged or from another version of carom, or if the scene's
+/// template has changed.
 FilmPlan read_shared(std::string bytes, const std::string& name, FilmOptions& options);
 
-/// The rest: the frames of its runs, and how far its panels are before them. Of a run that was not
-/// kept the exact state of its simulation.
+/// The rest of a plan as bytes: the frames of its runs, and the state of its panels before them.
+/// For a run that is too large to be kept, the exact state of its simulation instead of the frames.
 std::string run_bytes(FilmPlan& plan);
 
-/// Reads them back into the plan that they belong to. Throws SystemError where they are damaged.
+/// Reads back what run_bytes() gave, into the plan to which it belongs. Throws SystemError if the
+/// bytes are damaged.
 void read_run(FilmPlan& plan, std::string bytes, const std::string& name);
 
 }  // namespace carom

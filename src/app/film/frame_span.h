@@ -1,4 +1,4 @@
-// A part of a film, by simulated time.
+// A part of a film, chosen by simulated time.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// Frames [first, end) of a film.
+/// The frames [first, end) of a film.
 struct FrameSpan {
     int first = 0, end = 0;
     int frames() const { return end - first; }
@@ -19,13 +19,15 @@ struct FrameSpan {
     }
 };
 
-/// The first of the frames of the gas whose time is nearest to `time`, of those that no card
-/// covers if there are any. `ticks` are a whole timeline() of a scene with this film.
+/// The first of the frames of the gas (not of a title or end card) whose simulated time is nearest
+/// to `time`. A frame over which a card fades is chosen only if no other frame is as near. `ticks`
+/// must be the complete timeline() of a scene with this film.
 int frame_nearest_to(const Film& film, const std::vector<Tick>& ticks, double time);
 
-/// From the first frame nearest to `from` to the last one nearest to `to`, with the pauses there,
-/// and without a card over these two if others show the same; where one is not given, from the
-/// film's start or to its end. Needs from < to.
+/// The span from the first frame nearest to `from` to the last one nearest to `to`, including
+/// pauses at these times. A frame over which a card fades is taken as first or last only if no
+/// other shows the same time. A missing `from` means the start of the film, a missing `to` its end.
+/// Requires from < to.
 FrameSpan frames_between(const Film& film, const std::vector<Tick>& ticks,
                          std::optional<double> from, std::optional<double> to);
 

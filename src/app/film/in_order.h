@@ -1,4 +1,5 @@
-// Values that are ready in any order and handed on in the order of their numbers.
+// A reorder buffer: values become ready in any order and are passed on in the order of their
+// numbers.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +11,11 @@ namespace carom {
 template <typename Value>
 class InOrder {
   public:
-    /// The number of the value whose turn it is.
+    /// The number of the value to be passed on next.
     std::size_t next() const { return next_; }
 
-    /// Keeps value number `index`, and hands on to take() all whose turn has come. When take()
-    /// throws, its value is gone and no later one will ever be handed on.
+    /// Stores value number `index`, then calls take() with each stored value that is next in order.
+    /// If take() throws, its value is lost and no later one will ever be passed on.
     template <typename Take>
     void add(std::size_t index, Value value, Take&& take) {
         waiting_.emplace(index, std::move(value));

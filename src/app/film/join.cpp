@@ -18,10 +18,10 @@
 namespace carom {
 namespace {
 
-constexpr double fade_seconds = 0.3;  // out of one film, and as long into the next
+constexpr double fade_seconds = 0.3;  // at the end of a film, and at the beginning of the next
 constexpr double title_seconds = 4.0;
 
-// The frames of a segment, those at the ends of the part covered by its ground.
+// Fades the frames of a segment at the ends of its part by drawing the background over them.
 class FadingSegment : public FilmSegment {
   public:
     FadingSegment(std::unique_ptr<FilmSegment> inner, const JoinedPart& part, int first)
@@ -65,7 +65,7 @@ class PartWriter : public FilmWriter {
     JoinedPart part_;
 };
 
-// That of the title, in the look of the first film.
+// The title card as a part, in the style of the first film.
 JoinedPart title_part(const Film& film) {
     const int frames = static_cast<int>(std::lround(title_seconds * film.fps));
     return {.frames = frames,
@@ -75,7 +75,7 @@ JoinedPart title_part(const Film& film) {
             .film = film};
 }
 
-// From that frame on.
+// The parts of the scenes, beginning at frame `first`.
 std::vector<JoinedPart> parts_of(const std::vector<Scene>& scenes, int first) {
     std::vector<JoinedPart> parts;
     const bool has_title = first > 0;
@@ -96,12 +96,12 @@ std::vector<JoinedPart> parts_of(const std::vector<Scene>& scenes, int first) {
     return parts;
 }
 
-// All but the first begin with a line that says what the file is.
+// Appends a text file. The first line, which says what the file is, is kept only once.
 void append(std::string& all, const std::string& more) {
     all += all.empty() ? more : more.substr(more.find('\n') + 1);
 }
 
-// What the whole film is.
+// The beginning of the transcript: what the joined film is.
 std::string transcript_head(const std::vector<Scene>& scenes, const JoinedTitle& title,
                             const std::vector<JoinedPart>& parts, const OutputFormat& format) {
     const JoinedPart& last = parts.back();
@@ -129,7 +129,7 @@ void append(FilmText& all, const FilmText& more) {
     all.transcript += (all.transcript.empty() ? "" : "\n\n") + more.transcript;
 }
 
-// The title card belongs to the first.
+// One chapter for each scene. The title card belongs to the first chapter.
 std::vector<FilmChapter> chapters_of(const std::vector<Scene>& scenes,
                                      const std::vector<JoinedPart>& parts) {
     std::vector<FilmChapter> chapters;
@@ -146,7 +146,7 @@ std::string webvtt_of(const std::vector<FilmChapter>& chapters, double fps) {
     return webvtt(cues);
 }
 
-// What all parts have in common, of so many frames.
+// A plan of `frames` frames with what all parts have in common.
 FilmPlan plan_of_all(const std::vector<Scene>& scenes, int frames) {
     FilmPlan all;
     all.scene.film = scenes.front().film;
@@ -156,7 +156,7 @@ FilmPlan plan_of_all(const std::vector<Scene>& scenes, int frames) {
     return all;
 }
 
-// Of a film that holds the parts up to the last, with what makes it again.
+// A writer for a film of all parts; its metadata contain all that is needed to make it again.
 std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
                                           const JoinedTitle& title, const FilmOptions& options,
                                           const std::vector<JoinedPart>& parts) {

@@ -20,7 +20,8 @@
 namespace carom {
 namespace {
 
-// All that makes the film again: the seed, what the command line changed, and the scene itself.
+// The text from which the film can be made again: the seed, the changes of the command line, and
+// the scene.
 std::string recipe(const Scene& scene, const FilmOptions& options) {
     std::string text = fmt::format("seed: {}\n", scene.seed);
     if (options.from) text += fmt::format("--from {}\n", *options.from);
@@ -37,7 +38,7 @@ Canvas blank_still(const Scene& scene, double time, const OutputFormat& format) 
                                     scene.description)});
 }
 
-// Each frame as a page, one after the other.
+// Draws each frame as a page of one document, in order.
 template <typename Play>
 WorkerSeconds draw_pages(const PanelSet& panels, const Play& play, Canvas& document,
                          Progress& progress) {
@@ -73,7 +74,7 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
     return report;
 }
 
-// A frame that is kept, with its collisions.
+// A stored frame, with its collisions.
 struct KeptFrame {
     Tick tick;
     Sample sample;
@@ -81,7 +82,7 @@ struct KeptFrame {
     std::vector<Collision> collisions;
 };
 
-// About as many as are wanted, evenly spread, with the last and that of the still.
+// About `wanted` of the ticks, evenly spread, including the last one and that of the still.
 std::vector<Tick> some_of(const std::vector<Tick>& ticks, int still) {
     constexpr std::size_t wanted = 30;
     const std::size_t step = std::max<std::size_t>(1, ticks.size() / wanted);
@@ -92,7 +93,7 @@ std::vector<Tick> some_of(const std::vector<Tick>& ticks, int still) {
     return some;
 }
 
-// Sees the run at those times, and returns what the still needs of it.
+// Surveys the run at these times, and returns the frames that the still needs.
 std::vector<KeptFrame> survey(PanelSet& panels, Simulation start, const std::vector<Tick>& ticks,
                               int still, bool are_kept, Progress& progress) {
     progress.begin("simulating", static_cast<double>(ticks.size()));
@@ -121,7 +122,7 @@ FrameData frame_of(PanelSet& panels, std::vector<KeptFrame> kept) {
     return frame;
 }
 
-// Of what is too much to be kept: simulated again.
+// The frame of the still, simulated again: for runs too large to be kept in memory.
 FrameData frame_of(PanelSet& panels, Simulation start, const std::vector<Tick>& ticks, int still) {
     FrameData frame;
     start.record_collisions(panels.wants_collisions());
@@ -134,7 +135,7 @@ FrameData frame_of(PanelSet& panels, Simulation start, const std::vector<Tick>& 
     return frame;
 }
 
-// Kept in memory are as many frames as those of a film.
+// Whether the frames fit into the memory that a film may use for its recording.
 bool fit(const std::vector<Tick>& ticks, int still, const Box& box, Eigen::Index particles) {
     const auto frames =
         std::ranges::count_if(ticks, [=](const Tick& tick) { return tick.frame <= still; });
@@ -212,8 +213,7 @@ bool fits(const RenderReport& report, const FilmOptions& options) {
 
 RenderReport render(const Scene& scene, const FilmOptions& options, Progress& progress) {
     const Stopwatch watch;
-    // Opened before the work, as it may not be allowed to write; but not for a gas that finds no
-    // room.
+    // Opened before the work, in case it cannot be written; but only after the gas has been placed.
     std::unique_ptr<FilmWriter> writer;
     const FilmPlan plan = prepare(scene, options, progress, [&](const FilmPlan& placed) {
         writer = film_writer(placed, options);
@@ -226,7 +226,7 @@ RenderReport render(const FilmPlan& plan, const FilmOptions& options, Progress& 
 }
 
 double time_of_poster(const Scene& scene, const FilmOptions& options) {
-    constexpr double share = 0.3;  // of the film's part of the run
+    constexpr double share = 0.3;  // of the part of the run that the film shows
     const double from = options.from.value_or(0.0), to = options.to.value_or(scene.run.until);
     return from + share * (to - from);
 }
@@ -279,7 +279,7 @@ Canvas draw_still_alone(const Scene& asked, double at, bool is_quick,
         if (sees_some) ticks = some_of(ticks, still);
         const bool are_kept = fit(ticks, still, plan.scene.gas.box, plan.particles.count());
         if (are_kept)
-            plan.start = {};  // the first frame shows it, too
+            plan.start = {};  // not needed: the first frame shows it as well
         else
             again = start;
         kept = survey(*first_pass, std::move(start), ticks, still, are_kept, progress);

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t frame_overhead_bytes = 4096;  // of one frame's value beside its arrays
+constexpr std::size_t frame_overhead_bytes = 4096;  // of a FrameData without its arrays
 
 std::size_t weight(const FrameData& data) { return data.bytes + frame_overhead_bytes; }
 
@@ -80,8 +80,8 @@ void SegmentWorkers::work() {
         while (true) {
             std::size_t index = 0;
             {
-                // Finished segments wait for their turn in memory: none runs far ahead of the one
-                // to join next.
+                // Finished segments wait in memory to be joined. To bound it, no segment is begun
+                // far ahead of the one to be joined next.
                 std::unique_lock lock(mutex_);
                 changed_.wait(
                     lock, [&] { return stop_ || next_segment_ < encoded_.next() + most_ahead_; });

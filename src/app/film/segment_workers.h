@@ -1,5 +1,6 @@
-// Draws and encodes (or stores) the segments of a film, one segment on one core, and joins them in
-// order. The file depends on the frames alone, not on the number of workers; the memory is bounded.
+// Draws and encodes (or stores) the segments of a film, each segment on one core, and joins them in
+// order. The resulting file depends only on the frames, not on the number of workers. Memory is
+// bounded.
 #pragma once
 
 #include <condition_variable>
@@ -18,32 +19,33 @@
 
 namespace carom {
 
-/// Bytes of frames that wait to be drawn, at most.
+/// Upper limit for the bytes of frames that wait to be drawn.
 inline constexpr std::size_t most_waiting_bytes = 64 << 20;
 
-/// CPU seconds spent by all workers together.
+/// CPU seconds, summed over all workers.
 struct WorkerSeconds {
     double draw = 0.0;
-    double encode = 0.0;  ///< conversion included
+    double encode = 0.0;  ///< including conversion of the pictures
 };
 
 class SegmentWorkers {
   public:
-    /// `writer` and the others must outlive the workers. `starts` as from segment_starts(). Throws
-    /// SystemError when threads cannot be started.
+    /// `panels`, `writer` and `progress` must outlive the workers. `starts` as from
+    /// segment_starts(). Throws SystemError if threads cannot be started.
     SegmentWorkers(const PanelSet& panels, std::vector<int> starts, int threads, FilmWriter& writer,
                    Progress& progress);
-    ~SegmentWorkers();  ///< stops at once
+    ~SegmentWorkers();  ///< stops the workers at once, without finishing
 
-    /// The next frame in order. Waits while too much waits to be drawn; rethrows a worker's error.
+    /// Adds the next frame, in order. Blocks while most_waiting_bytes or more wait to be drawn;
+    /// rethrows an error of a worker.
     void frame(FrameData data);
 
-    /// Waits until all is drawn and joined; rethrows a worker's error.
+    /// Waits until all frames are drawn and joined; rethrows an error of a worker.
     WorkerSeconds finish();
 
   private:
     struct Segment {
-        int frames = 0;  ///< that it will have
+        int frames = 0;  ///< when complete
         std::deque<FrameData> waiting;
     };
 
@@ -63,10 +65,10 @@ class SegmentWorkers {
     std::condition_variable changed_;
     std::vector<int> starts_;
     std::vector<Segment> segments_;
-    std::size_t most_ahead_ = 0;    ///< segments taken before the one to be joined next is done
-    std::size_t next_segment_ = 0;  ///< to be taken by a worker
+    std::size_t most_ahead_ = 0;    ///< segments that may be begun before the next is joined
+    std::size_t next_segment_ = 0;  ///< the next to be taken by a worker
     InOrder<std::unique_ptr<FilmSegment>> encoded_;  ///< joined to the film one after the other
-    int next_frame_;                                 ///< counted as the starts are
+    int next_frame_;  ///< index of the next frame, counted like the starts
     std::size_t waiting_bytes_ = 0;
     bool stop_ = false;
     std::exception_ptr error_;

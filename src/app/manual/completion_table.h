@@ -1,5 +1,5 @@
-// What a shell can complete in a call of carom, as a value: made from the table of commands and
-// from the keys of the scene language. shell_completions.h writes it for each shell.
+// What a shell can complete in a command line of carom, as a value: made from the table of commands
+// and from the keys of the scene language. shell_completions.h writes the scripts for each shell.
 #pragma once
 
 #include <string>
@@ -9,17 +9,17 @@
 
 namespace carom {
 
-/// Which files complete a word.
+/// The kind of files that complete a word.
 enum class CompletedFiles { none, any, scenes, folders };
 
-/// What completes the value of an option, or a word without a flag.
+/// The candidates for the value of an option, or for a positional word.
 struct CompletedValue {
     std::string name;  ///< as the help calls it
     CompletedFiles files = CompletedFiles::none;
     std::vector<std::string> words = {};
-    bool with_commas = false;  ///< several of the words, between commas
+    bool with_commas = false;  ///< several of the words, separated by commas
     bool keys = false;         ///< a key of the scene and `=`
-    bool key_values = false;   ///< and, behind it, the words that the key takes
+    bool key_values = false;   ///< and, after the `=`, the words that the key takes
 };
 
 struct CompletedOption {
@@ -32,7 +32,7 @@ struct CompletedOption {
 struct CompletedCommand {
     std::string name, meaning;
     std::vector<CompletedOption> options;
-    CompletedValue words = {};  ///< of its words without flags
+    CompletedValue words = {};  ///< candidates for its positional words
 };
 
 struct CompletionTable {

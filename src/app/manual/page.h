@@ -1,5 +1,5 @@
 // The manual as values: a page for each command and one for the program, made from the table of
-// commands. text_of (page_text.h) and roff_of (roff.h) set them.
+// commands. text_of (page_text.h) and roff_of (roff.h) convert them to text and to roff.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ struct Definition {
     std::string term, meaning;
 };
 
-/// A heading, and what stands below it: lines that are calls, then paragraphs, then definitions.
+/// A heading and its contents: command lines, then paragraphs, then definitions.
 struct ManualSection {
     std::string title;
     std::vector<std::string> calls = {}, paragraphs = {};
     std::vector<Definition> definitions = {};
-    bool long_terms = false;  ///< each has a line of its own
+    bool long_terms = false;  ///< each term is on a line of its own
 };
 
 struct ManualPage {

@@ -1,4 +1,4 @@
-// A page in HTML that shows one film: with its chapters, its transcript and its scene.
+// An HTML page that shows one film with its chapters, its transcript and its scene.
 #pragma once
 
 #include <filesystem>
@@ -12,36 +12,36 @@
 
 namespace carom {
 
-/// The template of this name among those of pages of films. Throws SystemError.
+/// The template of a film page with this name. Throws SystemError.
 Source document_template(const std::string& name);
 
-/// Where a page finds a file: beside it, or in itself.
+/// A file that a page refers to: next to the page, or embedded in it.
 struct PageFile {
-    std::string name;     ///< in UTF-8 or not; that under which it is saved
-    std::string inlined;  ///< an address that contains it; empty: it is beside the page
+    std::string name;     ///< the name under which it is saved; need not be UTF-8
+    std::string inlined;  ///< a data URL that contains the file; empty: it is next to the page
 };
 
-/// What a page of a film shows. The words of the film are in the page itself, as some browsers
-/// read no such file beside a page that comes from a folder.
+/// The contents of a film page. The texts of the film are part of the page, because some browsers
+/// do not load text tracks from files next to a local page.
 struct FilmPage {
     const Scene& scene;
     const FilmText& text;
     PageFile film, poster, source;
-    std::string site = {};   ///< the title of the site that it belongs to; empty: none
-    std::string index = {};  ///< the address of that site's first page
+    std::string site = {};   ///< title of the site to which the page belongs; empty: none
+    std::string index = {};  ///< URL of the first page of that site
 };
 
-/// The page as UTF-8. `page` is the template. Throws SceneError where that has a mistake.
+/// The page as UTF-8. `page` is the template. Throws SceneError if the template has a mistake.
 std::string film_page(const Source& page, const FilmPage& its);
 
-/// Bytes of a film beyond which not all browsers play it from inside a page: Firefox takes
-/// addresses of 32 MiB.
+/// Upper limit for the bytes of a film embedded in a page. Not all browsers play larger ones:
+/// Firefox accepts data URLs of up to 32 MiB.
 inline constexpr double most_inlined_bytes = 24e6;
 
-/// Renders the film of a scene into a page of its own, whole or not at all.
-/// Of a film that does not fit it writes nothing, and may be called again. The report is
-/// about the film, its path that of the page. The ending of `options.output` gives the format.
-/// Throws as render() does.
+/// Renders the film of a scene into a page of its own, which appears complete or not at all. If the
+/// film exceeds `options.most_bytes`, nothing is written, and the function may be called again. The
+/// report is about the film, but its path is that of the page. The ending of `options.output` gives
+/// the format. Throws what render() throws.
 RenderReport render_page(const Scene& scene, FilmOptions options, Output& page, Progress& progress);
 
 }  // namespace carom

@@ -18,13 +18,14 @@
 namespace carom {
 namespace {
 
-// Of letters, where a film is shown with as many pixels as it has.
+// Least height of letters in a film that is shown at its own size.
 constexpr double least_pixels = 12.0;
 
-// Without a way to stop it (2.2.2).
+// Longest motion that viewers have no way to stop (success criterion 2.2.2).
 constexpr double most_seconds_of_motion = 5.0;
 
-// In any second (2.3.1), and the share of a part of the view that must flash together.
+// Most flashes in any second (2.3.1), and the share of a region of the view that must flash
+// together to count.
 constexpr double most_flashes = 3.0, share_that_flashes = 0.25;
 
 Diagnostic barrier(Diagnostic place, std::string message, std::string hint) {
@@ -39,7 +40,7 @@ Diagnostic whole_file(const Scene& scene) {
     return place;
 }
 
-// What stands for a film where none is seen.
+// The barrier that a scene has no description of its own as a text alternative.
 std::optional<Diagnostic> missing_description(const Scene& scene) {
     if (scene.description != describe(scene)) return std::nullopt;
     return barrier(whole_file(scene),
@@ -56,7 +57,8 @@ struct GreyLook {
     std::optional<double> number;  // on each of its disks, where it is the same on all
 };
 
-// Pixels of a unit of length, nearly: between box and slot there may be walls and arrows.
+// Approximate pixels per unit of length: there may be walls and arrows between the box and its
+// slot.
 double pixels_of_length(const Scene& scene) {
     const Rect place = Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas);
     const Eigen::ArrayXd& box = scene.gas.box.size;
@@ -81,7 +83,8 @@ std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles)
         const double shown = all[k].radius * pixels_of_length(scene);
         const bool has_room = scene.gas.box.dimension == 1 || shown > 2.0 * ring_line(shown, unit);
         all[k].is_ring = !scene.looks[k].fill && has_room;
-        // Smaller disks have no room for it, and many have many.
+        // Smaller disks have no room for a number, and in a species of several particles the
+        // numbers differ.
         if (count > 1.0 || (scene.gas.box.dimension == 2 && shown < unit)) all[k].number.reset();
     }
     return all;
@@ -150,7 +153,7 @@ std::optional<Diagnostic> motion_without_end(const Scene& scene, const OutputFor
                                most_seconds_of_motion));
 }
 
-// Simulated time in a second of film, where it is fastest.
+// The largest simulated time per second of film.
 double fastest_pace(const Scene& scene) {
     double step = 0.0, before = 0.0;
     for (const Tick& tick : timeline(scene)) {
@@ -160,8 +163,8 @@ double fastest_pace(const Scene& scene) {
     return step * scene.film.fps;
 }
 
-// A disk that comes and goes makes a place bright and dark. As many as cover more than a quarter of
-// a part of the view can do so together.
+// A disk that passes makes a place bright and dark. If disks cover more than a quarter of a region
+// of the view, this may count as flashing.
 std::optional<Diagnostic> flashing(const Scene& scene, const Particles& particles,
                                    const Sample& sample) {
     const Box& box = scene.gas.box;
@@ -173,7 +176,8 @@ std::optional<Diagnostic> flashing(const Scene& scene, const Particles& particle
     double energies = 0.0, moving = 0.0;
     for (Eigen::Index i = 0; i < particles.count(); ++i)
         if (particles.inverse_mass[i] > 0.0) energies += energy[i], moving += 1.0;
-    // Each as fast as it is at the start, or in equilibrium, if that is more.
+    // The speed of each particle is taken as that at the start or in equilibrium, whichever is
+    // greater.
     const Eigen::ArrayXd later =
         (2.0 * energies / std::max(1.0, moving) * particles.inverse_mass).sqrt();
     const double coverings = (2.0 * particles.radius * speeds(sample).max(later)).sum() / area;

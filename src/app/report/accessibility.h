@@ -1,6 +1,6 @@
-// What of the Web Content Accessibility Guidelines 2.1, levels A and AA, a scene decides: text
-// alternatives, colour, size of text, flashes, motion that cannot be stopped.
-// https://www.w3.org/TR/WCAG21/
+// Checks a scene against those parts of the Web Content Accessibility Guidelines 2.1, levels A and
+// AA, that depend on it: text alternatives, colour, text size, flashes, motion that cannot be
+// stopped. https://www.w3.org/TR/WCAG21/
 #pragma once
 
 #include <vector>
@@ -11,9 +11,10 @@
 
 namespace carom {
 
-/// What keeps some viewers from the film of a scene, each with the number of the success criterion
-/// and how to mend it; of films in `format`, null for those with a player. Empty where nothing
-/// does. Flashes are estimated from how fast and how dense the gas is.
+/// The barriers that keep some viewers from the film of a scene, each with the number of the
+/// success criterion and a way to remove it; empty if there are none. `format` is the format of the
+/// film; null means one that is shown in a player. Flashes are estimated from the speed and the
+/// density of the gas.
 std::vector<Diagnostic> barriers_in(const Scene& scene, const OutputFormat* format);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// What `carom check` finds: what scenes and figure sets are and what they will cost, before
-// anything is simulated; for people and for programs.
+// The report of `carom check`, for people and for programs: what scenes and figure sets contain and
+// what they will cost, without simulating them.
 #pragma once
 
 #include <optional>
@@ -24,28 +24,28 @@ struct CheckedFile {
     std::optional<std::vector<Diagnostic>> barriers = {};  ///< none: not asked for
 };
 
-/// What is wanted of the film of a checked scene.
+/// The film of a checked scene whose cost is reported.
 struct CheckedFilm {
-    FilmOptions options = {};              ///< its output does not count
-    const OutputFormat* format = nullptr;  ///< none: all are estimated
+    FilmOptions options = {};              ///< the output path is ignored
+    const OutputFormat* format = nullptr;  ///< null: costs are estimated for all formats
     std::optional<FilmCost> measured = {};
     std::optional<double> collisions =
-        {};  ///< of its runs, walls included; none: as in equilibrium
+        {};  ///< in all its runs, including those with walls; none: estimated as in equilibrium
 };
 
-/// What a scene is and what its film will cost; without `film` none can be made of it. Draws the
-/// particles, without placing them. Throws SceneError (a distribution that gives no mass above
-/// zero).
+/// What a scene contains and what its film will cost; no `film` means that none can be made from
+/// it. Draws the properties of the particles from their distributions, without placing them. Throws
+/// SceneError (a distribution that gives no mass above zero).
 Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film);
 
 /// What a figure set is.
 Facts facts_of(const FigureSet& set);
 
-/// A short table for each valid file, a line for each that is not; ends with a line break.
+/// A short table for each valid file, and a line for each invalid one; ends with a line break.
 std::string check_table(std::span<const CheckedFile> files);
 
-/// A list with one object for each file, in UTF-8; `null` for what there is none of; ends with a
-/// line break.
+/// A JSON list with one object for each file, in UTF-8; missing values are `null`; ends with a line
+/// break.
 std::string check_json(std::span<const CheckedFile> files);
 
 }  // namespace carom

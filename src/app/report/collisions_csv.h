@@ -1,4 +1,4 @@
-// The collisions of a run as a table of comma-separated values, written as they come.
+// The collisions of a run as a CSV table, written while the run goes on.
 #pragma once
 
 #include <span>
@@ -14,19 +14,20 @@
 namespace carom {
 
 /// A header, then a row for each collision, in order: its time; the particle, and the particle or
-/// the surface that it met (the other of these two fields is empty); where both were, of a surface
-/// the point of contact, in a periodic box of the partner's nearest image; the velocities of both
-/// before and after; the momentum that the partner received. On a line without the fields of y.
-/// Numbers are as csv_number() has them; an impulse is empty where both masses are infinite.
+/// the surface that it met (the other of these two fields is empty); the positions of both (for a
+/// surface the point of contact, in a periodic box the partner's nearest image); the velocities of
+/// both before and after; the momentum that the partner received. On a line the fields for y are
+/// left out. Numbers are formatted by csv_number(); the impulse is empty if both masses are
+/// infinite.
 class CollisionsCsv {
   public:
-    /// Writes the header to `output`, which must outlive the table.
+    /// Writes the header to `output`, which must outlive the object.
     CollisionsCsv(const Box& box, Output& output);
 
     /// Adds collisions; all are of the same particles. Throws SystemError.
     void add(const Particles& particles, std::span<const Collision> collisions);
 
-    /// Hands the last rows to the output.
+    /// Passes the last rows to the output.
     void finish() { rows_.finish(); }
 
   private:

@@ -1,5 +1,6 @@
-// What a report says, each thing once: for programs a name and a value with all its digits, for
-// people a label and words. A table and JSON are two ways to write one list of facts.
+// The contents of a report as a list of facts: each has a name and a value with all its digits for
+// programs, a label and words for people. The table and the JSON report are written from the same
+// list.
 #pragma once
 
 #include <optional>
@@ -14,17 +15,18 @@ struct Fact {
     std::string name;  ///< for programs; empty: for people only
     Json value = nullptr;
     std::string label = {};  ///< for people, with `words`; both empty: for programs only
-    std::string words = {};  ///< without a label whole lines, which are written as they are
+    std::string words = {};  ///< without a label: complete lines, written as they are
 };
 using Facts = std::vector<Fact>;
 
-/// A number; null where there is none, or an infinite one.
+/// A JSON number; null if there is no value or it is not finite.
 Json number_or_null(std::optional<double> value);
 
-/// Those for people, a row each, with labels of a width; lines end with a line break.
+/// The facts for people, one per row, with labels padded to `label_width`; each line ends with a
+/// line break.
 std::string table_of(const Facts& facts, int label_width);
 
-/// Those for programs, as an object.
+/// The facts for programs, as a JSON object.
 Json json_of(const Facts& facts);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// Text on its way to an output, of which little is kept in memory.
+// Buffers rows of text for an output, at most about 1 MiB at a time.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,16 +15,17 @@ class RowBuffer {
     /// `output` must outlive it.
     explicit RowBuffer(Output& output) : output_(output) {}
 
-    /// Where rows are written to.
+    /// An output iterator to which rows are written.
     auto end() { return std::back_inserter(text_); }
 
-    /// After a row; hands many of them on at once. Throws SystemError.
+    /// To be called after each row. Passes the buffer to the output when it is large. Throws
+    /// SystemError.
     void end_row() {
         constexpr std::size_t most = 1 << 20;
         if (text_.size() >= most) finish();
     }
 
-    /// Hands on what is left.
+    /// Passes the rest to the output.
     void finish() {
         output_.write({text_.data(), text_.size()});
         text_.clear();

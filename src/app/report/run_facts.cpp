@@ -47,7 +47,7 @@ Fact collisions(const RunReport& report) {
 
 constexpr const char* no_error = "not conserved: an infinite mass moves";
 
-// The rest of the sum where surfaces act: what does not change by itself.
+// The terms of the energy balance in words, for runs in which surfaces act.
 std::string account_words(const EnergyAccount& account) {
     std::vector<std::string> parts{"kinetic " + number(account.kinetic)};
     const auto add = [&](const char* name, double value) {
@@ -176,7 +176,7 @@ Fact pressure(const RunReport& report, int dimension) {
             dimension == 1 ? "force" : "pressure", pressure_words(report)};
 }
 
-// What overlaps by less than the round-off of the coordinates touches.
+// An overlap smaller than the round-off of the coordinates counts as contact.
 Fact overlap(double largest) {
     return {"overlap", Json{{"largest_relative", number_or_null(largest)}}, "overlap",
             largest == 0.0 ? "none" : fmt::format("at most {:.1e} of a contact distance", largest)};
@@ -190,7 +190,7 @@ Fact precision(const Scene& scene, int bits) {
     return fact;
 }
 
-// Also of one for which there is no double.
+// Formats a length, also one too small for a double, from its decimal logarithm.
 std::string length(double value, double log10) {
     if (value > 1e-300 || std::isinf(log10)) return fmt::format("{:.2g}", value);
     return fmt::format("{:.1f}e{:.0f}", std::pow(10.0, log10 - std::floor(log10)),
@@ -265,7 +265,7 @@ Fact species(const Scene& scene, const RunSummary& summary) {
     return {"species", std::move(list), "", "\n" + species_rows(scene, summary) + "\n"};
 }
 
-// The bins that hold all but a two-hundredth of the counts.
+// The number of bins that contain all but 0.5 % of the counts.
 std::size_t shown_bins(const BinnedCounts& bins) {
     const std::int64_t total =
         std::accumulate(bins.counts.begin(), bins.counts.end(), std::int64_t{0});

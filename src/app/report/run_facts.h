@@ -1,4 +1,4 @@
-// What a run was like, for people and for programs.
+// The report of a run, for people and for programs.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace carom {
 
-/// A table that fits on a screen of 80 columns if the names do.
+/// A table for people, at most 80 columns wide unless names are long.
 std::string run_table(const Scene& scene, const RunReport& report);
 
-/// The report of `carom run --json`: one object in UTF-8, numbers with all their digits, `null` for
-/// what has no meaning; ends with a line break.
+/// The output of `carom run --json`: one object in UTF-8, numbers with all their digits, `null` for
+/// values that have no meaning; ends with a line break.
 std::string run_json(const Scene& scene, const RunReport& report);
 
 /// The seconds of each stage, and events per second.

@@ -1,4 +1,4 @@
-// The samples of a run as a table of comma-separated values, written as they come.
+// The samples of a run as a CSV table, written while the run goes on.
 #pragma once
 
 #include <string>
@@ -11,18 +11,17 @@
 
 namespace carom {
 
-/// A header, then a row for each sample and particle:
-/// time,particle,species,mass,radius,x,y,vx,vy (in 1-D x,vx), numbers as csv_number() has them; an
-/// infinite mass is `inf`.
+/// A header, then a row for each sample and particle: time,particle,species,mass,radius,x,y,vx,vy
+/// (in 1-D x,vx). Numbers are formatted by csv_number(); an infinite mass is `inf`.
 class SamplesCsv {
   public:
-    /// Writes the header to `output`, which must outlive the table.
+    /// Writes the header to `output`, which must outlive the object.
     SamplesCsv(const Gas& gas, Output& output);
 
     /// Adds the rows of a sample; all samples are of the same particles. Throws SystemError.
     void add(const Particles& particles, const Sample& sample);
 
-    /// Hands the last rows to the output.
+    /// Passes the last rows to the output.
     void finish() { rows_.finish(); }
 
   private:

@@ -11,12 +11,12 @@
 
 namespace carom {
 
-/// Two lines for each sample, then one for each particle. The first is the number of particles,
-/// the second says what follows: Lattice (the box; what a plane or a line lacks has length 1),
-/// Properties, Time, pbc, and what the species are called. A particle has the symbol of a chemical
-/// element as its species, as ASE takes no other names: H for the first, He for the second, and
-/// so on; X beyond the elements. Positions and velocities have three components. Numbers are
-/// as csv_number() has them; an infinite mass is `inf`.
+/// Two lines for each sample, then one for each particle. The first is the number of particles, the
+/// second describes what follows: Lattice (the box; missing dimensions have length 1), Properties,
+/// Time, pbc, and the names of the species. The species of a particle is written as the symbol of a
+/// chemical element, because ASE accepts no other names: H for the first, He for the second, and so
+/// on; X after the last element. Positions and velocities have three components. Numbers are
+/// formatted by csv_number(); an infinite mass is `inf`.
 class SamplesXyz {
   public:
     /// `output` must outlive it.
@@ -25,7 +25,7 @@ class SamplesXyz {
     /// Adds a sample; all are of the same particles. Throws SystemError.
     void add(const Particles& particles, const Sample& sample);
 
-    /// Hands the last lines to the output.
+    /// Passes the last lines to the output.
     void finish() { rows_.finish(); }
 
   private:

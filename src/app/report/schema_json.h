@@ -5,13 +5,13 @@
 
 namespace carom {
 
-/// The JSON Schema of scenes: UTF-8, indented, ends with a line break. It says what one value or
-/// one mapping can say: forms, ranges, defaults, keys that are required or exclude one another.
-/// What depends on several places (overlaps, packing, counts against lists) is checked only when a
-/// scene is loaded.
+/// The JSON Schema of scenes: UTF-8, indented, ending with a line break. It covers rules about a
+/// single value or mapping: forms, ranges, defaults, keys that are required or exclude each other.
+/// Rules that involve several places (overlaps, packing, counts that must match lists) are checked
+/// only when a scene is loaded.
 std::string scene_schema_json();
 
-/// The same of figure sets.
+/// The same for figure sets.
 std::string set_schema_json();
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// The surfaces of a run at its samples as a table of comma-separated values, written as they come.
+// The surfaces of a run at the times of its samples, as a CSV table written while the run goes on.
 #pragma once
 
 #include <string>
@@ -11,18 +11,19 @@
 namespace carom {
 
 /// A header, then a row for each sample and surface:
-/// time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat, numbers as csv_number() has
-/// them; position and velocity are empty of what has not moved. A line has no bottom and no top.
+/// time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat. Numbers are formatted by
+/// csv_number(); position and velocity are empty for surfaces that have not moved. A line has no
+/// bottom and no top.
 class SurfacesCsv {
   public:
-    /// Writes the header to `output`, which must outlive the table.
+    /// Writes the header to `output`, which must outlive the object.
     SurfacesCsv(const Box& box, Output& output);
 
     /// Adds the rows of a sample. Throws SystemError.
     void add(double time, const std::vector<SurfaceState>& surfaces);
 
   private:
-    std::vector<std::string> names_;  ///< as fields, empty of what is not there
+    std::vector<std::string> names_;  ///< as CSV fields; empty for surfaces that do not exist
     Output& output_;
 };
 

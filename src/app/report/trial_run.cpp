@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t most_particles_tried = 20'000;
 
-// Numbers of many bits take some hundred times as long.
+// Arithmetic with more bits than a double is some hundred times slower.
 std::int64_t collisions_tried(const Run& run) {
     return run.bits == bits_of_double ? 300'000 : 5'000;
 }
@@ -31,13 +31,13 @@ std::vector<PanelSpec> panels_of_collisions(const Scene& scene) {
     return specs;
 }
 
-// Particles that meet nothing fly on from cell to cell: the end of a trial without collisions.
+// Thrown to end a trial without collisions, in which particles only fly from cell to cell.
 struct TooManyFlights {};
 
-// In steps, so that the collisions of a long run do not add up in memory.
+// Advances in steps, so that the collisions of a long run do not accumulate in memory.
 double survey(PanelSet& panels, Simulation& simulation, double until) {
     constexpr int steps = 64;
-    constexpr int most_looks = 10'000;  // one in some thousand events: seconds in all
+    constexpr int most_looks = 10'000;  // one call per some thousand events: seconds in all
     int looks = 0;
     const auto look = [&](double) {
         if (++looks > most_looks) throw TooManyFlights{};
@@ -65,7 +65,7 @@ double try_whole_run(const Scene& scene, const std::vector<PanelSpec>& specs) {
     return collisions;
 }
 
-// At the rate that the run has had until it was cut, and not more than it may have.
+// The collisions of the whole run at the rate until it was cut, limited to the allowed number.
 double extrapolated(const CollisionsSeen& seen, const Run& run, std::int64_t ceiling) {
     const double tried = seen.begin + run.equilibrate;
     const auto most = static_cast<double>(ceiling), count = static_cast<double>(seen.most);

@@ -1,4 +1,5 @@
-// What `carom check` sees of a run: its beginning, in which most of what would end it later shows.
+// The trial run of `carom check`: the beginning of a run, which shows most errors that would end it
+// later.
 #pragma once
 
 #include <optional>
@@ -7,11 +8,13 @@
 
 namespace carom {
 
-/// Runs a scene of not too many particles up to a number of collisions that takes a fraction of a
-/// second. Throws SceneError for what ends the run in them, and, where they are the whole run, for
-/// panels and figures (`has_film`: there are any) of a collision that does not happen; Interrupted.
-/// Gives the collisions from time 0 on, those with walls and of the run beside included: of a whole
-/// run their number, of its beginning how many there are at this rate. None where it was not tried.
+/// Runs a scene up to a number of collisions that takes a fraction of a second. Returns the number
+/// of collisions from time 0 to the end of the run, including those with walls and those of a
+/// second run shown next to it: counted if the trial reaches the end, else extrapolated from the
+/// rate so far. Returns nothing if the run is not tried (too many particles, fixed time steps), or
+/// if the trial is given up. Throws SceneError for errors that end the trial and, if it reaches the
+/// end, for panels and figures of a collision that does not happen (only with `has_film`: there are
+/// any); Interrupted.
 std::optional<double> try_run(const Scene& scene, bool has_film);
 
 }  // namespace carom

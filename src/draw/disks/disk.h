@@ -1,4 +1,4 @@
-// A disk in a picture, as those that draw many of them take it.
+// A disk in a picture, as taken by the painters that draw many disks.
 #pragma once
 
 #include <cstdint>

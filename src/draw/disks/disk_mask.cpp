@@ -6,16 +6,18 @@
 namespace carom {
 namespace {
 
-constexpr std::uint32_t x_steps = 256;  // of an edge within a pixel
+constexpr std::uint32_t x_steps = 256;  // resolution of an edge within a pixel
 
-// Small disks are whole rows of groups: as many in each row, which is quicker than counting.
+// Small disks are stored as whole rows of groups: the same number in each row, which is faster than
+// counting.
 constexpr float largest_of_whole_rows = 8.0F;
 
-// Lines a row of pixels is cut into: as many as phases, so that the lines of a radius lie at the
-// same heights for every phase.
+// The number of scan lines into which a row of pixels is divided: as many as there are phases, so
+// that the lines of a radius have the same heights for every phase.
 constexpr int lines = DiskShape::phases;
 
-// Half the length of the chord on each line from the equator to a pole, in 1/x_steps of a pixel.
+// Computes half the length of the chord on each scan line from the equator to a pole, in 1/x_steps
+// of a pixel.
 void find_half_chords(std::vector<std::uint32_t>& chords, float radius) {
     constexpr float scale = lines;
     chords.resize(static_cast<std::size_t>(std::ceil(radius * scale + 0.5F)));
@@ -28,9 +30,9 @@ void find_half_chords(std::vector<std::uint32_t>& chords, float radius) {
     }
 }
 
-// An edge at `position` (in 1/x_steps of a pixel from the row's start), right of which the coverage
-// is larger by `sign` lines: shared between its pixel and the next so that the running sum of the
-// changes is the exact area.
+// Adds an edge at `position` (in 1/x_steps of a pixel from the start of the row), to the right of
+// which the coverage is larger by `sign` lines. The change is divided between the edge's pixel and
+// the next so that the running sum of the changes is the exact area.
 void add_edge(std::int32_t* changes, std::uint32_t position, int sign) {
     const std::uint32_t pixel = position / x_steps;
     const int beyond = static_cast<int>(position % x_steps);

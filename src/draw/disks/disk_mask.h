@@ -1,6 +1,6 @@
-// Coverage of one disk over the pixels of a grid, in rows ready to be blended four pixels at a
-// time. Integer arithmetic behind correctly rounded square roots: the same everywhere. Draws
-// nothing.
+// The coverage of the pixels of a grid by a single disk, in rows ready to be blended four pixels at
+// a time. Computed with integers and correctly rounded square roots: the same on every machine.
+// Draws nothing.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace carom {
 
-/// A disk's centre lies in 1/16 of a pixel, its radius in 1/256 (1/512 off at most, which is half a
-/// step of an 8-bit coverage).
+/// A disk with its centre rounded to 1/16 of a pixel and its radius to 1/256 (an error of 1/512 at
+/// most, which is half a step of an 8-bit coverage).
 struct DiskShape {
     static constexpr int phases = 16;
     static constexpr int radius_steps = 256;
@@ -18,8 +18,8 @@ struct DiskShape {
     int radius = 1;                ///< in 1/radius_steps of a pixel, positive
 };
 
-/// One row of pixels, from `left` on: groups of four pixels with a coverage each, a span of `full`
-/// pixels, groups again.
+/// One row of pixels, from `left` on: groups of four pixels with individual coverages, then a run
+/// of `full` pixels, then groups again.
 struct MaskRow {
     std::int16_t left = 0;
     std::uint16_t left_groups = 0, full = 0, right_groups = 0;
@@ -27,25 +27,25 @@ struct MaskRow {
 
 constexpr int group_size = 4;
 
-/// A disk's rows in a MaskStore and the smallest box that holds their groups; `left` and `top`
-/// count from the pixel that holds the centre.
+/// The position of a disk's rows in a MaskStore, and the smallest box that holds their groups;
+/// `left` and `top` count from the pixel that contains the centre.
 struct DiskMask {
     int left = 0, top = 0, width = 0, height = 0;
     std::size_t first_row = 0, first_coverage = 0;
 };
 
-/// Masks one after another in two arrays, so that dropping the last ones costs nothing.
+/// Stores masks one after another in two arrays, so that dropping the last ones costs nothing.
 class MaskStore {
   public:
     /// Adds the mask of a disk.
     DiskMask add(const DiskShape& shape);
 
-    /// Drops `mask` and all that was added after it.
+    /// Drops `mask` and all masks added after it.
     void truncate_to(const DiskMask& mask);
 
     const MaskRow* rows(const DiskMask& mask) const { return rows_.data() + mask.first_row; }
 
-    /// Coverages in 1/255 of the groups of all rows in turn.
+    /// The coverages, in 1/255, of the groups of all rows, row by row.
     const std::uint8_t* coverages(const DiskMask& mask) const {
         return coverages_.data() + mask.first_coverage;
     }

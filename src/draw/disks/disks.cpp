@@ -40,7 +40,8 @@ Bytes twice_each(Bytes bytes) {
                                    23);
 }
 
-// Coverage 255 weighs 256, so that a covered pixel has the disk's very colour.
+// A coverage of 255 has the weight 256, so that a fully covered pixel has exactly the colour of the
+// disk.
 Words blend(Words below, Words above, Words coverage) {
     const Words weight = coverage + (coverage >> 7);
     return (below * (256 - weight) + above * weight + 128) >> 8;
@@ -97,7 +98,7 @@ class Stamp {
             blend_group(pixel, coverage, color_bytes_);
     }
 
-    // The same row where a part of it may lie outside of the bounds.
+    // Draws a row of which a part may lie outside the bounds.
     void draw_cut_row(const MaskRow& row, const std::uint8_t* coverage, int x, int line) const {
         const int left = x + row.left;
         const int inside = left + row.left_groups * group_size;
@@ -124,7 +125,8 @@ class Stamp {
     Bytes color_bytes_;
 };
 
-// A disk on the grid of phases: the pixel that holds its centre, and its shape around it.
+// A disk on the grid of phases: the pixel that contains its centre, and its shape relative to that
+// pixel.
 struct PlacedDisk {
     int x = 0, y = 0;
     DiskShape shape;
@@ -133,7 +135,7 @@ struct PlacedDisk {
 constexpr float largest_radius = 16000;  // rows are counted in 16 bits
 
 bool is_visible(const Disk& disk, const PixelBounds& bounds) {
-    // Written so that nothing but finite numbers passes.
+    // Written so that only finite numbers pass.
     return disk.radius > 0 && disk.radius <= largest_radius &&
            disk.x + disk.radius + 1 > static_cast<float>(bounds.left) &&
            disk.x - disk.radius - 1 < static_cast<float>(bounds.right) &&
@@ -143,7 +145,7 @@ bool is_visible(const Disk& disk, const PixelBounds& bounds) {
 
 PlacedDisk place(const Disk& disk) {
     constexpr int phases = DiskShape::phases;
-    // Shifted to be positive, where a cast is a floor.
+    // Shifted to be positive, so that a cast rounds down.
     constexpr int shift = 1 << 15;
     const auto to_steps = [](float position) {
         return static_cast<int>((static_cast<double>(position) + shift) * phases + 0.5);
@@ -164,8 +166,8 @@ void draw_circles(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
     canvas.fill_circles(circles, clip);
 }
 
-// Asks for the pixels of a disk that will be drawn soon. Disks come in no order of place: without
-// this, waiting for memory takes half of the time.
+// Prefetches the pixels of a disk that will be drawn soon. Disks are in no spatial order: without
+// prefetching, waiting for memory takes half of the time.
 void fetch_ahead(const PixelView& pixels, const PixelBounds& bounds, const Disk& disk) {
     constexpr int step = 64 / sizeof *pixels.data;  // a line of the processor's cache
     if (!is_visible(disk, bounds)) return;
@@ -188,8 +190,8 @@ Rect box_around(const Disk& disk) {
 
 }  // namespace
 
-// Masks are kept while there is room for them, each radius at the phases met so far. What is kept
-// saves time and never shows in the picture.
+// Masks are cached while there is room for them: for each radius, at the phases met so far. The
+// cache saves time and never affects the picture.
 struct DiskPainter::Implementation {
     static constexpr std::size_t most_bytes = 16 << 20;
     static constexpr int largest_kept = 64 * DiskShape::radius_steps;
@@ -208,7 +210,7 @@ struct DiskPainter::Implementation {
         is_full = false;
     }
 
-    /// The phases of a radius, or nothing when there is no room for it.
+    /// The phases of a radius, or null if there is no room for it.
     Phases* phases_of(int radius) {
         if (radius == last_radius) return last_phases;
         const auto known = by_radius.find(radius);
@@ -250,7 +252,7 @@ struct DiskPainter::Implementation {
     int last_radius = -1;
     Phases* last_phases = nullptr;
     bool is_full = false;
-    std::unique_ptr<SmallDisks> small;  ///< made when it is wanted, as it takes memory
+    std::unique_ptr<SmallDisks> small;  ///< created on first use, as it takes memory
 };
 
 DiskPainter::DiskPainter() : implementation_(std::make_unique<Implementation>()) {}

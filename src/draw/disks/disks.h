@@ -1,5 +1,5 @@
-// Many disks. On a raster, fast: cached coverage masks at 16 x 16 sub-pixel phases, blended into
-// the canvas's own pixels. In a vector document: circles.
+// Draws many disks. On a raster by a fast method: cached coverage masks at 16 x 16 sub-pixel phases
+// are blended directly into the pixels of the canvas. In a vector document as circles.
 #pragma once
 
 #include <memory>
@@ -19,11 +19,11 @@ class DiskPainter {
     DiskPainter(DiskPainter&&) noexcept;
     DiskPainter& operator=(DiskPainter&&) noexcept;
 
-    /// Draws in order, later disks over earlier ones; clipped to `clip`. On a raster centres are
-    /// right to 1/32 pixel, coverage to 1/255 or so.
+    /// Draws the disks in order, later ones over earlier ones, clipped to `clip`. On a raster
+    /// centres are accurate to 1/32 pixel, coverages to about 1/255.
     void draw(Canvas& canvas, std::span<const Disk> disks, Rect clip);
 
-    /// For disks that are too many and too small to be drawn one by one.
+    /// The painter for disks that are too many and too small to be drawn one by one.
     SmallDisks& small_disks();
 
   private:

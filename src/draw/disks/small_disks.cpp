@@ -11,7 +11,7 @@ namespace {
 
 using Pixel = std::uint8_t __attribute__((vector_size(4)));
 
-// How much of [from, to] lies in [at, at + 1].
+// The length of the part of [from, to] inside [at, at + 1].
 float overlap(float from, float to, float at) {
     return std::max(0.0F, std::min(to, at + 1.0F) - std::max(from, at));
 }
@@ -38,7 +38,7 @@ const SmallDisks::Shape& SmallDisks::shape_of(float radius) {
     return shape;
 }
 
-// Along lines at the same distances from the centre for all phases.
+// Integrates along scan lines that have the same distances from the centre for all phases.
 SmallDisks::Shape SmallDisks::make_shape(int radius) {
     constexpr auto step = 1.0F / phases;
     const float whole = static_cast<float>(radius) / radius_steps;
@@ -47,7 +47,7 @@ SmallDisks::Shape SmallDisks::make_shape(int radius) {
     for (int k = 0; k < phases; ++k)
         shape.first.at(static_cast<std::size_t>(k)) =
             static_cast<int>(std::floor(static_cast<float>(k) * step - whole));
-    std::vector<float> half;  // chord of each line, from one pole to the other
+    std::vector<float> half;  // half the chord of each line, from one pole to the other
     float area = 0.0F;
     for (int line = -radius; line < radius; ++line) {
         const float height = (static_cast<float>(line) + 0.5F) * step;
@@ -79,8 +79,8 @@ SmallDisks::Shape SmallDisks::make_shape(int radius) {
     return shape;
 }
 
-// Counted from the first pixel of the sums, whose row this is, all positions are positive: there a
-// cast is a floor.
+// Counted from the first pixel of the sums, in row `first_row`, all positions are positive, so that
+// a cast rounds down.
 void SmallDisks::add_up(const std::vector<Disk>& disks, int first_row) {
     constexpr int first = (margin - reach) * phases;
     const Shape* shape = nullptr;
@@ -106,7 +106,7 @@ void SmallDisks::add_up(const std::vector<Disk>& disks, int first_row) {
         Ink* row = sums_.data() + static_cast<std::ptrdiff_t>(line) * stride_ + column;
         const float* share = shape->shares.data() +
                              (phase_y * phases + phase_x) * static_cast<std::size_t>(width * width);
-        if (width == 2) {  // most of them
+        if (width == 2) {  // the usual case
             row[0] += ink * share[0];
             row[1] += ink * share[1];
             row[stride_] += ink * share[2];
@@ -118,7 +118,7 @@ void SmallDisks::add_up(const std::vector<Disk>& disks, int first_row) {
     }
 }
 
-// The rows that no later band adds to.
+// Mixes the rows to which no later band contributes.
 void SmallDisks::mix(const PixelView& pixels, int first_row) const {
     const int top = bounds_.top - margin + first_row;
     for (int y = std::max(top, bounds_.top); y < std::min(top + band_rows, bounds_.bottom); ++y) {
@@ -138,7 +138,7 @@ void SmallDisks::mix(const PixelView& pixels, int first_row) const {
     }
 }
 
-// The last rows are the next band's first ones.
+// Moves the last rows to the front: they are the first rows of the next band.
 void SmallDisks::go_on() {
     const auto done = sums_.begin() + static_cast<std::ptrdiff_t>(band_rows) * stride_;
     const auto rest = std::copy(done, sums_.end(), sums_.begin());

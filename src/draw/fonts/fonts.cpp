@@ -38,8 +38,8 @@ std::string file_of(FcPattern* pattern) {
     return reinterpret_cast<const char*>(file);
 }
 
-// carom draws words from regular to semi-bold, and samples of lines as black dashes. A variable
-// font has a range of weights, not one.
+// carom draws words in weights from regular to semi-bold, and samples of lines as dashes in black
+// weight. A variable font has a range of weights instead of one.
 bool has_a_used_weight(FcPattern* pattern) {
     double weight = 0.0;
     return FcPatternGetDouble(pattern, FC_WEIGHT, 0, &weight) != FcResultMatch ||
@@ -47,7 +47,8 @@ bool has_a_used_weight(FcPattern* pattern) {
            weight >= FC_WEIGHT_BLACK;
 }
 
-// All that carom draws in, by fonts of one weight each or by one that has a range.
+// Whether the fonts provide all weights that carom uses, by fonts of one weight each or by one with
+// a range.
 bool have_used_weights(std::span<FcPattern* const> fonts) {
     return std::ranges::all_of(
         std::array{FC_WEIGHT_REGULAR, FC_WEIGHT_MEDIUM, FC_WEIGHT_DEMIBOLD, FC_WEIGHT_BLACK},
@@ -60,7 +61,8 @@ bool have_used_weights(std::span<FcPattern* const> fonts) {
         });
 }
 
-// The libraries do not tell why they could not read it: as the system says when it is opened again.
+// The libraries do not report why they could not read the file: the reason is found by opening it
+// again.
 [[noreturn]] void refuse(const std::string& file) {
     const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
     const std::string reason = descriptor >= 0
@@ -71,8 +73,8 @@ bool have_used_weights(std::span<FcPattern* const> fonts) {
     throw SystemError(fmt::format("cannot read the font {}: {}", file, reason));
 }
 
-// GLib ends the program where it has no memory, or no thread, and leaves what was begun: unnamed
-// files go with it.
+// GLib terminates the program if it has no memory or cannot start a thread, and leaves what was
+// begun; unnamed files vanish with the process.
 [[noreturn]] void end_of_glib(const char* message) {
     write_to_standard_error(
         {"carom: the libraries that set text cannot go on: ", message,
@@ -80,7 +82,7 @@ bool have_used_weights(std::span<FcPattern* const> fonts) {
     _exit(1);
 }
 
-// A font that Pango warns of is refused where it is used.
+// A font about which Pango warns is refused where it is used.
 GLogWriterOutput on_glib_message(GLogLevelFlags level, const GLogField* fields, gsize count,
                                  gpointer data) {
     std::string_view domain;
@@ -95,25 +97,26 @@ GLogWriterOutput on_glib_message(GLogLevelFlags level, const GLogField* fields, 
     return g_log_writer_default(level, fields, count, data);
 }
 
-// Of the address space, for the fonts, their caches, and the thread with its heap that looks for
-// them: measured, and some more.
+// The address space needed for the fonts, their caches, and the thread (with its heap) that
+// searches for them: the measured amount and a margin.
 constexpr std::size_t first_text_bytes = 192'000'000;
-constexpr int threads_of_pango = 2;  // at once, that look for the fonts of one thread
+constexpr int threads_of_pango = 2;  // threads at once that search for the fonts of one thread
 
 [[noreturn]] void refuse_configuration() {
     throw SystemError("fontconfig cannot read its configuration: there is no memory for it");
 }
 
-// All that is configured on this machine: to read it takes a quarter of the time of `carom check`.
+// The full font configuration of this machine; reading it takes a quarter of the time of `carom
+// check`.
 FcConfig* machine() {
     static const FontConfig all{FcInitLoadConfigAndFonts()};
     if (!all) refuse_configuration();
     return all.get();
 }
 
-// The folders in which Fontconfig looks by its defaults, with its caches on Debian and Fedora; of
-// the fonts there only the declared family. They are known from the caches, as the machine's rules
-// for scanning fonts have them: no file is read for it.
+// A configuration with the folders that Fontconfig searches by default, with its caches on Debian
+// and Fedora; of the fonts there only the declared family. The fonts are known from the caches, as
+// scanned by the machine's rules: no font file is read for it.
 std::string declared_in_usual_folders() {
     return fmt::format(
         "<fontconfig><dir>/usr/share/fonts</dir><dir>/usr/local/share/fonts</dir>"
@@ -136,7 +139,7 @@ bool is_configured_by_environment() {
 class DeclaredFonts {
   public:
     DeclaredFonts() {
-        // Where fontconfig has no memory, or Pango no thread, they end the program.
+        // Without memory for fontconfig, or a thread for Pango, these would terminate the program.
         require_memory(first_text_bytes, "setting text");
         require_threads(threads_of_pango, [] {});
         g_log_set_writer_func(on_glib_message, nullptr, nullptr);
@@ -148,7 +151,7 @@ class DeclaredFonts {
                 own_.get(), reinterpret_cast<const FcChar8*>(text.c_str()), FcTrue) ||
             !FcConfigBuildFonts(own_.get()))
             refuse_configuration();
-        // Pango would read the machine's.
+        // Otherwise Pango would read the configuration of the machine.
         if (!FcConfigSetCurrent(own_.get())) refuse_configuration();
         const FcFontSet* found = FcConfigGetFonts(own_.get(), FcSetSystem);
         has_font_ = found != nullptr && found->nfont > 0;
@@ -203,8 +206,8 @@ Fonts fonts_of(FcConfig* configuration) {
     return fonts;
 }
 
-// A letter that its font has, but that was not found in it: the file could not be read when the
-// line was shaped.
+// Whether a letter is in its font but was not found there: the file could not be read when the line
+// was shaped.
 bool lacks_its_letter(FcPattern* pattern, PangoGlyph glyph) {
     FcCharSet* letters = nullptr;
     return (glyph & PANGO_GLYPH_UNKNOWN_FLAG) != 0 && glyph != PANGO_GLYPH_INVALID_INPUT &&
@@ -222,7 +225,7 @@ void require_font_of(const PangoGlyphItem& run, int weight) {
     for (int i = 0; i < run.glyphs->num_glyphs; ++i)
         if (lacks_its_letter(pattern, run.glyphs->glyphs[i].glyph)) refuse(file_of(pattern));
     const Description description{pango_font_describe(font)};
-    constexpr int step = 100;  // from weight to weight of a family
+    constexpr int step = 100;  // difference between neighbouring weights of a family
     if (weight > 0 &&
         std::abs(pango_font_description_get_weight(description.get()) - weight) >= step)
         throw SystemError(fmt::format(

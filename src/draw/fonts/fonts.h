@@ -1,6 +1,6 @@
-// The fonts that text is set with, for text.cpp: Inter through a private font configuration, and
-// all fonts of the machine. Finds the fonts that could not be read, of which Pango and Cairo say
-// nothing: they draw other letters, or none.
+// The fonts used for text, for text.cpp: Inter through a private font configuration, and all fonts
+// of the machine. Detects fonts that could not be read, which Pango and Cairo do not report: they
+// draw other letters or none.
 #pragma once
 
 #include <pango/pangocairo.h>
@@ -22,24 +22,24 @@ using Owned = std::unique_ptr<T, Releaser<release>>;
 /// The typeface of all pictures.
 inline constexpr const char* font_family = "Inter";
 
-/// The fonts of one thread: Pango's may not be shared.
+/// The fonts of one thread: Pango's fonts may not be shared between threads.
 struct Fonts {
     Owned<PangoFontMap, g_object_unref> map;
     Owned<PangoContext, g_object_unref> context;
 };
 
-/// Only those of the family. Throws SystemError, with the Debian package to install, if it is not
-/// on this machine, and where a file of it cannot be read.
+/// Only the fonts of the declared family. Throws SystemError if the family is not on this machine
+/// (with the Debian package to install), or if a file of it cannot be read.
 Fonts declared_fonts();
 
-/// All of the machine. Throws SystemError.
+/// All fonts of the machine. Throws SystemError.
 Fonts machine_fonts();
 
-/// Throws SystemError where a font of the layout cannot be read, or where the declared one is there
-/// in another weight than `weight` (0: any).
+/// Throws SystemError if a font of the layout cannot be read, or if the declared font is used in
+/// another weight than `weight` (0: any).
 void require_fonts_of(PangoLayout* layout, int weight);
 
-/// Throws SystemError where Cairo could not draw with a font.
+/// Throws SystemError if Cairo could not draw with a font.
 void require_drawn(cairo_t* context);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// What the letters of a line touch, and lines that are drawn in pieces: implemented in
+// The extents of the letters of a line, and lines that are drawn in pieces: implemented in
 // draw/text.cpp.
 #pragma once
 
@@ -10,14 +10,15 @@
 namespace carom {
 
 struct Ink {
-    double advance = 0;  ///< to where the next letter would begin
+    double advance = 0;  ///< distance to the start of a following letter
     Rect rect;           ///< y down, from the baseline
 };
 
-/// Of one line of Pango markup.
+/// The ink of one line of Pango markup.
 Ink ink_of(const std::string& markup, const TextStyle& style);
 
-/// What this thread draws while it lives is one line in its TextLog.
+/// Everything that this thread draws during the lifetime of the object counts as a single line in
+/// its TextLog.
 class LineInPieces {
   public:
     explicit LineInPieces(DrawnLine line);

@@ -13,9 +13,9 @@
 namespace carom::formula {
 namespace {
 
-constexpr double lean = 0.165;  // of slanted letters: across over up
+constexpr double lean = 0.165;  // horizontal over vertical, of slanted letters
 
-// Of a line of markup at an em of 1. Each thread keeps those that it has measured.
+// The ink of a line of markup at an em of 1. Each thread caches those that it has measured.
 const Ink& ink_at_one(const std::string& markup, int weight) {
     thread_local std::map<std::tuple<std::string, int>, Ink> known;
     const auto [entry, is_new] = known.try_emplace({markup, weight});
@@ -34,7 +34,7 @@ Metrics scaled(Metrics m, double by) {
     return m;
 }
 
-// A sign that the typeface has not: its width, and its height and depth about the axis.
+// A sign that the typeface lacks: its width, and its extent above and below the axis.
 struct Drawn {
     double width, half_height;
 };
@@ -89,7 +89,8 @@ Lines sign_lines(std::string_view text, double tall) {
     return {};
 }
 
-// Above the height of the letters that it is made for.
+// The width of an accent, and its vertical extent above the height of the letters that it is made
+// for.
 struct AccentShape {
     double width, from, to;
 };
@@ -132,7 +133,8 @@ InterFont::InterFont(int weight) : weight_(weight) {
     rule_ = 0.8 * minus.height;
 }
 
-// TeX's are those of Computer Modern; these stand to Inter's larger letters as those to its own.
+// TeX's values fit Computer Modern; these have the same ratio to Inter's larger letters as TeX's to
+// those of Computer Modern.
 Lengths InterFont::lengths(Size size) const {
     const double s = scale_of(size), up = x_height_ / 0.430555 * s;
     constexpr double script = 0.72;

@@ -1,5 +1,5 @@
-// The typeface of films as a font for formulae: its letters, and signs and brackets drawn with
-// lines of the same thickness where it has none or they must grow.
+// The typeface of films as a font for formulae: the letters are those of the typeface; signs that
+// it lacks, and brackets that must grow, are drawn with lines of the same thickness.
 #pragma once
 
 #include <span>
@@ -26,7 +26,8 @@ class InterFont : public Font {
 
     int weight() const { return weight_; }
 
-    /// The weight of letters drawn so many times as large, so that their strokes are as thick.
+    /// The weight for letters drawn scale_of_large times as large, at which their strokes are as
+    /// thick as those of the others.
     int weight_of_large() const;
 
   private:
@@ -34,20 +35,20 @@ class InterFont : public Font {
     double x_height_ = 0.0, digit_height_ = 0.0, axis_ = 0.0, rule_ = 0.0;
 };
 
-/// Of letters in an index to those of the words around.
+/// The size of letters in an index, relative to those of the surrounding words.
 double scale_of(Size size);
 
-/// How many times as large a sum is in a formula that stands alone.
+/// The magnification of a sum sign in a formula that stands alone.
 constexpr double scale_of_large = 1.5;
 
 std::string markup_of(const Letter& letter);
 
-/// By how much a letter is drawn lower than the typeface has it, in its em: a prime, which is an
-/// index here.
+/// The distance, in its em, by which a letter is drawn lower than in the typeface: that of a prime,
+/// which is set as an index here.
 double lowering_of(const Letter& letter);
 
-/// A sign, bracket, root or accent as lines between the points of each, in a unit square (y down);
-/// none if the typeface has it.
+/// A sign, bracket, root or accent as polylines in a unit square (y down); empty if the typeface
+/// has it.
 std::vector<std::vector<Point>> lines_of(const Piece& piece);
 
 }  // namespace carom::formula

@@ -59,7 +59,7 @@ Box shifted(const Box& inner, double down) {
 
 Box box_of(const Piece& piece) { return {piece.width, piece.height, piece.depth, {piece}}; }
 
-// The letter that a part is, if it is only one.
+// The letter of a part that consists of a single letter, otherwise none.
 std::optional<Letter> letter_of(const Part& part) {
     if (part.of == Part::Of::symbol) return Letter{part.symbol->letter, part.symbol->is_slanted};
     if (part.of == Part::Of::upright && part.kind == Class::ordinary &&
@@ -68,7 +68,7 @@ std::optional<Letter> letter_of(const Part& part) {
     return std::nullopt;
 }
 
-// Whether the indices of a part stand below and above it.
+// Whether the indices of a part are set below and above it (as limits).
 bool has_limits(const Part& part, Style style) {
     return part.of == Part::Of::symbol && part.symbol->tex == "sum" && style.level == display;
 }
@@ -98,7 +98,7 @@ double space_between(Class left, Class right, Style style) {
     }
 }
 
-// Signs that have nothing to their left or right to join are ordinary.
+// The class of each part; signs with nothing to join on their left or right are ordinary.
 std::vector<Class> classes_of(const Parts& parts) {
     std::vector<Class> kinds;
     std::optional<std::size_t> last;
@@ -230,7 +230,7 @@ class Setter {
         return box;
     }
 
-    // Rule 18. `delta` is by how much a raised index stands right of a lowered one.
+    // Rule 18. `delta` is the distance by which a superscript is further right than a subscript.
     Box with_indices(Box nucleus, const Part& part, double delta, bool is_letter,
                      Style style) const {
         if (!part.has_indices()) return nucleus;

@@ -20,7 +20,7 @@ using formula::Piece;
 using formula::Span;
 using formula::Standing;
 
-// What one thread has set.
+// The layout of a formula, cached for each thread.
 const Box& box_of(const std::string& tex, int weight, Standing standing) {
     thread_local std::map<std::tuple<std::string, int, Standing>, Box> known;
     if (known.size() > 200) known.clear();
@@ -63,7 +63,7 @@ TextExtent walk(const std::string& line, const TextStyle& style,
     return extent;
 }
 
-// The words without formulae, if there are none in them.
+// The plain words, if the text contains no formula.
 std::optional<std::string> plain(const std::string& words) {
     if (words.find('$') == std::string::npos) return words;
     const std::vector<Span> spans = formula::spans_of(words);
@@ -82,7 +82,7 @@ void draw_lines(Canvas& canvas, const Rect& rect, const Piece& piece, double thi
     }
 }
 
-// On pixels a rule is as thick as whole pixels, and lies on them.
+// On a raster a rule is a whole number of pixels thick, and aligned to pixels.
 void draw_rule(Canvas& canvas, Rect rect, Color color) {
     if (canvas.is_raster()) {
         const double thickness = std::max(1.0, std::round(rect.height));
@@ -106,7 +106,7 @@ void draw_formula(Canvas& canvas, Point at, const Box& box, const TextStyle& sty
             continue;
         }
         if (!formula::lines_of(piece).empty()) {
-            // The root's sign ends where its rule begins.
+            // The radical sign ends where its rule begins.
             const bool is_root = piece.of == Piece::Of::root;
             const double inset = is_root || piece.of == Piece::Of::bracket ? 0.5 * rule : 0.0;
             draw_lines(
@@ -169,7 +169,8 @@ bool is_formula_alone(const std::string& words) {
     return spans.size() == 1 && spans.front().is_formula;
 }
 
-// Line by line as many whole words as fit, where a formula and what is written to it are a word.
+// Puts as many whole words as fit on each line; a formula, with any text directly attached to it,
+// is one word.
 std::vector<std::string> wrapped_words(const std::string& words, const TextStyle& style,
                                        std::size_t most) {
     if (words.find('$') == std::string::npos) return wrapped(words, style, most);

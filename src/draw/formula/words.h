@@ -1,5 +1,5 @@
-// Words with formulae between `$` signs on a canvas. The words are those that formula::check()
-// takes; `\$` is a dollar sign. Without a formula they are drawn as draw_text() draws them.
+// Draws text with formulae between `$` signs on a canvas. The text must be accepted by
+// formula::check(); `\$` is a dollar sign. Text without formulae is drawn as by draw_text().
 #pragma once
 
 #include <string>
@@ -10,29 +10,31 @@
 
 namespace carom {
 
-/// One line with its baseline through `at`; returns its extent. A line with formulae is never cut.
+/// Draws one line with its baseline through `at`; returns its extent. A line with formulae is never
+/// cut.
 TextExtent draw_words(Canvas& canvas, Point at, const std::string& words, const TextStyle& style);
 
-/// The extent without drawing; that of formulae as high and deep as they are.
+/// The extent without drawing, including the full height and depth of formulae.
 TextExtent measure_words(const std::string& words, const TextStyle& style);
 
-/// Words in lines of at most `style.max_width`, as wrapped() breaks them, formulae whole.
+/// Breaks words into lines of at most `style.max_width` as wrapped() does, without breaking
+/// formulae.
 std::vector<std::string> wrapped_words(const std::string& words, const TextStyle& style,
                                        std::size_t most);
 
-/// Of a line of words in a paragraph: how far it reaches above its baseline, and its whole height.
+/// The height of a line in a paragraph: above its baseline, and in all.
 struct LineHeight {
     double above, all;
 };
 
-/// The height of a line is `usual` sizes of its letters, of which one is above the baseline; with
-/// formulae that are higher or deeper than that, as much as they take, with gaps.
+/// The height of a line: `usual` times the size of its letters, one size of which is above the
+/// baseline; more if formulae need it, with gaps around them.
 LineHeight line_height_of(const std::string& words, const TextStyle& style, double usual);
 
-/// Whether words are a formula alone: its fractions and sums are large.
+/// Whether the text is a single formula, whose fractions and sums are set large.
 bool is_formula_alone(const std::string& words);
 
-/// A formula with the begin of its baseline at `at`, in pixels of `style.size` to an em.
+/// Draws a formula with the start of its baseline at `at`, at `style.size` pixels per em.
 void draw_formula(Canvas& canvas, Point at, const formula::Box& box, const TextStyle& style);
 
 }  // namespace carom

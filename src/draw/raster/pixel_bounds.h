@@ -1,4 +1,4 @@
-// What painters that write pixels themselves need: which pixels they may write, and which they have
+// Helpers for painters that write pixels directly: which pixels they may write, and which they have
 // written.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// The pixels of a canvas that a clip leaves.
+/// The pixels of a canvas inside a clip.
 inline PixelBounds bounds_of(PixelSize size, const Rect& clip) {
     const auto within = [](double position, int most) {
         return static_cast<int>(std::clamp(std::round(position), 0.0, static_cast<double>(most)));
@@ -19,7 +19,8 @@ inline PixelBounds bounds_of(PixelSize size, const Rect& clip) {
             within(clip.right(), size.width), within(clip.bottom(), size.height)};
 }
 
-/// Boxes that were drawn in, or the whole clip where they take a good part of it.
+/// Collects the boxes that were drawn in; reports the whole clip instead if they cover a large part
+/// of it.
 class DrawnBoxes {
   public:
     explicit DrawnBoxes(const Rect& clip) : clip_(clip), left_(0.4 * clip.width * clip.height) {}

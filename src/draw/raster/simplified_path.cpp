@@ -12,13 +12,13 @@ struct Direction {
 
 double cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
 
-// The straight lines from a point that pass all points so far closely enough.
+// The cone of straight lines from a point that pass all points so far within the tolerance.
 class Cone {
   public:
     Cone(Point apex, double tolerance) : apex_(apex), tolerance_(tolerance) {}
 
-    /// Whether a line to this point passes those before it, up to where it ends; if so, the point
-    /// is one of them.
+    /// Whether a line that ends at this point passes all earlier points within the tolerance; if
+    /// so, the point is added to them.
     bool reaches(const Point& to) {
         const double dx = to.x - apex_.x, dy = to.y - apex_.y;
         const double distance = std::sqrt(dx * dx + dy * dy);
@@ -44,7 +44,7 @@ class Cone {
   private:
     Point apex_;
     double tolerance_;
-    double farthest_ = 0.0;  ///< of all points; 0: all lie at the apex
+    double farthest_ = 0.0;  ///< largest distance of a point; 0: all lie at the apex
     Direction right_, left_;
 };
 

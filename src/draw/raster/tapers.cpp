@@ -28,14 +28,14 @@ using Ints = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t
     return to;
 }
 
-constexpr float edge = 0.5F;  // pixels within which coverage falls, on either side of an edge
+constexpr float edge = 0.5F;  // pixels over which the coverage falls, on either side of an edge
 
-// A taper as its pixels need it: places relative to its start.
+// A taper prepared for the computation of pixels: positions are relative to its start.
 struct Shape {
     double x, y, along_x, along_y;
     float dx, dy, by_length_squared;
-    float half_width, growth;  // of it
-    double reach;              // of what is covered in part, around the line
+    float half_width, growth;  // change of half_width along the line
+    double reach;              // distance from the line up to which pixels are partly covered
     std::array<float, 4> channel, change;
 
     explicit Shape(const Taper& taper)
@@ -59,7 +59,7 @@ struct Shape {
         }
     }
 
-    // Nothing but what is finite, and has a width.
+    // Only tapers that are finite and have a width are drawn.
     bool is_drawn() const {
         return std::isfinite(x + y + along_x + along_y) && reach > static_cast<double>(edge);
     }
@@ -74,7 +74,7 @@ struct Shape {
     const Floats off_x = x - at * shape.dx, off_y = y - at * shape.dy;
     const Floats distance = root(off_x * off_x + off_y * off_y);
     const Floats half = shape.half_width + at * shape.growth;
-    // The second where a line is thinner than a pixel.
+    // The second term matters where the line is thinner than a pixel.
     return share(half - distance + edge) - share(edge - half - distance);
 }
 
@@ -90,7 +90,7 @@ struct Shape {
     return pixel;
 }
 
-// Columns [first, last] of the row through `y` that the line may cover.
+// The columns [first, last] that the line may cover in the row through `y`.
 struct Span {
     double first, last;
 };
@@ -104,7 +104,7 @@ Span span_at(const Shape& shape, const Rect& box, double y) {
     return {std::max(span.first, middle - around), std::min(span.last, middle + around)};
 }
 
-// So many pixels of a group, with their columns and rows relative to the line's start.
+// Draws `count` pixels of a group, with their columns and rows relative to the start of the line.
 template <int count>
 [[gnu::always_inline]] inline void draw_group(const Shape& shape, std::uint32_t* pixels,
                                               Floats columns, Floats rows) {
@@ -146,7 +146,7 @@ void draw_one(const PixelView& pixels, const PixelBounds& bounds, const Shape& s
     }
 }
 
-// In steps that are hardly told apart.
+// Draws a taper in a vector document, in steps that can hardly be told apart.
 void stroke(Canvas& canvas, const Taper& taper) {
     constexpr double step = 3.0 / 255.0;
     const Color &a = taper.color_at_start, &b = taper.color_at_end;

@@ -3,9 +3,10 @@
 namespace carom {
 namespace {
 
-// Whether the place is where it would be on a line along which the light changes evenly.
+// Whether the point lies where a line with linearly changing light from `from` to `to` would have
+// it.
 bool is_on_line(const TrailPlace& place, const TrailPlace& from, const TrailPlace& to) {
-    constexpr double seen = 0.05;  // pixels: of a bend
+    constexpr double seen = 0.05;  // pixels from which a bend is visible
     const double all = to.light - from.light;
     const double share = all > 0.0 ? (place.light - from.light) / all : 0.5;
     const Point there{from.at.x + share * (to.at.x - from.at.x),
@@ -22,7 +23,7 @@ void add_trail_lines(std::vector<Taper>& lines, std::span<const TrailPlace> way,
     std::size_t first = 0;
     for (std::size_t i = 1; i < way.size(); ++i) {
         const TrailPlace &from = way[first], &to = way[i];
-        // A bend shows at the last place but one, a curve in the middle of the line.
+        // A bend shows at the last point but one, a curve at the middle of the line.
         if (i + 1 < way.size() && is_on_line(to, from, way[i + 1]) &&
             is_on_line(way[(first + i + 1) / 2], from, way[i + 1]))
             continue;

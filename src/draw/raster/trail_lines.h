@@ -1,4 +1,5 @@
-// The lines of a trail: thin and dim where its particle was long ago, wide and bright where it is.
+// The lines of a trail: thin and dim at the old positions of its particle, wide and bright at the
+// present one.
 #pragma once
 
 #include <span>
@@ -8,14 +9,14 @@
 
 namespace carom {
 
-/// A place on a trail, in the picture.
+/// A point of a trail, in the picture.
 struct TrailPlace {
     Point at;      ///< pixels
     double light;  ///< from 0, where the trail ends, to 1, where its particle is
 };
 
-/// Adds the lines through places, oldest first: one for each free flight, mostly. `unit` as in
-/// DrawContext.
+/// Adds the lines through the points of a trail, oldest first: mostly one for each free flight.
+/// `unit` as in DrawContext.
 void add_trail_lines(std::vector<Taper>& lines, std::span<const TrailPlace> way, Color ground,
                      Color ink, double unit);
 

@@ -1,4 +1,5 @@
-// A callout: words on a plate, and a line from there to what they are about. Knows no gas.
+// A callout: words on a plate, and a line from the plate to the thing that they describe.
+// Independent of the gas.
 #pragma once
 
 #include <functional>
@@ -19,33 +20,37 @@ struct CalloutPlate {
 };
 CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, double most_width);
 
-/// The place in `area` for a plate that keeps clear of a target on all of its way, and of other
-/// plates, and is near it. `reach`: how far the target reaches around its middle.
+/// Returns a place in `area` for a plate: near its target, but as far as possible clear of the
+/// target's whole path `way` (pixels) and of the plates `others`. `reach`: the radius of the
+/// target, pixels.
 Rect free_place(const DrawContext& dc, const Rect& area, const CalloutPlate& plate,
                 std::span<const Point> way, double reach, std::span<const Rect> others);
 
-/// Places of plates that stand still: each keeps clear of those that are seen with it and come
-/// first. `place_of(k, others)` gives one for the plate with the number k beside others; none where
-/// it has none. Of all that are `seen`, and of those by which they find their places.
+/// Returns places for plates that do not move: each keeps clear of those plates that are shown at
+/// the same time and come first. `place_of(k, others)` returns the place of plate number k, given
+/// the places `others` of these plates; none if there is no place for it. The result has a place
+/// for each plate in `seen` and for the earlier plates on which these places depend; none for all
+/// other plates.
 std::vector<std::optional<Rect>> places_in_time(
     std::span<const Showing> times, std::span<const std::size_t> seen,
     const std::function<std::optional<Rect>(std::size_t, std::span<const Rect>)>& place_of);
 
-/// The place in a plot for a plate about something at `x`, whatever its height: at the side that
-/// has more room, in the middle, or as near to that as other plates leave it free.
+/// Returns a place in a plot for a plate that describes something at the horizontal position `x`
+/// (pixels): on the side of `x` that has more room and at mid-height, or as near to that as the
+/// plates `others` allow.
 Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x,
                   std::span<const Rect> others);
 
-/// One at its place, with a line to its target's edge.
+/// A callout at its place, with a line to the edge of its target.
 struct DrawnCallout {
     Rect place;
     CalloutPlate plate;
     Point target;
-    double reach = 0.0;  ///< of the target around its middle
+    double reach = 0.0;  ///< radius of the target, pixels
     double alpha = 1.0;
 };
 
-/// Draws them. No line goes over words.
+/// Draws callouts. No line crosses words: all lines are drawn before the plates.
 void draw_callouts(Canvas& canvas, const DrawContext& dc, std::span<const DrawnCallout> callouts);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 // The collision of two beads on a wire in the plane of their velocities: an ellipse of constant
-// energy, a line of constant momentum, and the two points where they cross, before and after. Or
-// all collisions of the two as a walk on the ellipse.
+// energy, a line of constant momentum, and their two intersections, the states before and after the
+// collision. Alternatively, all collisions of the two beads as a walk on the ellipse.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -54,13 +54,13 @@ std::string few_digits(Language language, double value) {
     return plain_number(language, std::stod(fmt::format("{:.3g}", off_the_tie(value))));
 }
 
-// Two momenta that cancel but for round-off are none.
+// The total momentum as text; 0 if the two momenta cancel up to round-off.
 std::string momentum_words(Language language, const PairMotion& motion) {
     const double least = 1e-12 * (motion.before / motion.inverse_mass).abs().maxCoeff();
     return few_digits(language, std::abs(motion.momentum()) < least ? 0.0 : motion.momentum());
 }
 
-// The numbers of a vector; those that are 0 but for round-off are 0.
+// The components of a vector as text; those that are 0 up to round-off are written as 0.
 std::vector<std::string> numbers(Language language, const Vector& velocity) {
     const double least = 1e-9 * velocity.abs().maxCoeff();
     const auto words = [&](double v) {
@@ -286,7 +286,7 @@ Note CollisionMapPanel::key(std::size_t steps) const {
     return note;
 }
 
-// Of velocities as the axes and the table show them.
+// The columns of some velocities, as the axes and the table show them.
 std::vector<Column> CollisionMapPanel::columns(const std::vector<Vector>& velocities) const {
     std::vector<double> first, second;
     for (const Vector& velocity : velocities) {
@@ -322,7 +322,8 @@ Arrow CollisionMapPanel::arrow(const Vector& from, const Vector& to, const Role&
             edge};
 }
 
-// With an infinite mass the two speeds that the other can have, in its frame.
+// For an infinite mass: the two velocities that the other bead can have, in the frame of the
+// infinite mass.
 void CollisionMapPanel::add_energy() {
     const Layer still{.depth = depth_of_energy, .still = true};
     if (motion_.has_infinite_mass()) {
@@ -345,7 +346,8 @@ void CollisionMapPanel::add_energy() {
     whole_.layers.emplace_back(std::move(ellipse));
 }
 
-// The arrows begin and end with the motion of the centre of mass, and with the eigenvectors.
+// The arrows from 0 to the motion of the centre of mass, and from there to the velocities before
+// and after; in the table they list the centre of mass and the eigenvectors.
 void CollisionMapPanel::add_collision() {
     const double time = met_ ? met_->time : std::nan("");
     const auto add_point = [&](const char* of, const Vector& at, const plot::Mark& mark) {

@@ -11,7 +11,7 @@ GivenPair& given_pair(PanelSpec& panel) {
     return panel.given ? *panel.given : panel.given.emplace();
 }
 
-// The plane of two velocities is all there is on a wire only.
+// Two velocities describe the motion completely on a wire only.
 void check_wire(const Node& kind, Reading& reading) {
     if (reading.gas.box.dimension == 2)
         reading.errors.add(kind,
@@ -20,7 +20,7 @@ void check_wire(const Node& kind, Reading& reading) {
                            "or give the box a `length` instead of a `size`");
 }
 
-// What is given twice, or by halves only.
+// Reports a pair that is given twice, or of which only half is given.
 void check_given(const Node& node, Errors& errors) {
     const bool both = find(node, "masses") != nullptr && find(node, "velocities") != nullptr;
     for (const char* key : {"masses", "velocities"})

@@ -1,5 +1,5 @@
-// The keys that collision maps alone take: which pair, if it is none of the scene's, and how it is
-// shown.
+// The scene keys that only collision maps accept: the pair, if it is not one of the scene, and how
+// it is shown.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace carom {
 
 std::vector<Binding<PanelSpec>> collision_map_keys();
 
-/// Reports a map of disks, which have two components of velocity each, and pairs that are given by
-/// halves, twice, or that never collide.
+/// Reports a map for disks, which have two velocity components each; a pair that is given
+/// incompletely or twice; and a pair that never collides.
 void check_collision_map(PanelSpec& panel, const Node& node, Reading& reading);
 
 }  // namespace carom

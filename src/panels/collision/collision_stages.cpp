@@ -6,8 +6,8 @@
 namespace carom {
 namespace {
 
-constexpr double apart = 1.6;          // distance of the centres before and after, over contact's
-constexpr double longest_arrow = 1.0;  // over the distance at contact
+constexpr double apart = 1.6;          // distance of centres before and after, over that at contact
+constexpr double longest_arrow = 1.0;  // relative to the distance at contact
 constexpr double words_above = 1.65, words_below = 1.4;  // units, of each stage
 constexpr double least_of_row = 7.2;        // units, the width of two numbers side by side
 constexpr double least_with_numbers = 6.5;  // units, the height of a stage
@@ -18,14 +18,15 @@ double height_of_numbers(const Rect& stage, double unit) {
 }
 constexpr double lift_of_arrows = 0.75;  // units, from one row of arrows to the next
 
-// How long until the centres are as far apart as is shown, in a flight of at most so long.
+// The time from contact until the centres have the distance that is shown; at most `longest`, the
+// duration of the flight.
 double time_apart(const Eigen::Array2d& between, const Eigen::Array2d& moving, double longest) {
     const double a = moving.square().sum(), b = std::abs((between * moving).sum());
     const double c = between.square().sum() * (1.0 - apart * apart);
     return std::clamp((-b + std::sqrt(b * b - a * c)) / a, 0.0, longest);
 }
 
-// Half of what the stages need each way, in lengths of the scene.
+// Half of the extent of the stages along each axis, in units of the scene.
 Eigen::Array2d half_extent(const std::array<CollisionPose, 3>& all, const CollisionCause& cause,
                            double time) {
     Eigen::Array2d half = (time * cause.drift).abs();
@@ -37,7 +38,7 @@ Eigen::Array2d half_extent(const std::array<CollisionPose, 3>& all, const Collis
     return half;
 }
 
-// One above another, or side by side.
+// The areas of the three stages: one above another if `high`, otherwise side by side.
 std::array<Rect, 3> places(const Rect& area, double unit, bool high) {
     const double gap = unit;
     std::array<Rect, 3> rects;
@@ -65,7 +66,7 @@ CollisionCause cause_of(const PairCollision& met, const Particles& particles) {
         .on = 0.0};
     const Eigen::Array2d moving = met.before[1] - met.before[0];
     double longest_back = met.time - met.since, longest_on = met.until - met.time;
-    if (cause.radius[0] + cause.radius[1] == 0.0) {  // points: as if they had a size
+    if (cause.radius[0] + cause.radius[1] == 0.0) {  // point particles are drawn with a radius
         cause.radius = {0.5, 0.5};
         cause.place[1] = cause.place[0] - moving / std::sqrt(moving.square().sum());
         longest_back = longest_on = std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
-// One collision in three pictures: before, at contact, after. Where everything stands, as plain
-// geometry, apart from how it is drawn.
+// One collision in three pictures: before, at and after the contact. Computes the layout as plain
+// geometry, independent of how it is drawn.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,17 +10,17 @@
 
 namespace carom {
 
-/// The collision with beads of a size, where they are points.
+/// The collision from which the stages are computed; point particles are given a radius.
 struct CollisionCause {
     std::array<Eigen::Array2d, 2> place, before, after;
     std::array<double, 2> radius, weight;  ///< weight: share of the mass
     Eigen::Array2d drift;                  ///< of the centre of mass
-    double back, on;                       ///< time before and after the contact
+    double back, on;  ///< times from the first stage to contact, and on to the last
 };
 
 CollisionCause cause_of(const PairCollision& met, const Particles& particles);
 
-/// What stands in one stage, in lengths of the scene, from the centre of mass.
+/// The content of one stage in units of the scene; positions are relative to the centre of mass.
 struct CollisionPose {
     std::array<Eigen::Array2d, 2> center;
     std::array<Eigen::Array2d, 2> arrow;  ///< velocities, or their changes
@@ -31,12 +31,12 @@ std::array<CollisionPose, 3> poses(const CollisionCause& cause);
 
 inline double length_of(const Eigen::Array2d& v) { return std::sqrt(v.square().sum()); }
 
-/// An arrow from `from` to `to`; none where they are one point.
+/// An arrow from `from` to `to`; no arrow if the two points coincide.
 struct StageArrow {
     Point from, to;
 };
 
-/// One of the pictures, in pixels; the centre of mass stands in its middle.
+/// One of the pictures, in pixels; the centre of mass is in its middle.
 struct CollisionStage {
     Rect area;
     Point mass_center;
@@ -46,23 +46,24 @@ struct CollisionStage {
     StageArrow mass_center_velocity;
 };
 
-/// The three of them on one scale of lengths and one of velocities.
+/// The three pictures, with common scales of length and of velocity.
 struct CollisionStages {
     std::array<CollisionStage, 3> stage;
     std::array<double, 2> radius;  ///< pixels
-    double reach = 0.0;            ///< pixels of a unit of velocity
+    double reach = 0.0;            ///< pixels per unit of velocity
 };
 
-/// Whether numbers stand under a stage, and whether in two rows; in a low one the disks take their
-/// place. `unit` as in DrawContext.
+/// Whether numbers are written under a stage, and whether they take two rows. A stage that is too
+/// low has no numbers; its disks take their place. `unit` as in DrawContext.
 bool has_numbers(const Rect& stage, double unit);
 bool has_rows_of_numbers(const Rect& stage, double unit);
 
-/// The height of such a row, units.
+/// The height of a row of numbers, in units.
 inline constexpr double height_of_row = 1.25;
 
-/// Of a collision in an area; side by side, or in a high area one above the other. On a wire
-/// arrows stand in rows of their own, above the beads and below, which they would cover.
+/// Lays out the three pictures of a collision in an area: side by side or one above the other,
+/// whichever gives the larger scale. On a wire the arrows have rows of their own above and below
+/// the beads, which they would cover otherwise.
 CollisionStages collision_stages(const PairCollision& pair, const Particles& particles,
                                  const Rect& area, double unit, int dimension);
 

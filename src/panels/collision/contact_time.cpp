@@ -1,6 +1,6 @@
-// The squared distance of two particles against time: the parabola of their free flight, the two
-// times at which it is that of contact, and the first of them, which counts. After it the true
-// distance, and on it the present.
+// The squared distance of two particles against time: the parabola of their free flight, and the
+// two roots at which it equals the squared contact distance, of which the first is the contact
+// time. After the contact the actual distance is drawn too, with a mark at the present.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,7 +20,8 @@ struct ContactState : PanelState {
     std::optional<double> time;  // the present, in a film
 };
 
-constexpr double ahead = 1.25, beyond = 1.75;  // of the time between the roots, that are shown
+// Shown before and after the contact, in units of the time between the roots.
+constexpr double ahead = 1.25, beyond = 1.75;
 constexpr int curve_points = 200;
 constexpr std::string_view passing = Phrase{"if they passed through each other"}.english;
 const Stroke level_stroke{.width = 0.08};
@@ -58,7 +59,7 @@ class ContactTimePanel : public PlotPanel {
     PairCollisionWatch watch_;
     PairCollision collision_;
     double contact_ = 0.0;             // the square of the distance at contact
-    bool are_points_ = false;          // the roots lie upon each other
+    bool are_points_ = false;          // the two roots coincide
     double first_ = 0.0, last_ = 1.0;  // of the time axis
     double top_ = 1.0;
 };
@@ -103,7 +104,7 @@ Line ContactTimePanel::line(const char* of, const Curve& curve, double from, dou
     return line;
 }
 
-// Points touch for no time: the two ways are one.
+// For points the two roots coincide, and so do the two curves.
 void ContactTimePanel::add_lines(Plot& plot) const {
     const Stroke dashed{.width = 0.14, .dashes = {0.35}};
     Stroke solid{.role = {Role::Of::highlight}, .width = 0.2, .shade = Shade::legible};

@@ -18,7 +18,7 @@ double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, d
     return (apart + time * moving).square().sum();
 }
 
-// When an event of the run changes the velocity or the place of a particle.
+// The times at which an event of the run changes the velocity or the place of a particle.
 std::vector<double> interruptions(const Run& run, Eigen::Index particle) {
     std::vector<double> times = velocity_changes(run);
     for (const RunEvent& event : run.events)
@@ -57,7 +57,7 @@ bool PairCollisionWatch::is_wanted(const Collision& collision) const {
            (collision.first == b && collision.second == a);
 }
 
-// Reversals, heat and nudges part two flights as collisions do.
+// Reversals, heating and perturbations end a free flight as collisions do.
 double PairCollisionWatch::flying_since(Eigen::Index particle, double now) const {
     double since = last_[static_cast<std::size_t>(particle)];
     for (const double at : interruptions(context_.scene.run, particle))

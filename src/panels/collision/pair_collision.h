@@ -1,5 +1,6 @@
-// One collision of two particles, as the simulation met it: where they are at the touch, how they
-// move before and after it, and how long they fly undisturbed. Draws nothing.
+// One collision of two particles, taken from the simulation: their positions at contact, their
+// velocities before and after it, and the duration of the free flights on both sides. Draws
+// nothing.
 #pragma once
 
 #include <array>
@@ -17,22 +18,24 @@ struct PairCollision {
     double since = 0.0;  ///< when the free flight before it begins
     double until = 0.0;  ///< when the one after it ends
     std::array<Eigen::Index, 2> particle{};
-    std::array<Eigen::Array2d, 2> place;          ///< at contact, images that touch; y is 0 in 1-D
+    std::array<Eigen::Array2d, 2> place;  ///< at contact: the images that touch; y is 0 in 1-D
     std::array<Eigen::Array2d, 2> before, after;  ///< velocities
 
-    /// The square of the distance at a time of the flights before and after.
+    /// The squared distance of the particles at a time, on the free flights before and after the
+    /// contact.
     double square(double at) const;
 
-    /// The same as if they passed through each other: the parabola of the flight before.
+    /// The squared distance if they passed through each other: the parabola of the flight before.
     double free_square(double at) const;
 
-    /// When that is the same as at the contact once more.
+    /// The second root of the contact condition: the other time at which free_square() has the
+    /// value that it has at contact.
     double other_root() const;
 
     void archive(auto& archive) { archive(time, since, until, particle, place, before, after); }
 };
 
-/// The part of the change of one velocity that is along the line of centres, all of it.
+/// The change of one velocity in the collision, all of which is along the line of centres.
 inline Eigen::Array2d change(const PairCollision& pair, std::size_t k) {
     return pair.after[k] - pair.before[k];
 }
@@ -40,14 +43,14 @@ inline Eigen::Array2d change(const PairCollision& pair, std::size_t k) {
 /// Waits for the first collision of a pair, or of any pair.
 class PairCollisionWatch {
   public:
-    /// `spec.of` names the pair, or nothing.
+    /// `spec.of` names the pair; if empty, the first pair that collides is taken.
     PairCollisionWatch(const PanelContext& context, const PanelSpec& spec);
 
-    /// First pass, every frame in order, with the collisions on the way.
+    /// First pass: called for every frame in order, with the collisions since the frame before.
     void survey(const FrameInput& input);
 
-    /// After the first pass. Throws SceneError, with the panel's place, where the pair never
-    /// collides.
+    /// The collision; valid after the first pass. Throws SceneError, with the panel's place in the
+    /// scene file, if the pair never collides.
     const PairCollision& collision() const;
 
   private:
@@ -60,13 +63,14 @@ class PairCollisionWatch {
     PanelSpec spec_;
     std::vector<double> last_;  ///< for each particle: its last collision
     std::optional<PairCollision> found_;
-    bool is_over_ = false;  ///< the flight after it
+    bool is_over_ = false;  ///< whether the flight after the collision has ended
 };
 
-/// How the two are called: by their colours and numbers.
+/// The names of the two particles: their numbers, in their colours.
 plot::Text names_of(const PanelContext& context, const PairCollision& pair);
 
-/// The colour of one of them: its species', or where these are alike its own.
+/// The colour of particle k of the pair: that of its species, or a colour of its own if both are of
+/// the same species.
 plot::Role role_of(const PanelContext& context, const PairCollision& pair, std::size_t k);
 Color color_of(const PanelContext& context, const PairCollision& pair, std::size_t k,
                const Theme& theme);

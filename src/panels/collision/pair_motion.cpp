@@ -14,7 +14,7 @@ constexpr const char* hint_for_walks =
     "`walk` is for two beads that collide only with each other and with walls at rest; without it "
     "the panel shows their first collision";
 
-// Whether collisions with walls at rest, and reversals, are all that happens to the particles.
+// Whether nothing acts on the particles but collisions, walls at rest and reversals.
 bool keeps_energy(const Scene& scene) {
     const Surfaces& surfaces = scene.gas.box.surfaces;
     const auto reflects = [](const Partition& one) {
@@ -77,7 +77,7 @@ void WalkWatch::see(const Collision& collision) {
     if (++count_ > most_steps) return;
     WalkStep step{.time = collision.time,
                   .cause = of_the_two ? WalkStep::Cause::pair : WalkStep::Cause::wall,
-                  .velocity = {NAN, NAN}};  // of a bead that a wall's collision does not concern
+                  .velocity = {NAN, NAN}};  // NaN: of the bead that does not hit the wall
     step.velocity[first] = collision.first_after[0];
     if (of_the_two) step.velocity[second] = collision.second_after[0];
     met_.push_back(step);

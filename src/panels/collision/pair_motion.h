@@ -1,5 +1,5 @@
-// Two beads on a wire in the plane of their velocities: their collision as a linear map, what it
-// keeps, and all their collisions as a walk. Draws nothing.
+// Two beads on a wire in the plane of their two velocities: their collision as a linear map, what
+// it conserves, and all their collisions as a walk in that plane. Draws nothing.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,11 @@
 
 namespace carom {
 
-/// A collision of two beads. Its map has the eigenvectors (1, 1), which stays: the motion of the
-/// centre of mass, and (w1, -w2) with the inverse masses w, which turns round: relative motion.
+/// A collision of two beads. Its linear map has two eigenvectors: (1, 1), the motion of the centre
+/// of mass, with eigenvalue 1; and (w1, -w2) with the inverse masses w, the relative motion, with
+/// eigenvalue -1.
 struct PairMotion {
-    Eigen::Array2d inverse_mass{1.0, 1.0};  ///< 0: infinite, one at most
+    Eigen::Array2d inverse_mass{1.0, 1.0};  ///< 0: infinite mass; at most one is
     Eigen::Array2d before{0.0, 0.0}, after{0.0, 0.0};
 
     bool has_infinite_mass() const { return !(inverse_mass[0] > 0.0 && inverse_mass[1] > 0.0); }
@@ -24,10 +25,10 @@ struct PairMotion {
     void archive(auto& archive) { archive(inverse_mass, before, after); }
 };
 
-/// Velocities after a collision from those before it.
+/// The matrix that maps the velocities before a collision to those after it.
 Eigen::Matrix2d collision_matrix(const Eigen::Array2d& inverse_mass);
 
-/// What changed the two velocities, and what they were after it.
+/// One step of the walk: what changed the two velocities, and their values after it.
 struct WalkStep {
     enum class Cause { start, pair, wall, reversal };
     double time = 0.0;
@@ -39,14 +40,15 @@ struct WalkStep {
 /// Follows the velocities of a pair through the run.
 class WalkWatch {
   public:
-    /// `spec.of` names the pair, or nothing: the first that collides.
+    /// `spec.of` names the pair; if empty, the first pair that collides is taken.
     WalkWatch(const PanelContext& context, const PanelSpec& spec);
 
-    /// First pass, every frame in order, with the collisions on the way.
+    /// First pass: called for every frame in order, with the collisions since the frame before.
     void survey(const FrameInput& input);
 
-    /// All steps of the run, after the first pass. Throws SceneError, with the panel's place, where
-    /// a third bead strikes one of the two, or where there are more than `most_steps`.
+    /// All steps of the run; valid after the first pass. Throws SceneError, with the panel's place
+    /// in the scene file, if something else changes the energy of the pair, if a third bead strikes
+    /// one of the two, or if there are more than `most_steps` steps.
     std::vector<WalkStep> steps() const;
 
     static constexpr std::size_t most_steps = 2000;
@@ -58,7 +60,7 @@ class WalkWatch {
     PanelSpec spec_;
     std::optional<std::array<Eigen::Index, 2>> pair_;
     Eigen::ArrayXd start_;
-    std::vector<Collision> early_;  ///< with walls, before the pair is known
+    std::vector<Collision> early_;  ///< wall collisions before the pair is known
     std::vector<WalkStep> met_;     ///< without reversals
     std::optional<Collision> foreign_;
     std::size_t count_ = 0;

@@ -20,7 +20,7 @@ Binding<PanelSpec> lags_key() {
         .default_text("a tenth of the time from `from` to the end; a quarter for displacements");
 }
 
-// Whether a time lies at the end of the run or after it, which is reported.
+// Reports a time at or after the end of the run; returns whether it did.
 bool is_late(const Node* key, double time, Reading& reading) {
     const double until = reading.run.until;
     if (key == nullptr || time < until) return false;
@@ -73,7 +73,7 @@ double usual_lags(const PanelSpec& spec, const Run& run) {
     return spec.lags.value_or((spec.all_origins ? 0.25 : 0.1) * (run.until - spec.from));
 }
 
-// The line needs a part of the run, and displacements in it.
+// The fitted line needs a part of the run in which displacements are measured.
 void check_displacements(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!(reading.run.until > 0.0)) return;
     const Node *from = given(node, "from"), *fit_from = given(node, "fit_from");

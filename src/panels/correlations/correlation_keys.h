@@ -1,4 +1,4 @@
-// The keys that the panels of correlations alone take, and their checks.
+// The scene keys that only the correlation panels accept, and the checks of these panels.
 #pragma once
 
 #include <vector>
@@ -13,27 +13,27 @@ std::vector<Binding<PanelSpec>> pair_correlation_keys();
 std::vector<Binding<PanelSpec>> autocorrelation_keys();
 std::vector<Binding<PanelSpec>> free_flight_keys();
 
-/// Reports displacements of which a run leaves nothing to measure or to fit.
+/// Reports a panel of displacements for which the run leaves no time to measure or to fit.
 void check_displacements(PanelSpec& panel, const Node& node, Reading& reading);
 
-/// Reports boxes in which the rings of g(r) have no simple area, distances beyond their nearest
-/// images, and more than a pair of choices.
+/// Reports boxes with partitions or obstacles, in which the rings of g(r) have no simple area;
+/// distances beyond that of the nearest periodic images; and more than two choices of particles.
 void check_pair_correlation(PanelSpec& panel, const Node& node, Reading& reading);
 
-/// Reports lags that are longer than what is measured.
+/// Reports lags that are longer than the measured time.
 void check_autocorrelation(PanelSpec& panel, const Node& node, Reading& reading);
 
-/// Reports free flights of the present alone, which has none.
+/// Reports free flights of a single moment, in which none ends.
 void check_free_flights(PanelSpec& panel, const Node& node, Reading& reading);
 
-/// Reports the order of beads on a line.
+/// Reports a panel of hexagonal order for beads on a line, which have none.
 void check_orientational_order(PanelSpec& panel, const Node& node, Reading& reading);
 
-/// The largest distance of which g(r) is known: half of the shortest periodic side, or the longest
-/// solid one.
+/// The largest distance at which g(r) is known: half of the shortest periodic side, or the longest
+/// side if that is less.
 double most_distance(const Box& box);
 
-/// The longest lag unless the scene says otherwise.
+/// The longest time lag: as given in the scene, or its default.
 double usual_lags(const PanelSpec& spec, const Run& run);
 
 }  // namespace carom

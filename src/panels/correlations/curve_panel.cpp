@@ -15,7 +15,7 @@ namespace carom {
 namespace {
 
 constexpr int probes = 40;              // frames that decide the height of the axis
-constexpr double settled = 0.3;         // of the film: what was measured before is not looked at
+constexpr double settled = 0.3;         // share of the film before which probes are not taken
 constexpr double alpha_of_steps = 0.3;  // of the area under steps
 constexpr int depth_of_curves = 2;
 
@@ -25,7 +25,7 @@ MeanError mean_over(const std::vector<const CurveState*>& states, const auto& nu
     return mean_error(all);
 }
 
-// The means of one table of numbers of each line, and their errors.
+// Adds the means over runs of one table of numbers of each line, and their errors.
 using Numbers = std::vector<std::vector<double>>;
 void add_means(const std::vector<const CurveState*>& states, Numbers CurveValues::*table,
                Numbers& means, Numbers& errors) {
@@ -184,14 +184,14 @@ plot::Axis CurvePanel::axis_up() const {
                     ? *subject_.top
                     : round_up_for_axis(1.05 * std::max({most, subject_.level.value_or(0.0),
                                                          subject_.least_top}));
-    // Less than a fiftieth below 0 is noise, of which the axis need not speak.
+    // Values less than a fiftieth of the axis below 0 are noise; the axis need not show them.
     constexpr double step = 0.2, noise = 0.02;
     if (least < -noise * axis.high) axis.low = step * std::floor(least / step);
     return axis;
 }
 
-// Runs side by side have axes of their own, which may be longer or finer than others'; those that
-// differ in their seeds have that of the first.
+// Compared runs have their own axes, which may be longer or finer than those of the others; runs
+// that differ only in their seeds have the axis of the first.
 void CurvePanel::make_axes() {
     const bool is_own = subject_.reach && record_.compares();
     shown_ = subject_.meter();
@@ -274,7 +274,7 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
     return both;
 }
 
-// Points, or edges of bins, of a run.
+// The horizontal positions of the points, or of the edges of the bins, of a run.
 std::vector<double> CurvePanel::places(const CurveValues& run, std::size_t line) const {
     const bool is_steps = subject_.shape == CurveSubject::Shape::steps;
     const std::size_t count = run.curves[line].size(), steps = is_steps ? count : count - 1;
@@ -346,7 +346,7 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
     add(std::move(curve));
 }
 
-// What is least missed where there is no room for it.
+// The remark on means over runs, which is dropped first if there is no room.
 std::string CurvePanel::remark() const {
     if (record_.runs_in_mean == 1) return "";
     return counted(context_.language(), record_.runs_in_mean, Phrase{"mean of {} run"},

@@ -1,6 +1,6 @@
-// Curves over a distance, a length or a lag of time, measured from the run so far: one for each
-// choice of particles, that come to rest as the film goes on. What is measured, and what theory
-// says of it, is given by the panel's own file.
+// Curves against a distance, a length or a time lag, measured from the run so far: one for each
+// choice of particles. They converge as the film goes on. What is measured, and what theory
+// predicts for it, is defined in the file of each kind of panel.
 #pragma once
 
 #include <functional>
@@ -14,42 +14,42 @@
 
 namespace carom {
 
-/// The title of the axis up of shares in bins of this width: "% per 0.5".
+/// The title of a vertical axis that shows shares in bins of this width: "% per 0.5".
 std::string percent_per(Language language, double width);
 
-/// The room that a number takes in a note while it changes.
+/// The longest number; a note reserves its room while the number changes.
 inline const std::string longest_number = "\u22120.0000";
 
 /// What has been measured up to a frame.
 struct CurveValues {
     std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
     std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
-    std::vector<std::vector<double>> errors = {};   ///< of these, where they are means of runs
-    double start = 0.0, reach = 0.0;                ///< of the points or bins along
+    std::vector<std::vector<double>> errors = {};   ///< of `numbers`, if these are means of runs
+    double start = 0.0, reach = 0.0;                ///< ends of the horizontal axis
     void archive(auto& archive) { archive(curves, numbers, errors, start, reach); }
 };
 
-/// Follows a run.
+/// Measures the curves of a run.
 class CurveMeter {
   public:
     virtual ~CurveMeter() = default;
 
-    /// Every frame in order, with the collisions on the way.
+    /// Called for every frame in order, with the collisions since the frame before.
     virtual void see(const FrameInput& input) = 0;
 
-    /// Where the axis along should begin, and how far it should reach, after all frames; for
-    /// subjects that do not say.
+    /// Where the horizontal axis should begin and end; valid after all frames. For subjects that do
+    /// not fix the axis.
     virtual double start() const { return 0.0; }
     virtual double reach() const { return 1.0; }
 
-    /// Where it begins and how far it does reach, and in how many points or bins: before values(),
-    /// of what was seen and of what will be.
+    /// Fixes the horizontal axis: its start, its end, and the number of points or bins. To be
+    /// called before values(); holds for frames that were seen and for those to come.
     virtual void fix_axis(double start, double reach, int points) = 0;
 
-    /// Of curves on the axis that was fixed, which is filled in.
+    /// The curves on the axis of fix_axis(). `start` and `reach` are filled in by the caller.
     virtual CurveValues values() const = 0;
 
-    /// Writes or reads all that see() has gathered, after fix_axis().
+    /// Writes or reads all that see() has accumulated; to be called after fix_axis().
     virtual void archive(Archive& archive) = 0;
 };
 
@@ -63,34 +63,34 @@ struct CurveSubject {
     int points = 0;  ///< or bins
     std::function<std::unique_ptr<CurveMeter>()> meter = {};
     std::vector<SeriesSubject::Line> lines = {};
-    std::vector<plot::Text> titles = {};     ///< from the longest on
-    std::vector<plot::KeyEntry> names = {};  ///< what the last of the titles leaves out
-    bool names_axis = false;                 ///< up; else the title says what it is
-    Phrase along = {}, up = {};              ///< the quantities of the axes
+    std::vector<plot::Text> titles = {};     ///< from longest to shortest
+    std::vector<plot::KeyEntry> names = {};  ///< key of what the last title leaves out
+    bool names_axis = false;     ///< the vertical one; else the title names the quantity
+    Phrase along = {}, up = {};  ///< the quantities of the axes
     std::string unit_along = {}, unit_up = {};
-    std::function<std::string(double width)> height = {};  ///< the title of the axis up, for bins
-                                                           ///< of this width; none: its quantity
-    std::optional<double> reach = {};                      ///< of the axis along, from 0; of runs
-                                                           ///< side by side each has its own
-    std::optional<double> top = {};                        ///< of the axis up; none: as it shows
-    std::optional<double> level = {};                      ///< across the plot
-    double least_top = 0.0;                                ///< of the axis up, in any case
-    bool logarithmic = false;                              ///< the axis up
+    /// Title of the vertical axis for bins of this width; none: `up`.
+    std::function<std::string(double width)> height = {};
+    std::optional<double> reach = {};  ///< end of the horizontal axis, which begins at 0; each of
+                                       ///< several compared runs has its own
+    std::optional<double> top = {};    ///< end of the vertical axis; none: from the data
+    std::optional<double> level = {};  ///< horizontal line across the plot
+    double least_top = 0.0;            ///< lower bound of the vertical axis's end
+    bool logarithmic = false;          ///< whether the vertical axis is
     std::function<std::string(const CurveValues&, std::size_t line)> account =
-        {};  ///< "mean free path 1.25": of a line, if it is known
+        {};  ///< result of a line in words: "mean free path 1.25"; empty if not known
 
-    /// Theory and notes, from the numbers that a viewer is told, or from none before there are any.
-    /// Not where runs are compared.
+    /// Adds theory and notes, computed from the numbers that are shown as text; nullptr before
+    /// there are any. Not called if runs are compared.
     std::function<void(const CurveValues*, plot::Plot&)> add = {};
 };
 
 /// What the first pass of a run has shown.
 struct CurveRun {
-    std::string name = {};  ///< beside others
+    std::string name = {};  ///< among compared runs
     double start = 0.0, reach = 1.0, least = 0.0, most = 0.0;
     double least_positive = 1.0;
     int points = 0;                 ///< or bins, up to the reach
-    bool is_reach_its_own = false;  ///< not a matter of how the run went
+    bool is_reach_its_own = false;  ///< fixed by the subject, not by the course of the run
     void archive(Archive& archive) {
         archive(name, start, reach, least, most, least_positive, points, is_reach_its_own);
     }
@@ -106,22 +106,22 @@ struct CurveRecord {
     void archive(Archive& archive) { archive(runs, runs_in_mean); }
 };
 
-/// Of runs that differ in their seeds.
+/// The record of the mean of runs that differ only in their seeds.
 CurveRecord mean_of(const std::vector<CurveRecord>& records);
 
-/// Of runs side by side, a line of each.
+/// The record of several compared runs, with one line for each.
 CurveRecord compare(const std::vector<CurveRecord>& records, const std::vector<std::string>& names);
 
 /// What a frame shows.
 struct CurveState : PanelState {
-    std::vector<CurveValues> runs;                     ///< one, or those side by side
-    std::vector<std::vector<double>> errors = {};      ///< of a mean: of each line at each point
-    std::shared_ptr<const CurveValues> readouts = {};  ///< what words tell: of one run
+    std::vector<CurveValues> runs;                     ///< one, or the compared runs
+    std::vector<std::vector<double>> errors = {};      ///< of means: of each line at each point
+    std::shared_ptr<const CurveValues> readouts = {};  ///< values written as text: of one run
     std::size_t bytes() const override;
 };
 
-/// A line for each choice of particles that the panel shows, and titles that name them and the time
-/// that is averaged over (no words: not said). `what` is markup.
+/// Adds a line for each choice of particles that the panel shows, and titles that name the choices
+/// and `time`, the time that is averaged over (empty: not mentioned). `what` is markup.
 void name_curves(CurveSubject& subject, const PanelContext& context, const PanelSpec& spec,
                  const std::string& what, const std::string& time);
 

@@ -1,5 +1,5 @@
-// How long particles fly freely from one collision to the next, as lengths or as times: the share
-// of flights in each bin, with the exponential law that a flight without memory would have.
+// The distribution of free flights from one collision to the next, as lengths or as times: the
+// share of flights in each bin, with the exponential law of memoryless flights.
 #include "stats/paths/free_flights.h"
 
 #include <algorithm>
@@ -18,12 +18,13 @@ namespace carom {
 namespace {
 
 constexpr int flight_bins = 40;
-constexpr double shown_share = 0.985;  // of all flights, that the axis holds
+constexpr double shown_share = 0.985;  // of all flights, within the axis
 constexpr double percent = 100.0;
 
 enum class Flown { path, time };
 
-// Of each line, as numbers: the exact mean, how many flights have ended, and the mean speed.
+// The `numbers` of each line: the mean from the total path or time, the number of ended flights,
+// and the mean speed.
 class FlightMeter : public CurveMeter {
   public:
     FlightMeter(const PanelContext& context, const PanelSpec& spec, Flown flown,
@@ -91,14 +92,14 @@ class FlightMeter : public CurveMeter {
         return now;
     }
 
-    // What was kept until the reach was known has been added then.
+    // kept_ is not archived: fix_axis() has added its values to the sums.
     void archive(Archive& archive) override {
         archive(flights_);
         for (SlidingSum& one : sums_) archive(one);
     }
 
   private:
-    // Thinned, as all of them are looked at again: every second one once there are too many.
+    // Keeps thinned values for the choice of the axis; the stride doubles when there are too many.
     void keep(std::size_t k, double value) {
         if (seen_++ % stride_ != 0) return;
         kept_[k].push_back(value);
@@ -110,7 +111,7 @@ class FlightMeter : public CurveMeter {
         }
     }
 
-    // The last bin but these has all that is longer.
+    // Flights beyond the reach are counted in bin number flight_bins.
     void add(std::size_t k, double value, double now) {
         const double bin = std::floor(value / *reach_ * flight_bins);
         sums_[k].at(now)[static_cast<Eigen::Index>(std::min(bin, double(flight_bins)))] += 1.0;
@@ -136,8 +137,8 @@ plot::Stroke stroke_of_law(const PanelContext& context, const std::vector<Chosen
     return stroke;
 }
 
-// The share of flights in each bin if none remembered how long it is: an exponential law with the
-// mean that was measured.
+// The share of flights in each bin if flights were memoryless: an exponential law with the measured
+// mean.
 plot::Line law_of(const plot::Plot& plot, double mean) {
     const double reach = plot.x.high, width = reach / flight_bins;
     const double share_at_0 = percent * (1.0 - std::exp(-width / mean));
@@ -157,8 +158,8 @@ plot::Line law_of(const plot::Plot& plot, double mean) {
     return line;
 }
 
-// Of a single particle that moves among fixed disks: between walls alone it keeps its speed along
-// each axis, and has a mean of its own.
+// The exact mean for a single particle among fixed disks. There is none between walls alone, where
+// the particle keeps its speed along each axis and the mean depends on these speeds.
 std::optional<double> exact_mean(const PanelContext& context, const PanelSpec& spec, Flown flown,
                                  double speed) {
     const Box& box = context.scene.gas.box;

@@ -1,4 +1,4 @@
-// Follows averages over pairs of times that are a lag apart.
+// Measures averages over pairs of times that are a time lag apart.
 #pragma once
 
 #include <utility>
@@ -23,7 +23,7 @@ class LagMeter : public CurveMeter {
     void see(const FrameInput& input) override {
         averages_.see(input.sample, input.advanced.collisions);
     }
-    void fix_axis(double, double, int) override {}  // is that of its lags
+    void fix_axis(double, double, int) override {}  // the axis is given by the lags
     void archive(Archive& archive) override { archive(averages_); }
 
   protected:

@@ -1,6 +1,6 @@
-// The mean squared displacement of particles on through periodic sides: since a time, or over all
-// starting times from there on. With the line of slope 2 d D that fits it, D being the diffusion
-// coefficient, and the parabola <v^2> t^2 that it begins with.
+// The mean squared displacement of particles, unwrapped across periodic sides: since a fixed time,
+// or averaged over all starting times from then on. With the fitted line of slope 2 d D, where D is
+// the diffusion coefficient, and the initial ballistic parabola <v^2> t^2.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,21 +26,21 @@ const plot::Stroke of_ballistic{.role = {.of = plot::Role::Of::accent},
                                 .dashes = {0.5, 0.35},
                                 .shade = plot::Shade::legible};
 
-// What is known of a line beyond its points, by these numbers.
+// Indices of the numbers of a line beyond its points.
 enum : std::size_t { of_diffusion, of_square_speed };
 
 std::string with_error(Language language, const MeanError& number) {
     return carom::with_error(language, number.mean, number.error);
 }
 
-// Before the run turns back.
+// The time of the first reversal, or infinity.
 double first_reversal(const Run& run) {
     const std::vector<double> times = reversal_times(run);
     return times.empty() ? INFINITY : times.front();
 }
 
-// Fits a line to the squared displacements of each particle: their mean slope is that of the mean,
-// and how they scatter is its error.
+// Fits a line to the squared displacements of each particle. The mean of the slopes is the slope of
+// the mean, and their scatter gives its standard error.
 class SlopesOfParticles {
   public:
     SlopesOfParticles(double from, double until) : from_(from), until_(until) {}
@@ -71,7 +71,7 @@ class SlopesOfParticles {
     Eigen::ArrayXd values_, products_;
 };
 
-// What a run has shown of displacements since a time.
+// What a run has shown of displacements since a fixed time.
 struct Followed {
     std::vector<std::vector<Eigen::Index>> lists;
     Displacements moved;
@@ -112,8 +112,8 @@ plot::Line straight_line(const plot::Plot& plot, const LineFit& fit, double from
     return line;
 }
 
-// The line that fits a line of a run from a time on, before the run turns back; none of too few
-// points.
+// The straight line fitted to a line of a run between `from` and `until`, the first reversal; none
+// if there are too few points.
 std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<double>& x,
                                  const std::vector<double>& y, double from, double until) {
     std::vector<double> times, squares;
@@ -131,7 +131,8 @@ bool has_gravity(const PanelContext& context) {
     return (context.scene.gas.box.surfaces.gravity != 0.0).any();
 }
 
-// As far as it is to be seen, if it is; nothing falls there.
+// Adds the ballistic parabola as far as it is visible. Returns false if it is not, and under
+// gravity, where it does not hold.
 bool add_ballistic(const PanelContext& context, double from, double square_speed, bool is_still,
                    plot::Plot& plot) {
     constexpr double least_seen = 0.015;  // of the axis
@@ -162,7 +163,7 @@ plot::KeyEntry ballistic_entry(Language language) {
     return {of_ballistic, {say(language, "without collisions {}", formula), formula}};
 }
 
-// The coefficients in words, each with the name of its line.
+// Adds the diffusion coefficients as text, each with the name of its line.
 void add_coefficients(Language language, double from, const std::vector<std::string>& all,
                       plot::Plot& plot) {
     if (all.empty()) return;
@@ -174,7 +175,7 @@ void add_coefficients(Language language, double from, const std::vector<std::str
     plot.account = say(language, "The line 2dDt fitted from time {} on has D = {}.", since, values);
 }
 
-// The same of numbers that change: each in a row of its own.
+// The same for numbers that change: a row for each.
 plot::KeyEntry coefficient_entry(Language language, const std::string& name,
                                  const std::string& value) {
     const auto words = [&](const std::string& number) {
@@ -228,7 +229,8 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
-// Displacements of groups of particles, how far apart which are is the error of what is fitted.
+// Measures displacements of groups of particles; the scatter of the groups gives the error of the
+// fit.
 class DisplacementMeter : public LagMeter {
   public:
     DisplacementMeter(const PanelContext& context,
@@ -249,7 +251,7 @@ class DisplacementMeter : public LagMeter {
         speeds_.see(input.sample, input.advanced.collisions);
     }
 
-    // Of each line the diffusion coefficient, its error and the mean squared speed.
+    // The numbers of each line: the diffusion coefficient, its error and the mean squared speed.
     CurveValues values() const override {
         CurveValues now;
         std::size_t group = 0;
@@ -309,7 +311,7 @@ class DisplacementMeter : public LagMeter {
     int dimension_;
 };
 
-// Its error is that of the mean of runs, or of the groups of one.
+// The error is that of the mean over runs, or for a single run that of the groups.
 MeanError diffusion_of(const CurveValues& values, std::size_t line) {
     const std::vector<double>& numbers = values.numbers[line];
     return {numbers[0], values.errors.empty() ? numbers[1] : values.errors[line][0]};

@@ -1,5 +1,5 @@
-// The hexagonal order of disks against time: of each disk's own neighbours, and of the whole gas,
-// in which crystals of other directions cancel.
+// The hexagonal order of disks against time: the local order of each disk's neighbours, and the
+// global order of the whole gas, in which crystals of different orientations cancel.
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "stats/paths/bond_order.h"

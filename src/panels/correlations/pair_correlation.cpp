@@ -1,5 +1,5 @@
-// The pair correlation g(r) of disks or beads, by exact times at each distance, with the value that
-// theory has for equal disks at contact.
+// The pair correlation g(r) of disks or beads, from the exact times spent at each distance, with
+// the theoretical contact value for equal disks.
 #include "stats/paths/pair_correlation.h"
 
 #include <algorithm>
@@ -21,14 +21,14 @@ constexpr double usual_diameters = 5.0;  // up to where g(r) is shown
 constexpr double rings_along = 100.0;    // about
 constexpr double densest_fluid = 0.69;   // beyond, disks freeze
 
-// What of a scene decides the rings.
+// What determines the rings for a scene.
 struct Rings {
     double contact = 0.0;  // of the first disks of both choices
     double to = 1.0;
     int count = 1;
 };
 
-// Contact is at the edge of a ring where there is one.
+// If the disks have a contact distance, it is at the edge of a ring.
 Rings rings_of(const PanelContext& context, const PanelSpec& spec,
                const std::vector<std::vector<Eigen::Index>>& lists) {
     const double most = most_distance(context.scene.gas.box);
@@ -76,7 +76,7 @@ class PairMeter : public CurveMeter {
     std::optional<PairCorrelation> pairs_;  ///< with the rings of the axis
 };
 
-// Of equal disks in a fluid, that nothing but walls acts on.
+// For equal disks in a fluid on which nothing but walls acts.
 std::optional<double> value_at_contact(const PanelContext& context) {
     const Gas& gas = context.scene.gas;
     const double packing = packing_fraction(gas.box, context.particles);

@@ -1,5 +1,5 @@
-// The velocity autocorrelation <v(0) v(t)> / <v^2>, over all starting times, with the slope that it
-// begins with in equilibrium.
+// The velocity autocorrelation <v(0) v(t)> / <v^2>, averaged over all starting times, with its
+// initial slope in equilibrium.
 #include <algorithm>
 #include <cmath>
 
@@ -17,9 +17,9 @@ const plot::Stroke of_slope{.role = {.of = plot::Role::Of::accent},
                             .dashes = {0.5, 0.35},
                             .shade = plot::Shade::legible};
 
-// In equilibrium a collision with a mass M takes 4 / d M / (m + M) of the velocity of a particle
-// of mass m on average, whatever its speed was before: of as many particles as collide, -d C / d t
-// at 0 is the sum of that over all collisions in a unit of time. A wall is an infinite mass.
+// In equilibrium a collision with a mass M removes on average the fraction 4 / d M / (m + M) of the
+// velocity of a particle of mass m. The initial slope -d C / d t at t = 0 is therefore the sum of
+// this fraction over all collisions per particle and unit time. A wall is an infinite mass.
 class AutocorrelationMeter : public LagMeter {
   public:
     AutocorrelationMeter(const PanelContext& context,
@@ -50,7 +50,7 @@ class AutocorrelationMeter : public LagMeter {
         }
     }
 
-    // Of each line the slope at 0.
+    // The number of each line is the slope at 0.
     CurveValues values() const override {
         CurveValues now;
         for (std::size_t k = 0; k < sizes_.size(); ++k) {
@@ -84,7 +84,7 @@ class AutocorrelationMeter : public LagMeter {
     std::vector<double> sizes_, loss_;
 };
 
-// Where nothing but collisions at rest changes velocities.
+// Whether velocities change by collisions with particles and with reflecting walls only.
 bool has_slope(const PanelContext& context) {
     const Surfaces& surfaces = context.scene.gas.box.surfaces;
     const auto reflects = [](const auto& surface) {

@@ -1,5 +1,5 @@
-// Counters in large figures, a plate for each: hits of walls, or crossings of partitions and lines
-// each way. They count on after a reversal.
+// Counters with large digits, each on a plate: hits of walls, or crossings of partitions and lines
+// in each direction. They keep counting up after a reversal.
 #include <algorithm>
 #include <memory>
 
@@ -43,7 +43,7 @@ Rect CounterPanel::plate(const DrawContext& dc, const Rect& face) const {
     return {face.x, face.y + CounterSize::name_space * u, width, std::max(u, height)};
 }
 
-// As large as the largest count leaves them.
+// The largest size of the digits with which the largest count fits.
 TextStyle CounterPanel::figures(const DrawContext& dc, const Rect& plate) const {
     TextStyle style{.size = dc.unit, .weight = 600, .color = dc.theme.ink};
     const double u = dc.unit, wide = widest_number(style);
@@ -82,7 +82,7 @@ std::vector<bool> flags(const PanelContext& context, const Chosen& chosen) {
     return all;
 }
 
-// Of each choice, then of each surface: since the first frame.
+// Counts since the first frame: for each choice of particles, for each surface.
 class HitMeter {
   public:
     HitMeter(const PanelContext& context, const std::vector<Chosen>& chosen,
@@ -111,7 +111,7 @@ class HitMeter {
     bool is_begun_ = false;
 };
 
-// Of each choice, of each line, each way.
+// Counts for each choice of particles, each line and each direction.
 class CrossingMeter {
   public:
     CrossingMeter(const PanelContext& context, const PanelSpec& spec,
@@ -136,7 +136,8 @@ class CrossingMeter {
     std::vector<LineCrossings> lines_;
 };
 
-// Names of plates: which particles, at what, which way; an arrow where that is not all.
+// The names of plates: which particles, at which line, and in which direction, the latter as an
+// arrow if there is more to name.
 void add_plates(DialSubject& subject, const PanelContext& context, const PanelSpec& spec,
                 const std::vector<Chosen>& chosen, bool crossings) {
     const Language language = context.language();

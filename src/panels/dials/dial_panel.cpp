@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// Units; heights of digits in sizes of text.
+// In units; heights of digits are relative to the size of the text.
 struct DialSize {
     static constexpr double title_space = 2.0;  // above all faces
     static constexpr double gap = 0.8;          // between faces
@@ -46,7 +46,8 @@ double DialScale::share(double value) const {
     return std::clamp((value - low) / (high - low), 0.0, 1.0);
 }
 
-// Rare high numbers, as of a mean over a short time, do not make the rest small.
+// The scale ignores rare high numbers, such as means over a short time, which would make all others
+// small.
 DialScale scale_of_readings(const std::vector<std::vector<double>>& lines) {
     constexpr double nearly_all = 0.99, rare = 1.3;
     std::vector<double> all;
@@ -69,17 +70,18 @@ DialScale scale_of_readings(const std::vector<std::vector<double>>& lines) {
 
 namespace {
 
-// Where the number and the words of a reading stand, of those that the panel itself draws.
+// The places of the number and of the name of a reading, if the panel itself draws them.
 struct PlaceOfWords {
     TextStyle number;
-    Point at;    // of the number, right end of its baseline
-    Point name;  // left end of its baseline, or its middle
+    Point at;    // right end of the number's baseline
+    Point name;  // left end of the name's baseline, or its middle
     Align name_align = Align::left;
 };
 
 using WidestNumber = std::function<double(const TextStyle&)>;
 
-// Right of a face, in its middle: the number, the name, and so many lines of a note.
+// Places to the right of a face, vertically centred: the number, the name, and `lines` lines of a
+// note.
 PlaceOfWords words_beside(const DrawContext& dc, const Rect& words, const std::string& name,
                           std::size_t lines, const WidestNumber& widest) {
     const double u = dc.unit, of_unit = widest(number_style(dc, 1.0));
@@ -95,7 +97,7 @@ PlaceOfWords words_beside(const DrawContext& dc, const Rect& words, const std::s
     return place;
 }
 
-// In the middle under a face: name and number in a line, or the name under the number.
+// Places centred under a face: name and number in one line, or the name under the number.
 PlaceOfWords words_below(const DrawContext& dc, const Rect& words, const std::string& name,
                          bool is_one_line, const WidestNumber& widest) {
     const double u = dc.unit, middle = words.x + 0.5 * words.width, y = words.y + 1.45 * u;
@@ -175,7 +177,7 @@ std::shared_ptr<const PanelState> DialPanel::state_of_runs(
     return all;
 }
 
-// Those of runs side by side have their names, and the runs' colours.
+// The lines; those of compared runs have the names and the colours of the runs.
 std::vector<DialSubject::Line> DialPanel::lines() const {
     if (!record_.compares()) return subject_.lines;
     std::vector<DialSubject::Line> all;
@@ -198,7 +200,7 @@ std::vector<DialPanel::Reading> DialPanel::readings(const PanelState& state) con
             const auto at = [](const std::vector<double>& line, std::size_t frame) {
                 return line.at(std::min(frame, line.size() - 1));
             };
-            // A mean is of states that all have the same frame.
+            // A mean combines states of the same frame.
             const DialState::Moment& moment = now.runs.at(std::min(k, now.runs.size() - 1));
             const DialRun& run = record_.runs[k];
             readings.push_back({all.at(readings.size()), at(run.lines[i], moment.now),
@@ -214,7 +216,7 @@ std::optional<std::array<double, 2>> DialPanel::error_band(const Reading& readin
     return std::array{scale_.share(reading.value - error), scale_.share(reading.value + error)};
 }
 
-// The mean of several runs' counts is none.
+// A mean of the counts of several runs is not a whole number.
 bool DialPanel::is_whole() const { return subject_.counts && record_.runs_in_mean == 1; }
 
 std::string DialPanel::number(double value, const std::optional<double>& error) const {
@@ -249,7 +251,7 @@ std::string DialPanel::note() const {
     return subject_.note.empty() ? mean : mean + "; " + subject_.note;
 }
 
-// In as many rows as give the largest faces.
+// Arranges the faces in the number of rows that makes them largest.
 DialPanel::Layout DialPanel::layout_in_grid(const DrawContext& dc, const Rect& area) const {
     const double u = dc.unit;
     const std::vector<DialSubject::Line> all = lines();
@@ -300,7 +302,7 @@ DialPanel::Layout DialPanel::layout_in_grid(const DrawContext& dc, const Rect& a
     return best;
 }
 
-// A single face has its words beside it, where there is room.
+// A single face has its text beside it, if there is room.
 DialPanel::Layout DialPanel::layout(const DrawContext& dc) const {
     const double u = dc.unit;
     Rect area = dc.area;

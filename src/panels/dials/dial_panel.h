@@ -1,5 +1,5 @@
-// A few numbers that a pupil reads: each on a face of its own, with a name and its number. Which
-// numbers is given by the panel's own file, the look of a face by what derives from it.
+// A few numbers to be read like instruments: each has a face of its own, with its name and its
+// value. The file of each kind of panel defines which numbers; a derived class draws the faces.
 #pragma once
 
 #include <array>
@@ -42,12 +42,12 @@ struct DialScale {
     double low = 0.0, high = 1.0;
     void archive(auto& archive) { archive(low, high); }
 
-    /// Where a value lies on it, from 0 to 1; beyond its ends at these.
+    /// The position of a value on the scale, from 0 to 1; values beyond the ends are clamped.
     double share(double value) const;
 };
 
-/// A scale on which nearly all of some numbers lie: from 0, or symmetric about it where any is
-/// negative. NaN counts nothing.
+/// Returns a scale that holds nearly all of some numbers: from 0, or symmetric about 0 if any is
+/// negative. NaN is ignored.
 DialScale scale_of_readings(const std::vector<std::vector<double>>& lines);
 
 class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
@@ -72,32 +72,33 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     /// One of the numbers in a state.
     struct Reading {
         DialSubject::Line line;
-        double value = 0.0;  ///< of this frame; NaN: none
-        double said = 0.0;   ///< as the number in words says it, which changes less often
-        std::optional<double> error = {};  ///< of a mean over runs: its standard error; NaN: none
+        double value = 0.0;                ///< of this frame; NaN: none
+        double said = 0.0;                 ///< as written in the text, which changes less often
+        std::optional<double> error = {};  ///< standard error of a mean over runs; NaN: unknown
     };
     std::vector<Reading> readings(const PanelState& state) const;
 
-    /// A number in words, with the decimals that the film's numbers need; a dash for none. A mean
-    /// with its standard error.
+    /// A number as text, with the decimals that the film's numbers need and, for a mean, its
+    /// standard error; a dash if there is no number.
     std::string number(double value, const std::optional<double>& error) const;
 
   protected:
     void make_axes() override;
 
-    /// The width of a face of some height: so many units, and so many heights.
+    /// The width of a face: `units` units, plus `heights` times its height.
     struct Width {
         double units = 0.0, heights = 1.0;
     };
     virtual Width width() const = 0;
 
-    /// The least height of a face, units: where many share little room, the words stand alone.
+    /// The least height of a face, in units. If there is less room, the text stands without a face.
     virtual double least_face() const { return 0.0; }
 
-    /// Whether the number and the name stand beside or under the face; else the look draws them.
+    /// Whether the panel writes the number and the name beside or under the face; otherwise the
+    /// derived class draws them.
     virtual bool has_words() const { return true; }
 
-    /// What is the same in every frame, and what changes.
+    /// Draw the part of a face that is the same in every frame, and the part that changes.
     virtual void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
                            const DialSubject::Line& line) const = 0;
     virtual void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
@@ -106,11 +107,11 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     const PanelContext& context() const { return context_; }
     const DialScale& scale() const { return scale_; }
 
-    /// The part of the scale within a standard error of a mean, as shares of the scale; none of a
-    /// single run, and where no error is known.
+    /// The range of one standard error to either side of a mean, as shares of the scale; none for a
+    /// single run and if the error is not known.
     std::optional<std::array<double, 2>> error_band(const Reading& reading) const;
 
-    /// The width of the widest number in words, of all frames.
+    /// The width of the widest number of all frames as text, in pixels.
     double widest_number(const TextStyle& style) const;
 
   private:

@@ -1,4 +1,4 @@
-// What a panel of readings records of a run: numbers of each frame, of which means over runs and
+// What a panel of dials records of a run: numbers of each frame, from which means over runs and
 // comparisons of runs are made.
 #pragma once
 
@@ -11,26 +11,27 @@ namespace carom {
 
 /// The numbers of one run.
 struct DialRun {
-    std::string name = {};                        ///< beside others
+    std::string name = {};                        ///< among compared runs
     std::vector<std::vector<double>> lines = {};  ///< reading x frame; NaN: none
-    /// Of means: the standard errors of the lines; else empty.
+    /// Standard errors of the lines, if they are means over runs; otherwise empty.
     std::vector<std::vector<double>> errors = {};
 
     void archive(Archive& archive) { archive(name, lines, errors); }
 };
 
 struct DialRecord {
-    std::vector<DialRun> runs = {{}};  ///< one, or those side by side
+    std::vector<DialRun> runs = {{}};  ///< one, or the compared runs
     int runs_in_mean = 1;
 
     bool compares() const { return runs.size() > 1; }
     void archive(Archive& archive) { archive(runs, runs_in_mean); }
 };
 
-/// Of runs with the same frames; of those that have a number at a frame.
+/// Returns the mean of runs with the same frames; at each frame, of the runs that have a number
+/// there.
 DialRecord mean_of(const std::vector<DialRecord>& records);
 
-/// All readings of each, named.
+/// Returns the record of several compared runs, with all readings of each under its name.
 DialRecord compare(std::vector<DialRecord> records, const std::vector<std::string>& names);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// The pressure on walls or partitions as round gauges: what particles have given them over a time
-// before the present, since the pushes of single particles move no needle that could be read.
+// The pressure on walls or partitions as round gauges. It is a mean over a time window before the
+// present, since the impulses of single particles would make the needle unreadable.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-// A needle rests until the mean is over this part of its window: before, it would jump.
+// A needle rests until the mean covers this part of its window; before, it would jump.
 constexpr double least_share = 0.25;
 
 class GaugePanel : public DialPanel {
@@ -37,7 +37,7 @@ class GaugePanel : public DialPanel {
     }
 };
 
-// Without names of surfaces the sides that reflect or act, as one.
+// If no surfaces are named: all sides that are not periodic, as one.
 std::vector<std::int32_t> gauged_surfaces(const Box& box, const PanelSpec& spec) {
     if (!spec.surfaces.empty()) return spec.surfaces;
     std::vector<std::int32_t> sides;

@@ -8,13 +8,13 @@
 namespace carom {
 namespace {
 
-// Radii, but for the widths of lines, which are units.
+// In radii, except the widths of lines, which are in units.
 struct RoundDialSize {
     static constexpr double tick_outer = 0.93, long_tick = 0.15, short_tick = 0.08;
     static constexpr double needle_length = 0.86, needle_width = 0.055, hub = 0.1;
     static constexpr double rim = 0.1, band = 0.965, band_width = 0.2, long_width = 0.12,
                             short_width = 0.07;
-    static constexpr int steps_between = 5;  // short ticks divide the distance of long ones by this
+    static constexpr int steps_between = 5;  // short steps between two long ticks
 };
 
 }  // namespace
@@ -32,7 +32,7 @@ Point RoundDial::at(double share, double radii) const {
             center_.y - radii * radius_ * std::cos(angle)};
 }
 
-// A disk, or what a straight edge below leaves of it.
+// Draws the plate: a disk, or a disk that is cut by a straight lower edge.
 void RoundDial::draw_plate(Canvas& canvas) const {
     const double below = std::clamp(shape_.depth - 1.0, -1.0, 1.0);
     const double half = std::numbers::pi - std::acos(below);  // of the part that is left
@@ -48,7 +48,7 @@ void RoundDial::draw_plate(Canvas& canvas) const {
     canvas.stroke_path(outline, RoundDialSize::rim * dc_.unit, dc_.theme.muted);
 }
 
-// The words of a mark: as far inside of its tick as their own half width and height ask for.
+// The rectangle of a mark's number: as far inside of its tick as its half width and height require.
 Rect RoundDial::rect_of(const TickMark& mark, const DialScale& scale) const {
     const double u = dc_.unit;
     const double half = 0.5 * measure_text(mark.label, label_style(dc_)).width, high = 0.36 * u;
@@ -60,8 +60,9 @@ Rect RoundDial::rect_of(const TickMark& mark, const DialScale& scale) const {
     return {edge.x - reach * x - half, edge.y - reach * y - high, 2.0 * half, 2.0 * high};
 }
 
-// As many as leave their numbers apart, and off the hub; the end of a full circle is its start.
-// None on a dial that is too small for numbers.
+// The marks: as many as fit without their numbers touching each other or the hub. On a full circle
+// the end is omitted, as it coincides with the start. Marks have no numbers if the dial is too
+// small for any.
 std::vector<TickMark> RoundDial::marks(const DialScale& scale, Language language) const {
     const bool is_full = shape_.sweep >= 360.0;
     const double apart = 0.35 * dc_.unit, hub = RoundDialSize::hub * radius_ + apart;

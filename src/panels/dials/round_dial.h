@@ -1,4 +1,5 @@
-// A round dial with ticks, numbers and a needle: values from its start to its end clockwise.
+// A round dial with ticks, numbers and a needle; values increase clockwise from its start to its
+// end.
 #pragma once
 
 #include <array>
@@ -10,11 +11,11 @@
 
 namespace carom {
 
-/// A dial's shape: over which angle its scale goes, and how much of the circle is its plate.
+/// The shape of a dial: the angle of its scale, and how much of the circle its plate covers.
 struct DialShape {
     double start = 0.0;  ///< degrees clockwise from the top, of the scale's lower end
     double sweep = 0.0;  ///< degrees
-    double depth = 2.0;  ///< height of the plate, radii: 2 of a full circle
+    double depth = 2.0;  ///< height of the plate in radii: 2 for a full circle
 
     double degrees(double share) const { return start + share * sweep; }
 };
@@ -42,7 +43,7 @@ class RoundDial {
     Point center() const { return center_; }
     double radius() const { return radius_; }
 
-    /// A point at a share of the scale, so many radii from the middle.
+    /// The point at a share of the scale, at a distance of `radii` radii from the centre.
     Point at(double share, double radii) const;
 
   private:

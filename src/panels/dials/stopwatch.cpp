@@ -1,5 +1,6 @@
-// A watch that runs from the start, from a time, or from an event of the run: a hand, and the time
-// in figures. After a reversal it runs back as the clock does, and rests at 0 before its start.
+// A stopwatch that runs from the start, from a given time, or from an event of the run: a hand, and
+// the time in digits. After a reversal it runs backwards, as the clock does, and rests at 0 before
+// its start.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +33,7 @@ class StopwatchPanel : public DialPanel {
     }
 };
 
-// The time that has passed since the start, less what has passed again after a reversal.
+// The time since the start of the watch, decreasing after a reversal.
 double time_on_watch(const Run& run, const WatchStart& since, double now) {
     Run from = run;
     std::erase_if(from.events, [&](const RunEvent& event) { return event.at <= since.at; });

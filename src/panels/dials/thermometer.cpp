@@ -1,5 +1,5 @@
-// The temperature as the column of a thermometer: of all particles, of those chosen, or of those
-// that are in regions. One scale for all columns.
+// The temperature as the column of a thermometer: of all particles, of chosen ones, or of those
+// that are in given regions. All columns have the same scale.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace {
 // Units.
 struct ThermometerSize {
     static constexpr double tube = 0.5, bulb = 0.85, tick_gap = 0.3, tick = 0.45, line_width = 0.09;
-    static constexpr double width = 5.8, numbers = 4.1;  // of all, and left of the glass
+    static constexpr double width = 5.8, numbers = 4.1;  // in total; left of the glass
     static constexpr double error_gap = 0.5, error_half_end = 0.2, error_width = 0.14;
     static constexpr double least_height = 5.5;  // with two ticks
 };
@@ -132,7 +132,7 @@ void ThermometerPanel::draw_error(Canvas& canvas, const DrawContext& dc, const G
     canvas.stroke_line({x, ends[0]}, {x, ends[1]}, width, color);
 }
 
-// Over the time that the panel looks back; of the moment where none has passed.
+// The mean over the panel's time window; the present value while no time has passed.
 class TemperatureMeter {
   public:
     TemperatureMeter(const PanelContext& context, std::vector<ThermalPart> parts, Over over)

@@ -13,7 +13,7 @@ constexpr double most_kept = 256e6;  // bytes of coordinates
 
 int bits_of(const Run& run) { return run.bits.value_or(bits_of_double); }
 
-// Of one coordinate; a number of many bits has a header, and a block of memory of its own.
+// The bytes of one coordinate; a number with many bits has a header and a memory block of its own.
 double bytes_of(int bits) { return bits > bits_of_double ? 64.0 + bits / 8.0 : 8.0; }
 
 int stride_of(const Scene& scene, Eigen::Index particles, int frames) {
@@ -65,7 +65,8 @@ void EchoRecord::survey(const FrameInput& input) {
     steps_.push_back(step);
 }
 
-// From the round-off of coordinates as large as the box, and from the perturbations.
+// The law starts from the round-off of coordinates of the size of the box, and from the
+// perturbations.
 double EchoRecord::log10_law(const Step& step) const {
     const double digits = std::log10(2.0);
     double law =

@@ -1,5 +1,5 @@
-// How far a reversed gas is from where it was: the return distances that the first pass measures,
-// and how far it should be by the growth law. Draws nothing.
+// The distance of a reversed gas from the states that it came from: the return distances measured
+// in the first pass, and the distances that the growth law predicts. Draws nothing.
 #pragma once
 
 #include <cstddef>
@@ -13,21 +13,23 @@
 
 namespace carom {
 
-/// The times at which a pass over a film measures return distances (Simulation::measure_return()):
-/// those of as many frames as memory allows.
+/// The times at which the pass over a film measures return distances
+/// (Simulation::measure_return()): those of every frame, or of every n-th frame if memory does not
+/// allow more, and always the reversals and the end.
 std::vector<double> return_times(const Scene& scene, Eigen::Index particles,
                                  const std::vector<Tick>& ticks);
 
 class EchoRecord {
   public:
-    /// One comparison; it holds until the next.
+    /// One measured distance; shown until the next one.
     struct Step {
-        int frame;              ///< the first that shows it
-        std::size_t reversal;   ///< which one it is measured from, counted from 0
+        int frame;              ///< first frame that shows it
+        std::size_t reversal;   ///< reversal from which it is measured, counted from 0
         double since;           ///< simulated time since then
-        double collisions;      ///< since then, of each particle with others, on average
+        double collisions;      ///< since then: mean number per particle, walls not counted
         ReturnDistance apart;   ///< lengths
-        bool is_known = false;  ///< false: the gas goes on to where it has never been
+        bool is_known = false;  ///< false: the gas is past its initial state, with no earlier state
+                                ///< to compare with
         double log10_law = std::numeric_limits<double>::quiet_NaN();  ///< of the largest distance,
                                                                       ///< where there is a law
 
@@ -38,26 +40,27 @@ class EchoRecord {
 
     explicit EchoRecord(const PanelContext& context);
 
-    /// First pass, every frame in order; it measures at return_times().
+    /// First pass: called for every frame in order; takes the distances that were measured at
+    /// return_times().
     void survey(const FrameInput& input);
 
     /// Writes or reads the steps.
     void archive(auto& archive) { archive(steps_); }
 
-    /// In order of time, from the first reversal on.
+    /// The measured steps in order of time, from the first reversal on.
     const std::vector<Step>& steps() const { return steps_; }
 
-    /// How many of the steps a frame shows: those up to it.
+    /// The number of steps up to a frame, which it shows.
     std::size_t shown(int frame) const;
 
-    /// The distance in a frame; none before a reversal, and where there is none.
+    /// The distance that a frame shows; none before the first reversal and while none is known.
     std::optional<ReturnDistance> at(int frame) const;
 
     /// Times of the reversals.
     const std::vector<double>& reversals() const { return reversals_; }
 
-    /// By how many bits the law says that the distance grows with each collision of a particle;
-    /// none where there is no law for this gas.
+    /// The growth of the distance by the law, in bits per collision of a particle; none if no law
+    /// is known for this gas.
     const std::optional<double>& bits_per_collision() const { return bits_per_collision_; }
 
   private:
@@ -65,9 +68,9 @@ class EchoRecord {
 
     PanelContext context_;
     std::vector<double> reversals_;
-    std::vector<std::int64_t> collisions_until_;  ///< each reversal, of all particles with others
+    std::vector<std::int64_t> collisions_until_;  ///< each reversal, between all particles
     std::optional<double> bits_per_collision_;
-    int stride_ = 1;  ///< one of so many frames is kept
+    int stride_ = 1;  ///< one in `stride_` frames is kept
     std::vector<Step> steps_;
 };
 

@@ -1,6 +1,7 @@
-// How far the gas is from where it was, on its way back after a reversal: the largest distance and
-// the root of the mean square, over powers of ten, against the time or the collisions since the
-// reversal, with the law by which such distances grow. Of several runs side by side the largest.
+// The distance of the gas from its earlier states while it returns after a reversal: the largest
+// and the root-mean-square distance of the particles, on a logarithmic axis, against the time or
+// the collisions since the reversal, with the law by which such distances grow. For compared runs,
+// only the largest distance.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -78,7 +79,7 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     void make_axes() override;
 
     bool compares() const { return record_.compares; }
-    // Beside lines of several runs it has no colour of its own.
+    // Among the lines of compared runs the law has no colour of its own.
     Stroke stroke_of_law() const {
         return {.role = {compares() ? Role::Of::muted : Role::Of::accent}, .width = law_width};
     }
@@ -107,8 +108,8 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     double last_ = 1.0;                // of the horizontal axis
 };
 
-// The steps after a reversal up to a radius: there distances are no longer small, and the law
-// ends.
+// The steps after a reversal until the law reaches the radius of a particle, where distances are no
+// longer small and the law ends.
 Steps ReturnDistancePanel::law(const Echo& run, std::size_t reversal) const {
     Steps points;
     if (!spec_.theory || !run.bits) return points;
@@ -148,7 +149,7 @@ void ReturnDistancePanel::finish_record() {
     record_.runs = {std::move(echo)};
 }
 
-// For all that is drawn.
+// The axes hold all that is drawn.
 void ReturnDistancePanel::make_axes() {
     double least = infinity, most = -infinity, last = 0.0;  // powers of ten, and a place
     const auto take = [&](double power) {
@@ -180,7 +181,7 @@ std::shared_ptr<const PanelState> ReturnDistancePanel::state(const FrameInput& i
     return state;
 }
 
-// Whether, and when, the echo of the last reversal has left the way out.
+// Whether, and when, the echo of the last reversal has departed from the original path.
 std::string ReturnDistancePanel::account_of(const Echo& run, std::size_t shown) const {
     const Language language = context_.language();
     const Step* last = nullptr;
@@ -214,7 +215,7 @@ const std::string distance_column = column_name("distance", reduced::length);
 const std::string log_column = "log10 of distance";
 const std::string reversal_column = "reversal (number)";
 
-// Pieces end with each reversal, and where the distance is exactly 0.
+// A piece of the line ends at each reversal, and where the distance is exactly 0.
 Line ReturnDistancePanel::line(const char* part, const std::string& of, const Steps& steps,
                                const Distance& distance) const {
     std::vector<double> reversal, since, collisions, value, log;
@@ -245,7 +246,8 @@ Line ReturnDistancePanel::line(const char* part, const std::string& of, const St
     return line;
 }
 
-// Echoes of former reversals are fainter. Where the distance is exactly 0, rings instead of a line.
+// Echoes of former reversals are fainter. Distances of exactly 0 are shown as rings instead of a
+// line.
 void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distance& distance,
                                        std::size_t shown) const {
     const Steps& steps = record_.runs[run].steps;
@@ -298,8 +300,8 @@ void ReturnDistancePanel::add_law(Plot& plot, std::size_t run, std::size_t shown
     plot.layers.emplace_back(std::move(curve));
 }
 
-// A particle's radius: beyond it the echo is lost to the eye. Words at its right end, as lines are
-// steep at the left.
+// The level of a particle's radius, beyond which the echo is visibly lost. Its label is at the
+// right end, since lines are steep at the left.
 void ReturnDistancePanel::add_level(Plot& plot) const {
     const Echo& first = record_.runs.front();
     const double power = std::log10(first.radius);
@@ -351,7 +353,7 @@ void ReturnDistancePanel::add_end(Plot& plot) const {
     plot.layers.emplace_back(std::move(marker));
 }
 
-// What an empty plot waits for.
+// In an empty plot, tells when the measurement begins.
 void ReturnDistancePanel::add_start(Plot& plot) const {
     const Echo& run = record_.runs.front();
     Label label;
@@ -367,8 +369,8 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
     plot.layers.emplace_back(std::move(label));
 }
 
-// With the bits of the run's numbers, which are why it returns or does not. The growth law is the
-// same for all runs, or there is none to name.
+// The title gives the number of bits of the run, which determines whether the gas returns. The
+// growth law is named only if it is the same for all runs.
 void ReturnDistancePanel::add_words(Plot& plot) const {
     const Language language = context_.language();
     const std::string title = say(language, "Return error");

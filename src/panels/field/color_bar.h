@@ -1,4 +1,4 @@
-// The key of a scale of colours: a bar from its lowest to its highest number. Knows no gas.
+// The key of a colour scale: a bar from its lowest to its highest value. Independent of the gas.
 #pragma once
 
 #include <string>
@@ -9,31 +9,31 @@
 
 namespace carom {
 
-/// What a scale of colours means, from 0 on.
+/// The meaning of a colour scale, which begins at 0.
 struct ColorScale {
-    std::string title;                      ///< plain words
-    double top = 1.0;                       ///< the value of the last colour
-    bool is_exceeded = false;               ///< whether there are values above, of the same colour
-    std::string symbol = {};                ///< markup, instead where they have no room
+    std::string title;         ///< plain words
+    double top = 1.0;          ///< the value of the last colour
+    bool is_exceeded = false;  ///< whether there are values above, of the same colour
+    std::string symbol = {};   ///< markup, used instead of the title if that does not fit
     Language language = Language::english;  ///< of the numbers
 
     Color color(const ColorMap& map, double value) const { return map.at(value / top); }
     void archive(auto& archive) { archive(top, is_exceeded); }
 };
 
-/// The end of a scale over some values, a round one: so high that at most this share of them is
-/// above. At least 1 value; they are reordered.
+/// Sets the upper end of a scale to a round number such that at most `share_above` of the values
+/// lie above it. Requires at least one value; reorders `values`.
 void fix_top(ColorScale& scale, std::vector<double>& values, double share_above);
 
-/// The numbers beside its bar; the last says whether there are values above.
+/// The numbers beside the bar; the last one shows whether there are values above it.
 std::vector<TickMark> marks_of(const ColorScale& scale);
 
-/// Those of them that stand a line or more apart beside a bar of this height, evenly, the last
-/// among them.
+/// The same numbers, evenly thinned so that beside a bar of this height they are at least `line`
+/// apart; the last one is always kept.
 std::vector<TickMark> marks_with_room(const ColorScale& scale, double height, double line);
 
-/// Draws title, bar and numbers, as high as the area. With less than full `opacity` the colours lie
-/// over the ground.
+/// Draws title, bar and numbers over the full height of the area. With `opacity` below 1 the
+/// colours are blended with the ground.
 void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
                     const ColorScale& scale, double opacity = 1.0);
 

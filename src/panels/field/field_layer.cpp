@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-constexpr double share_above = 0.02;  // of the cells of all frames
+constexpr double share_above = 0.02;  // of the cells of all frames, beyond the scale
 constexpr double least_contrast_of_outlines = 2.2;
 constexpr double key_height = 3.6;  // units, of the arrow that is the key of a flow
 
@@ -164,9 +164,10 @@ std::shared_ptr<const FieldState> FieldLayer::see(const FrameInput& input) {
     return state;
 }
 
-// Not the disks': magma, or viridis where they have it or one that is like it. It goes from where
-// it differs from blank cells to where the outlines of the disks still stand out; for temperatures
-// on a light ground the other way, so that hot is yellow beside red walls, and cold violet.
+// The colour map of the field, which differs from that of the disks: magma, or viridis if the disks
+// have magma or a similar map. Its range begins where it differs from blank cells, and ends where
+// the outlines of disks still stand out. For temperatures on a light ground it is reversed, so that
+// hot is yellow beside red walls, and cold is violet.
 ColorMap FieldLayer::colors(const Theme& theme) const {
     if (theme.kind == ThemeKind::print) return ColorMap({rgb(0xE4E4E4), rgb(0x8A8A8A)});
     const std::string disks = context_.scene.film.palette.value_or("viridis");
@@ -183,7 +184,7 @@ ColorMap FieldLayer::colors(const Theme& theme) const {
     return is_turned ? color_map(name, last, first) : color_map(name, first, last);
 }
 
-// The longest arrow of the scale is as long as a cell is wide.
+// The longest arrow of the scale has the width of a cell.
 double FieldLayer::reach(double scale) const { return cells_.size[0] * scale / scale_.top; }
 
 void FieldLayer::draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, Point velocity,
@@ -215,7 +216,7 @@ void FieldLayer::draw(Canvas& canvas, const DrawContext& dc, const FieldState& s
                       {value, up}, exact.width / scale_.top);
             continue;
         }
-        // On whole pixels: neighbours neither overlap nor leave a gap.
+        // Rounded to whole pixels, so that neighbouring cells neither overlap nor leave a gap.
         const double x = std::round(exact.x), y = std::round(exact.y);
         canvas.fill({x, y, std::round(exact.right()) - x, std::round(exact.bottom()) - y},
                     with_alpha(scale_.color(map, value), field_->opacity));

@@ -1,6 +1,6 @@
-// A quantity in the cells of a box, under its particles: density, temperature, mean speed, flow or
-// the share of a species. Averages are by exact times of residence; its scale is one for the whole
-// film. Knows no particles' places on the picture.
+// A quantity in the cells of a box, drawn under the particles: density, temperature, mean speed,
+// flow or the share of a species. Averages use exact residence times; one scale holds for the whole
+// film. Independent of where particles are drawn.
 #pragma once
 
 #include <functional>
@@ -15,26 +15,26 @@
 
 namespace carom {
 
-/// Cells with fewer particles on average show nothing.
+/// Cells with a lower mean number of particles show nothing.
 inline constexpr double least_in_cell = 3.0;
 
-/// What is known of a quantity: its name, and its unit in tables.
+/// The name of a quantity, and its unit in tables.
 std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
                              std::optional<std::size_t> species);
 std::string unit_of_quantity(const Scene& scene, FieldOf of);
 
-/// Follows a quantity in cells.
+/// Measures a quantity in cells during a run.
 class CellQuantity {
   public:
     CellQuantity(const PanelContext& context, const Cells& cells, FieldOf of,
                  std::optional<std::size_t> species, std::optional<double> window,
                  const std::vector<bool>& members = {});
 
-    /// Every frame in order, with the collisions on the way.
+    /// Called for every frame in order, with the collisions since the frame before.
     void see(const FrameInput& input);
 
-    /// Of each cell; of the flow along one axis, which the others ignore. NaN in cells with fewer
-    /// particles on average.
+    /// The value of each cell; NaN in cells whose mean number of particles is below
+    /// `least_particles`. `axis` selects the component of the flow; other quantities ignore it.
     Eigen::ArrayXd values(Eigen::Index axis = 0, double least_particles = least_in_cell) const;
 
     /// Writes or reads all that was seen.
@@ -47,13 +47,13 @@ class CellQuantity {
     FieldOf of_;
     double area_;
     CellAverages all_;
-    std::optional<CellAverages> part_;  ///< of the species whose share it is
+    std::optional<CellAverages> part_;  ///< of the species whose share is shown
 };
 
 /// What a field shows in one frame.
 struct FieldState {
-    std::vector<float> values;  ///< of each cell, NaN where it is clear; of a flow along x
-    std::vector<float> up;      ///< of a flow along y
+    std::vector<float> values;  ///< of each cell, NaN: not coloured; of a flow the x component
+    std::vector<float> up;      ///< of a flow the y component
 };
 
 class FieldLayer {
@@ -66,7 +66,7 @@ class FieldLayer {
     void survey(const FrameInput& input);
     void fix_scale();
 
-    /// Of two runs that share a scale, as those of GasColors.
+    /// For two runs that share a scale; see GasColors.
     void add_survey(const FieldLayer& other);
     void take_scale(const FieldLayer& from) { scale_ = from.scale_; }
 
@@ -79,14 +79,15 @@ class FieldLayer {
         if (shown_) archive(*shown_);
     }
 
-    /// Draws a state; `place` gives the rectangle on the canvas of a region of the box.
+    /// Draws a state; `place` maps a region of the box to its rectangle on the canvas.
     void draw(Canvas& canvas, const DrawContext& dc, const FieldState& state,
               const std::function<Rect(const Region&)>& place) const;
 
-    /// Draws what it means into the area.
+    /// Draws the key of the field into the area; `scale` is pixels per unit length.
     void draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
 
-    /// Adds columns to a table, and a row for each cell; x and y are its columns of these numbers.
+    /// Add the columns of the field to a table, and a row for each cell. `x` and `y` are the
+    /// indices of the table's columns of coordinates.
     void add_columns(Table& table) const;
     void add_rows(Table& table, const FieldState& state, std::size_t x,
                   std::optional<std::size_t> y) const;
@@ -101,7 +102,7 @@ class FieldLayer {
   private:
     bool is_flow() const { return field_->of == FieldOf::flow; }
     ColorMap colors(const Theme& theme) const;
-    double reach(double scale) const;  ///< pixels of an arrow, of a speed
+    double reach(double scale) const;  ///< pixels of an arrow per unit of speed
     void draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, Point velocity,
                    double reach) const;
 

@@ -1,4 +1,4 @@
-// What is written on disks and beads: masses or numbers, where they fit.
+// The text on disks and beads: masses or numbers, if they fit.
 #pragma once
 
 #include <optional>
@@ -8,27 +8,29 @@
 
 namespace carom {
 
-/// The mass of a particle in few digits; "∞" for an infinite one.
+/// The mass of a particle with few digits; "∞" for an infinite mass.
 std::string mass_text(Language language, double inverse_mass);
 
-/// A number with a decimal point, shorter by a digit; as it is if that is not possible.
+/// Shortens a number with a decimal point by one digit; returns it unchanged if that is not
+/// possible.
 std::string shorter_number(const std::string& words);
 
-/// Its mass or its number, whichever `labels` asks for; empty for none.
+/// The mass or the number of a particle, as `labels` asks for; empty if it asks for none.
 std::string words_on(const PanelContext& context, Eigen::Index particle, Labels labels);
 
-/// Words as they fit on a bead.
+/// A text that fits on a bead.
 struct FittingWords {
     std::string text;
     TextStyle style;  ///< without a colour
 };
 
-/// Words for a bead of a radius (pixels), as large as fits; a number with a digit or two less where
-/// it fits only so, and nothing where that does not fit.
+/// Sets a text as large as it fits on a bead of this radius (pixels). A number that does not fit
+/// loses a digit or two; none if that does not fit either.
 std::optional<FittingWords> fitting_words(const DrawContext& dc, double radius,
                                           const std::string& words);
 
-/// Writes words on a bead of a colour around `center`, as they fit, or not at all.
+/// Writes a text on a bead at `center` that has the colour `bead`, as fitting_words() sets it;
+/// nothing if it does not fit.
 void draw_words_on(Canvas& canvas, const DrawContext& dc, Point center, double radius,
                    const std::string& words, Color bead);
 

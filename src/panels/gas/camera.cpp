@@ -41,7 +41,7 @@ Eigen::Array2d Camera::nearest_image(const Eigen::Array2d& of, const Eigen::Arra
     return to + context_.scene.gas.box.nearest(of - to);
 }
 
-// Where what a view follows is: a particle, or the centre of mass of several.
+// The position of what a view follows: a particle, or the centre of mass of several.
 Eigen::Array2d Camera::target(const View& view, const FrameInput& input) const {
     const auto* followed = std::get_if<Followed>(&view);
     Eigen::Array2d sum{0.0, 0.0};
@@ -61,7 +61,7 @@ Eigen::Array2d Camera::target(const View& view, const FrameInput& input) const {
     return sum / mass;
 }
 
-// Through periodic sides a target goes on without a jump.
+// A target continues across periodic sides without a jump.
 void Camera::survey(const FrameInput& input) {
     if (!moves()) return;
     Frame frame{input.tick.time, input.tick.seconds, {}};
@@ -73,7 +73,8 @@ void Camera::survey(const FrameInput& input) {
     frames_.push_back(std::move(frame));
 }
 
-// A part that reaches beyond all that is ever seen of the box is seen from its edge on.
+// A region is widened to the aspect ratio of the box; its middle and its width are limited to the
+// largest extent of the box.
 CameraView Camera::view_of(std::size_t move, const Frame& frame, const Region& whole_box) const {
     const View& view = moves_[move].view;
     const Eigen::Array2d all = whole_box.high - whole_box.low;
@@ -88,8 +89,8 @@ CameraView Camera::view_of(std::size_t move, const Frame& frame, const Region& w
     return {middle.max(whole_box.low).min(whole_box.high), std::min(width, all[0])};
 }
 
-// Every move begins with what is seen then, and what that follows meanwhile; in a periodic box at
-// the image of its target that is nearest then.
+// Every move starts from the current view, which may itself follow something meanwhile. In a
+// periodic box it goes to the image of its target that is nearest at its start.
 void Camera::fix_way(const Region& whole_box) {
     const CameraView whole = whole_of(whole_box);
     std::vector<std::optional<Eigen::Array2d>> shifts(moves_.size());

@@ -1,5 +1,5 @@
-// What is seen of the box: the camera goes over from view to view, and may follow particles. Its
-// whole way is fixed in the first pass. It never turns. Knows no canvas.
+// The part of the box that is shown: the camera moves from view to view and may follow particles.
+// Its whole path is fixed in the first pass. It never rotates. Independent of the canvas.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace carom {
 
-/// A part of the box with the proportions of all that is ever seen of it.
+/// A part of the box, with the aspect ratio of the largest extent that the film shows.
 struct CameraView {
     Eigen::Array2d middle{0.0, 0.0};
     double width = 0.0;  ///< length
@@ -20,33 +20,33 @@ struct CameraView {
 
 class Camera {
   public:
-    /// `fixed`: a view that holds throughout, instead of the film's moves.
+    /// `fixed`: a view that is used throughout instead of the film's camera moves.
     explicit Camera(const PanelContext& context, const std::optional<View>& fixed = {});
 
     /// Whether anything but the whole box is ever seen.
     bool moves() const { return !moves_.empty(); }
 
-    /// First pass, every frame in order; then fix_way(), of a box that is `whole_box` at its
-    /// largest.
+    /// First pass: survey() for every frame in order, then fix_way(). `whole_box` is the box at its
+    /// largest extent.
     void survey(const FrameInput& input);
     void fix_way(const Region& whole_box);
 
-    /// Second pass, every frame in order: what is seen; none: the whole box. In a periodic box its
-    /// middle is inside of the box.
+    /// Second pass, every frame in order: returns the view of the next frame; none for the whole
+    /// box. In a periodic box the middle of the view is wrapped into the box.
     std::optional<CameraView> next();
 
-    /// The same for a frame by its number, from 0 for the first that was seen.
+    /// The view of a frame by its number; 0 is the first frame that was surveyed.
     std::optional<CameraView> at(std::size_t frame) const;
 
     void archive(auto& archive) { archive(way_); }
 
-    /// Writes or reads how far it is on its way.
+    /// Writes or reads the number of the next frame.
     void archive_progress(auto& archive) { archive(next_); }
 
   private:
     struct Frame {
         double time, seconds;
-        std::vector<Eigen::Array2d> targets;  ///< of each move that follows something
+        std::vector<Eigen::Array2d> targets;  ///< of each move; 0 if it follows nothing
     };
     Eigen::Array2d target(const View& view, const FrameInput& input) const;
     CameraView view_of(std::size_t move, const Frame& frame, const Region& whole_box) const;
@@ -55,12 +55,12 @@ class Camera {
     PanelContext context_;
     std::vector<CameraMove> moves_;
     std::vector<Frame> frames_;    ///< of the first pass
-    std::vector<CameraView> way_;  ///< of width 0: the whole box
+    std::vector<CameraView> way_;  ///< of each frame; width 0: the whole box
     std::size_t next_ = 0;
 };
 
-/// The view on the way from one to another, of which this share has passed: widths by their ratio,
-/// and all of the picture about one point that stands still.
+/// The view between two views after the fraction `share` of the move. The width is interpolated
+/// geometrically, and one point of the picture stays fixed.
 CameraView between(const CameraView& from, const CameraView& to, double share);
 
 }  // namespace carom

@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-// Above the disk if there is room, else below, else upon it; inside the box.
+// The place inside the box: above the disk if there is room, else below it, else on it.
 Point usual_foot(const Rect& box, const Rect& disk, double half, double u) {
     const double center = disk.x + disk.width / 2;
     Point foot{std::max(box.x + half, std::min(center, box.right() - half)), disk.y - 0.7 * u};
@@ -19,7 +19,7 @@ Point usual_foot(const Rect& box, const Rect& disk, double half, double u) {
     return foot;
 }
 
-// How many of the disks lie under a name, but for its own.
+// The number of disks under a name, without its own.
 int disks_under(const std::vector<Disk>& disks, const Rect& name, const Rect& own) {
     int under = 0;
     for (const Disk& disk : disks) {
@@ -33,8 +33,8 @@ int disks_under(const std::vector<Disk>& disks, const Rect& name, const Rect& ow
     return under;
 }
 
-// In a picture that stands still a name may keep clear of the disks around it: of the places around
-// its own disk, from above on, the first that covers the fewest.
+// In a still picture a name may keep clear of the disks around it: of the places around its own
+// disk, starting above, the first that covers the fewest disks.
 Point free_foot(const Rect& box, const Rect& disk, double half, double u,
                 const std::vector<Disk>& disks) {
     constexpr int directions = 24;

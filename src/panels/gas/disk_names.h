@@ -1,4 +1,4 @@
-// The name of a disk in the picture: where it stands, and how it is drawn.
+// The name of a disk in the picture: its place and its drawing.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace carom {
 
-/// Draws a name (markup) near the disk inside of `disk`, within `box`: with an edge of the ground,
-/// so that it can be read over disks and hides little of them. `disks`: to keep clear of, in a
-/// picture that stands still; may be null.
+/// Draws a name (markup) near the disk with the bounding box `disk`, within `box`. An outline in
+/// the colour of the ground makes it legible over disks and hides little of them. `disks`: the
+/// disks that the name keeps clear of in a still picture; may be null.
 void draw_name(Canvas& canvas, const DrawContext& dc, const Rect& box, const Rect& disk,
                const std::string& markup, double alpha, const std::vector<Disk>* disks);
 

@@ -13,7 +13,8 @@ Flights::Flights(const Box& box, const Run& run, Eigen::Index axis,
       paths_(box, velocity_changes(run)),
       pieces_(particles_.size()) {}
 
-// At the frame: where a collision or a reversal falls on it.
+// Whether the last piece ends in a corner at the time of the frame: if a collision or a reversal
+// coincides with it.
 bool Flights::ends_in_corner(const Pieces& pieces, Eigen::Index particle,
                              const Sample& sample) const {
     const PathPiece& last = pieces.back();
@@ -24,7 +25,8 @@ bool Flights::ends_in_corner(const Pieces& pieces, Eigen::Index particle,
                                            rounding * (std::abs(reached) + gained);
 }
 
-// Where each particle is then, and its velocities before and after what happens at that time.
+// Fills in the place of each particle at the time of the corner, and its velocities before and
+// after.
 void Flights::turn(Corner& corner, const FrameInput& input) const {
     for (std::size_t k = 0; k < particles_.size(); ++k) {
         const auto piece = std::ranges::find_if(
@@ -69,7 +71,7 @@ std::vector<Flights::Corner> Flights::see(const FrameInput& input) {
         now.after.push_back(input.sample.velocity(i, axis_));
     }
     now.before = now.after;
-    // A reversal between two frames of one time.
+    // A reversal between two frames of the same time.
     if (now.time == last_.time && now.after != last_.after && !last_.place.empty()) {
         now.before = last_.after;
         corners.push_back(now);

@@ -1,5 +1,5 @@
-// How particles flew between two frames, along one axis: from one change of velocity to the next.
-// Knows no canvas.
+// The motion of particles between two frames along one axis, from one change of velocity to the
+// next. Independent of the canvas.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@ namespace carom {
 
 class Flights {
   public:
-    /// A moment at which the velocity of one of the particles changes, or its acceleration.
+    /// A moment at which the velocity or the acceleration of one of the particles changes.
     struct Corner {
-        double time;                        ///< simulated
-        std::vector<double> place;          ///< of each particle, length; within a periodic box
+        double time;                ///< simulated
+        std::vector<double> place;  ///< of each particle, length; wrapped into a periodic box
         std::vector<double> before, after;  ///< velocities of each
     };
 
-    /// Of some particles, along an axis (0 for x, 1 for y).
+    /// Follows `particles` along an axis (0 for x, 1 for y).
     Flights(const Box& box, const Run& run, Eigen::Index axis, std::vector<Eigen::Index> particles);
 
-    /// Every frame in order, with the collisions on the way: the corners since the frame before,
-    /// those at this one included.
+    /// Called for every frame in order, with the collisions since the frame before. Returns the
+    /// corners since that frame, including those at this frame's time.
     std::vector<Corner> see(const FrameInput& input);
 
   private:

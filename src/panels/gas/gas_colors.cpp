@@ -105,7 +105,8 @@ double ring_line(double radius, double unit) {
     return std::clamp(0.4 * radius, 1.5, std::max(1.5, 0.13 * unit));
 }
 
-// Every disk of every frame asks whether there are infinite masses: they are looked for once.
+// Whether there are infinite masses is determined only once, since it is needed for every disk of
+// every frame.
 GasColors::GasColors(const PanelContext& context)
     : context_(context),
       tells_infinite_(context.scene.film.color_by == ColorBy::mass &&
@@ -177,7 +178,8 @@ bool GasColors::has_own_color(std::size_t species) const {
     return context_.scene.looks[species].color.has_value();
 }
 
-// A scale is searched for where it begins to stand out from the ground: not in every frame.
+// Making shades includes a search for where the scale begins to stand out from the ground, so it is
+// not done in every frame.
 std::vector<Color> GasColors::of_shades(const Theme& theme) const {
     const bool known = !shades_.empty() && &theme == &theme_of(context_.scene.film.theme);
     return known ? shades_ : make_shades(theme);
@@ -210,7 +212,8 @@ struct GasColors::Entry {
     bool is_hatched = false, is_ring = false;
 };
 
-// The colours with a name each; species only where the film or their own colour tells them apart.
+// The named colours of the legend; species are included only if they are distinguished by the
+// film's colouring or by their own colours.
 std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
     const std::vector<Color> colors = of_shades(theme);
     const Language language = context_.language();
@@ -315,7 +318,8 @@ void GasColors::draw_swatch(Canvas& canvas, const DrawContext& dc, Point center,
     canvas.fill_circle(center, 0.38 * u, entry.color);
 }
 
-// From the baseline `y` on, as many as there is room for; where the next one would be.
+// Draws as many entries as there is room for, from the baseline `y` on; returns the baseline of the
+// next one.
 double GasColors::draw_entries(Canvas& canvas, const DrawContext& dc, double y) const {
     const double u = dc.unit;
     const std::vector<Entry> all = entries(dc.theme);

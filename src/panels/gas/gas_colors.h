@@ -1,5 +1,5 @@
-// What the colour of a particle says (speed, energy, direction, mass, species): one scale for the
-// whole film, and its key. Knows no places.
+// What the colours of particles show (speed, energy, direction, mass or species): one scale for the
+// whole film, and its key. Independent of positions.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,21 @@
 
 namespace carom {
 
-/// Names of the colours from slow to fast: the colour maps, and `netlogo`.
+/// The names of the palettes from slow to fast: the colour maps, and `netlogo`.
 std::vector<std::string> palette_names();
 
-/// The colour of a kind in pictures of a scene: where the colours of the gas are a scale, not one
-/// of these. Can be called from any thread.
+/// The default colour of kind number `index` (a species, or a choice of particles) in pictures of a
+/// scene. If the gas is coloured by a scale, it is none of that scale's colours. May be called from
+/// any thread.
 Color kind_in(const Scene& scene, std::size_t index, const Theme& theme);
 
-/// Hatches a disk of infinite mass, as walls are in drawings of machines; small ones stay as they
-/// are.
+/// Hatches a disk of infinite mass, as walls are hatched in engineering drawings; small disks are
+/// not hatched.
 void draw_hatching(Canvas& canvas, const DrawContext& dc, Point center, double radius);
 
-/// The line of a disk that is drawn as a ring, in pixels as its radius and the unit: thinner in a
-/// small one, so that its hole is seen. The disk is filled where it has no room for two lines.
+/// The line width of a disk that is drawn as a ring; width, radius and unit are in pixels. It is
+/// thinner for a small disk, so that the hole remains visible. A disk without room for two lines is
+/// filled.
 double ring_line(double radius, double unit);
 
 class GasColors {
@@ -37,12 +39,12 @@ class GasColors {
     void survey(const FrameInput& input);
     void fix_scale();
 
-    /// The scale of speeds, energies or masses: its end is the value that 5 % exceed, of few
-    /// particles and of masses the highest.
+    /// The scale of speeds, energies or masses. It ends at the value that 5 % exceed; for few
+    /// particles and for masses, at the highest value.
     const ColorScale& scale() const { return scale_; }
 
-    /// Of two runs that share a scale: adds what another has seen, before fix_scale(); takes what
-    /// another has fixed, after it.
+    /// For two runs that share a scale: add_survey() adds what another run has shown, before
+    /// fix_scale(); take_scale() takes the scale that another run has fixed.
     void add_survey(const GasColors& other) {
         pool_.insert(pool_.end(), other.pool_.begin(), other.pool_.end());
     }
@@ -65,12 +67,12 @@ class GasColors {
     /// Whether a colour is that of a species, the same at all times.
     static bool is_of_species(std::uint16_t shade);
 
-    /// Whether the scale tells infinite masses from all others, by a shade of their own and
+    /// Whether infinite masses are distinguished from all others, by a shade of their own and
     /// hatching.
     bool tells_infinite() const { return tells_infinite_; }
     bool is_told_infinite(Eigen::Index particle) const;
 
-    /// The height of the key beside that of a field, in pixels, of an area for both.
+    /// The height of this key, in pixels, in an area that also holds the key of a field.
     double key_height(const DrawContext& dc) const;
 
     /// Draws the colour bar, or the legend of species, into `page.area`.
@@ -90,8 +92,8 @@ class GasColors {
 
     PanelContext context_;
     bool tells_infinite_;
-    bool is_plain_;  ///< over a field the disks of a plane are outlines of one colour, unless their
-                     ///< colours mean more than speed
+    /// Disks over a field are outlines of one colour, unless their colours show more than speed.
+    bool is_plain_;
     std::vector<double> pool_;
     int surveyed_ = 0;
     ColorScale scale_;

@@ -1,5 +1,5 @@
-// The disks of the gas and their ghosts: one by one, or where they are smaller than what can be
-// told apart, and more, by the shares of each pixel that they cover.
+// The disks of the gas and their ghosts. They are drawn one by one or, if they are too small and
+// too many to be distinguished, by the share of each pixel that they cover.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-constexpr double rim_line = 0.09;     // units: of disks that would fade into the ground
-constexpr double least_cover = 0.25;  // of a box by its small disks, if they are enlarged
+constexpr double rim_line = 0.09;     // units: of disks whose colour hardly differs from the ground
+constexpr double least_cover = 0.25;  // share of the box that enlarged small disks may cover
 
 std::uint32_t rgb_of(Color color) { return to_pixel(color) & 0xFFFFFF; }
 
@@ -26,13 +26,13 @@ void add_disk(std::vector<Disk>& disks, Point at, double radius, std::uint32_t e
     if (inside > 0.0) disks.push_back({x, y, static_cast<float>(inside), color});
 }
 
-// What is left of a disk's radius inside a ring; disks too small for one are filled.
+// The inner radius of a ring; 0 for disks that are too small for one and are filled.
 double inside_ring(double radius, double line) { return radius > 2.0 * line ? radius - line : 0.0; }
 
 }  // namespace
 
-// Small disks are enlarged, but no more than is needed for all of them to cover a quarter of the
-// box: it would be covered whole.
+// Small disks are enlarged, but only until all of them together cover a quarter of the box; more
+// would fill it.
 double GasPanel::Drawing::radius_in_crowd() const {
     const double below = least_radius / scale;
     const auto count = static_cast<double>(panel.disks_below(below));
@@ -41,7 +41,7 @@ double GasPanel::Drawing::radius_in_crowd() const {
     return std::min(least_radius, most);
 }
 
-// Their order is not seen.
+// Draws the crowd of small disks; their order is not visible.
 template <class ColorOf>
 void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf& color_of) const {
     if (least_shown == least_radius) return;
@@ -66,7 +66,7 @@ void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf&
     small.draw(canvas);
 }
 
-// Nothing is hidden of what they lie over.
+// They hide nothing of what is behind them.
 void GasPanel::Drawing::draw_outlines() const {
     const auto color_of = [&](Eigen::Index i) {
         return gas.seen(edge_of(colors[shade(i)], dc.theme), i, dc.theme.ground);
@@ -102,7 +102,7 @@ void GasPanel::Drawing::draw_ghosts() const {
     dc.disks.draw(canvas, disks, frame);
 }
 
-// Those in a crowd lie below all others, and those that something points to lie over it.
+// Disks of the crowd are drawn below all others, except those with a ring, a callout or a trail.
 void GasPanel::Drawing::draw_disks() const {
     std::vector<std::uint32_t> pixels, edges;
     for (const Color& color : colors) {
@@ -152,8 +152,8 @@ void GasPanel::Drawing::draw_infinite() const {
     }
 }
 
-// Disks that are drawn larger than they are make a gas look denser than it is, and flashes that are
-// left out make it look calmer. Labels that have no room are not forgotten.
+// Remarks on what would mislead: enlarged disks make a gas look denser than it is, and omitted
+// flashes make it look calmer. Also labels for which there is no room.
 Remarks GasPanel::Drawing::remarks() const {
     const Language language = panel.context_.language();
     Remarks all(dc, frame, gas.view ? std::optional(map_of(map)) : std::nullopt);

@@ -33,7 +33,7 @@ void GasPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& sta
     Drawing{*this, canvas, dc, static_cast<const State&>(state)}.draw();
 }
 
-// Where the camera moves, all of the box changes.
+// With a moving camera, all of the box changes from frame to frame.
 void GasPanel::Drawing::draw_box() const {
     const SurfaceView& surfaces = panel.surfaces_;
     if (!panel.camera_.moves()) {
@@ -48,7 +48,7 @@ void GasPanel::Drawing::draw_box() const {
         canvas.fill(inside, dc.theme.ground);
         return draw_box_outline(canvas, dc, inside, joined);
     }
-    // A joined side lies anywhere: a view goes on beyond it.
+    // A periodic side has no edge: a view continues beyond it.
     const double line = SurfaceSize::line * dc.unit;
     if (joined[0]) inside.x = frame.x - line, inside.width = frame.width + 2.0 * line;
     if (joined[1]) inside.y = frame.y - line, inside.height = frame.height + 2.0 * line;
@@ -67,7 +67,7 @@ void GasPanel::Drawing::draw() const {
     draw_callouts();
 }
 
-// A thin line around what is seen, and where that is in the box.
+// A thin frame around the view, and the map that shows its place in the box.
 void GasPanel::Drawing::draw_where_it_is() const {
     const double zoom = map.scale / whole.scale;
     canvas.stroke_rect(frame, 0.07 * dc.unit, dc.theme.muted);
@@ -81,8 +81,8 @@ ViewMap GasPanel::Drawing::map_of(const BoxMap& view) const {
     return view_map(dc, whole.frame, whole.frame.height / whole.frame.width, view.scale);
 }
 
-// Where words stand still: where the camera moves they keep clear of all places where it shows the
-// particle, of its map and of remarks.
+// The fixed place of a callout. With a moving camera it keeps clear of all places at which the
+// particle is shown, of the map and of remarks.
 Rect GasPanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& steps,
                                          Eigen::Index particle, const CalloutPlate& plate,
                                          std::span<const Rect> others) const {
@@ -226,7 +226,7 @@ void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t follow
     for (std::size_t i = 0; i < trail.places.size(); ++i) {
         double across = 0.0, up = 0.0;
         if (i > 0) {
-            // A step goes through a periodic side rather than through more than half the box.
+            // A step of more than half the box is taken to go across a periodic side.
             const Point &from = trail.places[i - 1], &to = trail.places[i];
             across = box.size[0] * box.turns(0, from.x - to.x);
             up = box.size[1] * box.turns(1, from.y - to.y);

@@ -1,5 +1,5 @@
-// A frame of the gas as it is drawn: what its parts share. gas_drawing.cpp draws the box and what
-// lies around disks, gas_disks.cpp the disks.
+// A frame of the gas while it is drawn: what the two implementation files share. gas_drawing.cpp
+// draws the box and what lies around disks, gas_disks.cpp the disks.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,8 @@
 
 namespace carom {
 
-/// How far away a disk that reaches over a periodic side is seen again; 0 if it is not.
+/// The shift along `axis` to the second image of a disk that reaches across a periodic side; 0 if
+/// it reaches across none.
 inline double image_shift(const Box& box, int axis, double at, double radius) {
     if (!box.is_periodic(axis)) return 0.0;
     if (at < radius) return box.size[axis];
@@ -48,15 +49,16 @@ struct GasPanel::Drawing {
         return gas.shades[static_cast<std::size_t>(i)] % colors.size();
     }
 
-    /// Whether there are more disks below `least_radius` than can be told apart, and this is one.
+    /// Whether this is one of the disks below `least_radius`, if they are too many to be
+    /// distinguished.
     bool is_in_crowd(Eigen::Index i) const {
         return least_shown < least_radius && radius[i] * scale < least_radius;
     }
-    /// In pixels, of a disk that is drawn by itself.
+    /// The radius of a disk that is drawn individually, in pixels.
     double shown_radius(Eigen::Index i) const { return std::max(least_radius, radius[i] * scale); }
 
-    /// Calls `draw` with the pixel of a disk and of each image of it that reaches into a periodic
-    /// box.
+    /// Calls `draw` with the position on the canvas of a disk, and of each periodic image that
+    /// reaches into the box.
     template <class Draw>
     void for_each_image(Point place, double reach, const Draw& draw) const {
         if (gas.view) return for_each_in_view(place, reach, draw);
@@ -68,7 +70,7 @@ struct GasPanel::Drawing {
         if (across != 0.0 && up != 0.0) draw(pixel({place.x + across, place.y + up}));
     }
 
-    /// The same in a part of the box, which may lie across a periodic side.
+    /// The same for a view of a part of the box, which may extend across a periodic side.
     template <class Draw>
     void for_each_in_view(Point place, double reach, const Draw& draw) const {
         for_each_turn([&](Point shift) {
@@ -80,7 +82,7 @@ struct GasPanel::Drawing {
         });
     }
 
-    /// With the shift of each image of the box that may be seen.
+    /// Calls `draw` with the shift of each periodic image of the box that may be visible.
     template <class Draw>
     void for_each_turn(const Draw& draw) const {
         const int across = gas.view && box.is_periodic(0), up = gas.view && box.is_periodic(1);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double default_trail_seconds = 1.0;
 
-// Where the two touch.
+// The point of contact.
 Eigen::Array2d contact_of(const Collision& collision, const Particles& particles) {
     if (collision.second.is_surface()) return collision.second_position;
     const double first = particles.radius[collision.first];
@@ -47,8 +47,7 @@ void GasPanel::survey(const FrameInput& input) {
     });
 }
 
-// A fast disk's arrow is twice as long as a disk is wide, unless that is hardly seen or fills the
-// box.
+// The arrow of a fast disk is two diameters long, within limits relative to the box.
 void GasPanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
@@ -62,7 +61,7 @@ void GasPanel::archive(Archive& archive) {
     archive(colors_, arrows_, flashes_, surfaces_, camera_, callouts_, field_);
 }
 
-// Those that should have a trail, and what the film is about.
+// The particles for which a trail is asked, and those that the film is about.
 void GasPanel::choose_particles() {
     for (Eigen::Index i = 0; i < context_.particles.count(); ++i) {
         const bool single = is_single_among_many(context_.scene, context_.particles, i);
@@ -125,7 +124,7 @@ void GasPanel::archive_progress(Archive& archive) {
     archive(trails_, moving_seconds_, last_time_);
 }
 
-// How many are smaller than this. Asked in every frame: mostly all or none.
+// The number of disks with a smaller radius. Asked in every frame; mostly all or none.
 Eigen::Index GasPanel::disks_below(double radius) const {
     if (smallest_ >= radius) return 0;
     if (largest_ < radius) return context_.particles.count();
@@ -142,7 +141,7 @@ BoxMap GasPanel::map_in(const DrawContext& own) const {
     return surfaces_.map_in(own.area, own.unit, stands_alone());
 }
 
-// As large as the whole box in the picture.
+// The map of a view, which is drawn in the same rectangle as the whole box.
 BoxMap GasPanel::part_of(const BoxMap& whole, const CameraView& view) const {
     BoxMap part = whole;
     part.scale = whole.frame.width / view.width;
@@ -173,7 +172,7 @@ std::string GasPanel::label(Eigen::Index particle, const State& state) const {
     return words.empty() && named ? single_name(context_, particle) : words;
 }
 
-// Places are those of the picture, in single precision.
+// Positions are those of the picture, in single precision.
 Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     const auto& gas = static_cast<const State&>(state);
     Table table{{"part", "particle", "species", column_name("x", reduced::length),

@@ -1,5 +1,5 @@
-// The box and the disks in it, their trails, velocities and names: the picture a film of two
-// dimensions is about.
+// The box and its disks with their trails, velocities and names: the main picture of a film in two
+// dimensions.
 #pragma once
 
 #include <deque>
@@ -27,19 +27,19 @@ class GasPanel : public ParticlePanel {
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
-    /// A trail needs the collisions on the way, and so does a field.
+    /// Trails and fields need the collisions between frames.
     bool wants_collisions() const override { return !followed_.empty() || field_.shown(); }
 
-    /// The box is as large as fits, at the area's left; in its middle where no panel stands right
-    /// of it.
+    /// The box is as large as fits, at the left of the area; in its middle if there is no panel to
+    /// the right.
     Rect frame_in(const Rect& area, double unit) const override;
 
-    /// The surfaces, as they are.
+    /// Describes the present state of the surfaces.
     std::string account(const PanelState& state) const override;
 
   private:
     struct Drawing;
-    struct Followed {  // with a trail
+    struct Followed {  // particle with a trail
         Eigen::Index particle;
         double trail_seconds;
     };
@@ -75,8 +75,8 @@ class GasPanel : public ParticlePanel {
     SurfaceView surfaces_;
     double smallest_, largest_;  // radius
     std::vector<Followed> followed_;
-    std::vector<std::ptrdiff_t> trail_of_;        // of each particle, or -1; empty: there are none
-    std::vector<std::deque<TrailPoint>> trails_;  // of these, as of the last state
+    std::vector<std::ptrdiff_t> trail_of_;  // for each particle its trail, or -1; empty: no trails
+    std::vector<std::deque<TrailPoint>> trails_;  // of the followed particles, at the last state
     double moving_seconds_ = 0.0;                 // film time without holds
     double last_time_ = 0.0;
 };

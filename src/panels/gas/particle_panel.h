@@ -1,5 +1,5 @@
-// What the box of a plane and the line have in common: the colours of particles, the arrows of
-// their velocities, marks and flashes, a field, and the rows of their table.
+// The common base of the panels of the box (2-D) and of the line (1-D): colours of particles,
+// velocity arrows, marks and flashes, a field, and the rows of the table.
 #pragma once
 
 #include <memory>
@@ -20,14 +20,14 @@ namespace carom {
 
 /// What such a panel shows in one frame, in single precision.
 struct ParticleState : PanelState {
-    Eigen::ArrayXXf place;              ///< of all particles, a column for each axis, as drawn
+    Eigen::ArrayXXf place;              ///< of all particles as drawn, a column for each axis
     Eigen::ArrayXXf velocity;           ///< empty: not shown
     std::vector<std::uint16_t> shades;  ///< index into the film's colours
     double label_alpha = 0.0;
     std::shared_ptr<const Ghosts> ghosts;  ///< may be null
     double ghost_words = 0.0;
     std::vector<Flash> flashes;
-    std::vector<float> light;  ///< how much of its colour each particle keeps; empty: all
+    std::vector<float> light;  ///< share of its colour that each particle keeps; empty: all of it
     std::vector<Spotlights::Ring> rings;
     std::vector<Callouts::Present> callouts;
     std::optional<CameraView> view;           ///< none: the whole box
@@ -40,7 +40,7 @@ struct ParticleState : PanelState {
                (field ? (field->values.size() + field->up.size()) * sizeof(float) : 0);
     }
 
-    /// A colour as it is seen of a particle, over a ground.
+    /// A colour of a particle as dimmed by spotlights, on a ground.
     Color seen(Color color, Eigen::Index particle, Color ground) const {
         if (light.empty()) return color;
         return mix(ground, color, static_cast<double>(light[static_cast<std::size_t>(particle)]));
@@ -53,12 +53,12 @@ class ParticlePanel : public Panel {
     void archive_progress(Archive& archive) override;
     void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
 
-    /// fix_axes() of the boxes of two runs: with one scale of colours, one
-    /// of arrows and one of a field.
+    /// Replaces fix_axes() for the boxes of two runs, which get common scales of colours, arrows
+    /// and field.
     void share_scales(ParticlePanel& other);
 
   protected:
-    /// `view`: what is seen of the box, instead of what the film's camera shows.
+    /// `view`: the part of the box that is shown, instead of what the film's camera shows.
     explicit ParticlePanel(const PanelContext& context, const std::optional<View>& view = {})
         : context_(context),
           colors_(context),
@@ -70,16 +70,17 @@ class ParticlePanel : public Panel {
           callouts_(context),
           field_(context) {}
 
-    /// Pixels of a length.
+    /// Pixels per unit length.
     virtual double scale_in(const DrawContext& own) const = 0;
 
-    /// Fills what all states have; `places` as they are drawn. Second pass, every frame in order.
+    /// Fills the common members of a state; `places` are the positions as drawn. Second pass, every
+    /// frame in order.
     void see(const FrameInput& input, const Eigen::ArrayXXd& places, ParticleState& state);
 
     bool is_filled(Eigen::Index particle) const;
 
-    /// A row of the table: the part, the number and the species of a particle, then the cells, and
-    /// its velocity where that is shown.
+    /// Adds a row to the table: the part, the number and the species of a particle, then the cells,
+    /// and its velocity if velocities are shown.
     void add_row(Table& table, const char* part, Eigen::Index particle, std::vector<Cell> cells,
                  const Eigen::ArrayXXf& velocity = {}) const;
 

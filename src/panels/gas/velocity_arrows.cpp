@@ -34,7 +34,7 @@ bool touches(const Rect& rect, Point from, Point to, double margin) {
 
 }  // namespace
 
-// Slender where arrows are short: a crowd of heads would hide the disks.
+// Short arrows are slender: many large heads would hide the disks.
 ArrowStyle VelocityArrows::style(const DrawContext& dc, double scale, Color ground) const {
     const double u = dc.unit;
     const double size = u * std::clamp(fast_ * reach_ * scale / (2.2 * u), 0.45, 1.0);
@@ -46,7 +46,7 @@ ArrowStyle VelocityArrows::style(const DrawContext& dc, double scale, Color grou
             .edge_color = ground};
 }
 
-// No choice by species or by place: neighbours in the list are anywhere.
+// Every n-th particle of the list has an arrow, which prefers neither species nor place.
 Eigen::Index VelocityArrows::apart() const {
     return std::max<Eigen::Index>(1, (context_.particles.count() + most_arrows - 1) / most_arrows);
 }

@@ -1,5 +1,5 @@
 // Arrows that show the velocities of disks and beads: one scale for the whole film, and its key.
-// Knows no places.
+// Independent of positions.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace carom {
 
-/// Where arrows may be: the box on the picture, pixels of a length, and the axes along which what
-/// leaves the box on one side comes in on the other.
+/// The region for arrows: the box on the picture, pixels per unit length, and for each axis whether
+/// it is periodic.
 struct ArrowField {
     Rect box;
     double scale = 1.0;
@@ -27,12 +27,13 @@ class VelocityArrows {
     /// Whether the scene asks for them.
     bool shown() const { return context_.scene.film.velocities; }
 
-    /// First pass, every frame in order; then fix_scale() fixes the scale: a fast particle's arrow
-    /// is of this length (as the scene measures it), unless the scene has a scale of its own.
+    /// First pass: survey() for every frame in order, then fix_scale(), which fixes the scale: the
+    /// arrow of a fast particle has this `length` (in units of the scene), unless the scene gives
+    /// its own scale.
     void survey(const FrameInput& input);
     void fix_scale(double length);
 
-    /// As those of GasColors.
+    /// For two runs that share a scale, as in GasColors.
     void add_survey(const VelocityArrows& other) {
         pool_.insert(pool_.end(), other.pool_.begin(), other.pool_.end());
     }
@@ -43,20 +44,21 @@ class VelocityArrows {
 
     void archive(auto& archive) { archive(fast_, reach_); }
 
-    /// Whether a particle has an arrow: of many only some, evenly chosen, the same in every frame.
+    /// Whether a particle has an arrow. If there are many particles, only some have one: evenly
+    /// chosen, and the same in every frame.
     bool is_drawn(Eigen::Index particle) const { return particle % apart() == 0; }
 
-    /// Draws the arrow of a velocity, given as on the picture: y down. It begins at the centre, or
-    /// at the rim where words stand on the disks. `ground` is the colour behind; an arrow of less
-    /// `light` fades into it.
+    /// Draws the arrow of a velocity, which is given in the orientation of the picture, y down. The
+    /// arrow begins at the centre, or at the rim if there are labels on the disks. `ground` is the
+    /// colour behind; an arrow with `light` below 1 fades into it.
     void draw(Canvas& canvas, const DrawContext& dc, const ArrowField& field, Point center,
               double radius, Point velocity, Color ground, double light = 1.0) const;
 
-    /// What may hold arrows: the box, and where it has walls a little more.
+    /// The area that may contain arrows: the box, and a little beyond it at walls.
     static Rect bounds(const DrawContext& dc, const ArrowField& field);
 
-    /// Draws what the arrows mean at the foot of an area, and returns what is left above; `scale`
-    /// is pixels of a length.
+    /// Draws the key of the arrows at the bottom of an area and returns the rest of the area above.
+    /// `scale`: pixels per unit length.
     Rect draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
 
   private:
@@ -66,9 +68,9 @@ class VelocityArrows {
     PanelContext context_;
     std::vector<double> pool_;
     int surveyed_ = 0;
-    double fast_ = 0.0;   ///< a speed
-    double reach_ = 0.0;  ///< the simulated time in which a particle goes as far as its arrow is
-                          ///< long; 0 if all are at rest
+    double fast_ = 0.0;  ///< a speed
+    /// The simulated time in which a particle moves by the length of its arrow; 0 if all rest.
+    double reach_ = 0.0;
 };
 
 }  // namespace carom

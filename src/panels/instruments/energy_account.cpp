@@ -1,5 +1,6 @@
-// Where the energy is against time, as a stack: kinetic energy, on it the potential energy of
-// gravity and of forces on pistons, on these the kinetic energy of pistons.
+// The parts of the energy against time, stacked: the kinetic energy of the gas, above it the
+// potential energy of gravity and of forces on pistons, and at the top the kinetic energy of
+// pistons.
 #include "physics/energy_account.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ struct Part {
     plot::Role role;
 };
 
-// The parts that this gas can have.
+// The parts of the energy that are possible for this gas.
 std::vector<Part> parts_of(const PanelContext& context) {
     const Surfaces& surfaces = context.scene.gas.box.surfaces;
     const auto is_piston = [](const Behaviour& one) { return std::holds_alternative<Piston>(one); };
@@ -34,7 +35,7 @@ std::vector<Part> parts_of(const PanelContext& context) {
     return parts;
 }
 
-// Between each line of the record and the one below.
+// The bands between each line of the record and the one below.
 void fill_stack(const SeriesRecord& record, const std::vector<Part>& parts, plot::Plot& whole) {
     if (record.compares()) return;
     const SeriesRun& run = record.runs.front();

@@ -1,5 +1,5 @@
-// How many cross a partition or a line in a time, each way, and the energy that they carry; with
-// what kinetic theory says where it holds.
+// The flux of particles across a partition or a line in each direction, and of the energy that they
+// carry; with the prediction of kinetic theory while it holds.
 #include <cmath>
 #include <limits>
 
@@ -14,7 +14,7 @@
 namespace carom {
 namespace {
 
-// What has crossed by a time, and what should have by theory.
+// What has crossed up to a time, and what should have crossed according to theory.
 struct FluxAccount {
     double time = 0.0;
     std::array<FluxRates, 2> measured{}, expected{};
@@ -45,7 +45,7 @@ class FluxMeter {
           accounts_(over),
           carried_(spec.carried) {}
 
-    // Each way; then by theory, where there is one.
+    // The flux in each direction; then, if there is a theory, its prediction for each direction.
     std::vector<double> operator()(const FrameInput& o) {
         FluxAccount now{.time = o.tick.time};
         const CrossingTotals& totals = crossings_.see(o.sample, o.advanced.collisions);
@@ -71,7 +71,8 @@ class FluxMeter {
     }
 
   private:
-    // Its rates change little from frame to frame.
+    // Integrates the rates of the theory by the trapezoidal rule: they change little between
+    // frames.
     void add_theory(const FrameInput& o, FluxAccount& now) {
         const std::array<FluxRates, 2> rates = theory_->at(o);
         if (!accounts_.empty()) {

@@ -11,10 +11,10 @@
 namespace carom {
 namespace {
 
-// Beyond these the theory of dilute gases is off by more than a few per cent.
+// Beyond these limits the theory of dilute gases has errors of more than a few per cent.
 struct DiluteGas {
     static constexpr double densest = 0.05;      // share of the area that disks fill
-    static constexpr double paths = 2.0;         // free path over the width that a gap leaves
+    static constexpr double paths = 2.0;         // least free path over the width that a gap leaves
     static constexpr double widest_gaps = 0.25;  // share of a partition
 };
 
@@ -22,7 +22,7 @@ double packing(const Box& box, const Particles& particles) {
     return (std::numbers::pi * particles.radius.square()).sum() / (box.size[0] * box.size[1]);
 }
 
-// The same at all times.
+// A flux that is constant in time.
 class EvenFlux : public FluxTheory {
   public:
     explicit EvenFlux(FluxRates rates) : rates_(rates) {}
@@ -32,9 +32,10 @@ class EvenFlux : public FluxTheory {
     FluxRates rates_;
 };
 
-// Each way half of the mean of |v| along the axis, over the length in which a particle is: in the
-// plane that mean is 2 / pi of the mean speed. Those that cross have shares of the energy that are
-// larger by their speed: (d + 1) / 2 out of alpha + beta + 1/2.
+// In each direction the rate of a particle is half of the mean |v| along the axis over the length
+// available to it; in the plane this mean is 2 / pi of the mean speed. Crossing particles are
+// weighted with their speed, so that their mean share of the energy is larger: (d + 1) / 2 out of
+// alpha + beta + 1/2.
 std::unique_ptr<FluxTheory> even_flux(const PanelContext& context, const CrossedLine& line,
                                       const std::vector<Eigen::Index>& members) {
     const Box& box = context.scene.gas.box;
@@ -69,7 +70,7 @@ std::unique_ptr<FluxTheory> even_flux(const PanelContext& context, const Crossed
     return std::make_unique<EvenFlux>(FluxRates{rate, energy});
 }
 
-// From each side by its own number and temperature.
+// The flux through gaps, from each side by its own number and temperature.
 class GapFlux : public FluxTheory {
   public:
     GapFlux(const PanelContext& context, const CrossedLine& line, std::int32_t partition,
@@ -104,8 +105,8 @@ class GapFlux : public FluxTheory {
     }
 
   private:
-    // Where particles meet one another before they have crossed the side, and come to a gap one by
-    // one: their mean free path is between these.
+    // Whether particles collide with each other before they have crossed their side, but reach a
+    // gap one by one: the mean free path must lie between these two lengths.
     bool is_like_equilibrium(const std::vector<Eigen::Index>& side, double width) const {
         double diameters = 0.0;
         for (const Eigen::Index i : side) diameters += 2.0 * context_.particles.radius[i];
@@ -116,7 +117,8 @@ class GapFlux : public FluxTheory {
         return path <= width && path >= DiluteGas::paths * (std::ranges::max(gaps_) - least);
     }
 
-    // Its centre has the side's room, and of a gap what its radius leaves.
+    // The rate of one particle: its centre can move in the room of the side that its radius leaves,
+    // and pass the part of a gap that its radius leaves.
     double rate_of(Eigen::Index i, double width, double temperature) const {
         const double r = context_.particles.radius[i];
         const double inverse_mass = context_.particles.inverse_mass[i];

@@ -1,5 +1,6 @@
-// How many particles cross a line in a time by kinetic theory, and the energy that they carry: n a
-// sqrt(T / (2 pi m)) over a width a, and 1.5 T each in the plane, T on a line.
+// The rate at which particles cross a line by kinetic theory, and the energy that they carry: n a
+// sqrt(T / (2 pi m)) over a width a, with an energy of 1.5 T for each particle in the plane and T
+// on a line.
 #pragma once
 
 #include <array>
@@ -13,25 +14,27 @@
 
 namespace carom {
 
-/// Rates: of particles, and of energy.
+/// The number of particles, and the energy, per unit time.
 struct FluxRates {
     double particles = 0.0, energy = 0.0;
 };
 
-/// What theory says of a line in a frame, toward larger x or y and toward smaller.
+/// Predicts the rates at a line in a frame: toward larger x or y, and toward smaller.
 class FluxTheory {
   public:
     virtual ~FluxTheory() = default;
     virtual std::array<FluxRates, 2> at(const FrameInput& input) = 0;
 };
 
-/// Of some particles at a line, where a partition may stand; none where theory knows no such thing,
-/// and beside particles of infinite mass. It does
-/// - in a gas in equilibrium, at a line right across a periodic axis, exactly, or between solid
-///   walls for points on a line and dilute disks: with the mean of |v| that so many particles have;
-/// - at a partition with gaps that are small beside it, from a dilute gas whose mean free path is
-///   less than its side and more than twice a gap: by the number and the temperature that it has.
-/// NaN where it does not hold at the moment.
+/// Returns the theory for some particles at a line, at which there may be a partition; nullptr if
+/// there is no theory for the case, and if there are particles of infinite mass. There is one
+/// - for a gas in equilibrium, at a line across the whole box: exact along a periodic axis; between
+///   solid walls, for points on a line and for dilute disks. It uses the mean of |v| for this
+///   finite number of particles;
+/// - for a partition whose gaps are small compared with it, and a dilute gas on each side: from the
+///   present number and temperature of the gas, while its mean free path is at most the width of
+///   its side and at least twice the width that the widest gap leaves to a particle.
+/// Rates are NaN while the theory does not hold.
 std::unique_ptr<FluxTheory> flux_theory(const PanelContext& context, const CrossedLine& line,
                                         std::optional<std::int32_t> partition,
                                         const std::vector<Eigen::Index>& members);

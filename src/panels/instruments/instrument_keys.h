@@ -1,4 +1,4 @@
-// The keys that panels of instruments take, dials among them.
+// The scene keys that instrument panels accept, dials included.
 #pragma once
 
 #include <vector>

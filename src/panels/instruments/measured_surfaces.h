@@ -1,5 +1,5 @@
-// The surfaces that instruments measure at: what they are called in a picture, how far they reach,
-// and what has pushed them.
+// The surfaces at which instruments measure: their names in a picture, their lengths, and the
+// momentum that they have received.
 #pragma once
 
 #include <string>
@@ -11,28 +11,28 @@
 
 namespace carom {
 
-/// The colour of one of several surfaces, or parts beside them, in a plot; that of an only one is
-/// the bars'.
+/// The colour in a plot of one of several surfaces, or of the parts beside them; a single one has
+/// the colour of bars.
 plot::Role surface_role(std::size_t place, std::size_t count);
 
 /// "left wall", or the name that the scene gives.
 std::string short_name(Language language, const Box& box, std::int32_t surface);
 
-/// A line for each surface, and the title that names them.
+/// Adds a line for each surface, and the title that names them.
 void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
                    const std::vector<std::int32_t>& surfaces, const std::string& what);
 
-/// The length of a side or a partition without its gaps, between the sides at their places of the
-/// moment; on a line 1.
+/// The length of a side, or of a partition without its gaps, between the present positions of the
+/// adjacent sides; 1 in one dimension.
 double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,
                          std::int32_t surface);
 
-/// The momentum along its normal that particles have given it since t = 0: of a side outward, of a
-/// partition toward larger x or y.
+/// The normal momentum that particles have given to a surface since t = 0: outward for a side,
+/// toward larger x or y for a partition.
 double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32_t surface);
 
-/// The area (on a line the length) that a side encloses with its opposite at their places of the
-/// moment.
+/// The area (in one dimension, the length) enclosed by the sides of the box at their present
+/// positions.
 double enclosed_area(const Box& box, const std::vector<SurfaceState>& states);
 
 }  // namespace carom

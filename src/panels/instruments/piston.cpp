@@ -1,5 +1,6 @@
-// The place of walls and partitions that move, against time; for one free piston on a gas with the
-// mean and the deviation that it would have over an ideal gas, and the period of its oscillations.
+// The position of moving walls and partitions against time. For one free piston over a gas, also
+// the mean and the standard deviation that it would have over an ideal gas, and the period of its
+// oscillations.
 #include <memory>
 
 #include "panels/instruments/measured_surfaces.h"

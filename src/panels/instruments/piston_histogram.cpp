@@ -1,5 +1,5 @@
-// How long a wall or a partition that moves has been where: the share of the time in each bin, by
-// its exact path; for one free piston with the density that it would have over an ideal gas.
+// The histogram of the position of a moving wall or partition: the share of time in each bin, from
+// its exact path. For one free piston, also the density that it would have over an ideal gas.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,9 +19,9 @@ namespace {
 const plot::Stroke of_law{.role = {.of = plot::Role::Of::accent}, .shade = plot::Shade::legible};
 constexpr double percent = 100.0;
 constexpr int shown_bins = 40;            // or fewer
-constexpr double fine_bins_in_box = 240;  // several of them make one that is shown
+constexpr double fine_bins_in_box = 240;  // several fine bins make one that is shown
 
-// Numbers of a line: those of the law, or none.
+// The numbers of a line: the parameters of the law, or none.
 struct Law {
     explicit Law(const PistonOverGas& of)
         : numbers{of.law.count, of.law.energy, of.law.force, double(of.law.dimension),
@@ -39,7 +39,7 @@ struct Law {
     }
 };
 
-// Follows a surface from hit to hit: in between it has a constant acceleration.
+// Follows a surface from hit to hit; its acceleration in between is constant.
 class PistonMeter : public CurveMeter {
   public:
     PistonMeter(const PanelContext& context, std::int32_t surface)
@@ -61,7 +61,7 @@ class PistonMeter : public CurveMeter {
                        acceleration(state)};
     }
 
-    // With whole bins in between, each of several fine ones.
+    // start() and reach() are whole bins apart, each of several fine bins.
     double start() const override { return shown_bins * times_.width() * std::floor(lowest()); }
     double reach() const override {
         const double fine = times_.first() + static_cast<double>(times_.times().size()) + 1.0;
@@ -76,7 +76,7 @@ class PistonMeter : public CurveMeter {
         const auto [from, to] = range_.value_or(std::pair{start(), reach()});
         double all = 0.0;
         for (const double time : fine) all += time;
-        // Bins of an axis that is another run's, too, may divide fine ones.
+        // If the axis also serves another run, its bins may divide fine bins.
         const double in_one = (to - from) / times_.width() / shown_bins;
         const double before = times_.first() - from / times_.width();
         for (std::size_t i = 0; i < fine.size(); ++i) {
@@ -99,7 +99,7 @@ class PistonMeter : public CurveMeter {
         void archive(auto& archive) { archive(time, place, velocity, acceleration); }
     };
 
-    // Of the places, in units of as many fine bins as bins are shown.
+    // The lowest place, in units of shown_bins fine bins.
     double lowest() const { return double(times_.first()) / shown_bins; }
 
     double acceleration(const SurfaceState& state) const {
@@ -108,7 +108,7 @@ class PistonMeter : public CurveMeter {
         return piston->force_in(context_.scene.gas.box.surfaces.gravity[axis_]) / piston->mass;
     }
 
-    // What it takes over from a particle that hits it.
+    // The change of velocity of the surface by a hit.
     double change(const Collision& hit, const SurfaceState& state) const {
         const auto* piston = std::get_if<Piston>(&state.behaviour);
         const double inverse_mass = context_.particles.inverse_mass[hit.first];
@@ -116,7 +116,8 @@ class PistonMeter : public CurveMeter {
         return (hit.first_before[axis_] - hit.first_after[axis_]) / (inverse_mass * piston->mass);
     }
 
-    // If it does not arrive where it is, something has changed its motion on the way: then evenly.
+    // If the computed path does not end at the actual place, something else has changed the motion:
+    // then the surface is taken to have moved uniformly.
     void follow(const FrameInput& input, double place) {
         constexpr double near = 1e-6;  // of the box
         const SurfaceState& state = input.advanced.surfaces[static_cast<std::size_t>(surface_)];

@@ -1,4 +1,4 @@
-// A free piston over a gas, as theory knows it.
+// The theory of a free piston over a gas.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,12 @@
 
 namespace carom {
 
-/// The law of a side that moves freely, over an ideal gas with the energy of a run's.
+/// The law of a freely moving side over an ideal gas that has the energy of the run.
 struct PistonOverGas {
     PistonLaw law;
     double mass = 1.0, gas_mass = 1.0;
-    /// Of the particles; infinite on a line, where these only exchange velocities.
+    /// The mean free path of the particles; infinite on a line, where they only exchange
+    /// velocities.
     double free_path = 0.0;
     double zero = 0.0;       ///< the place where h is 0
     double direction = 1.0;  ///< of h
@@ -22,8 +23,9 @@ struct PistonOverGas {
     double mean_place() const { return zero + direction * law.mean(); }
     double density_at(double place) const { return law.density(direction * (place - zero)); }
 
-    /// The period of its slow oscillations. None where the gas weighs so much that it matters how
-    /// sound goes through it, and sound does not, as disks fly too far between their collisions.
+    /// The period of the slow oscillations of the piston. None if the gas is so heavy that the
+    /// propagation of sound through it matters, but cannot carry sound because the mean free path
+    /// is too long.
     std::optional<double> period() const {
         constexpr double light = 0.1, dense = 0.2;
         const bool carries_sound = free_path < dense * law.mean();
@@ -32,12 +34,12 @@ struct PistonOverGas {
     }
 };
 
-/// Whether nothing but the gas and a constant force acts on this surface, a free side, and nothing
-/// but it and walls at rest on the gas, which shares its energy: not one disk alone, and not a gas
-/// that keeps its momentum between periodic sides.
+/// Whether this surface is a free side on which only the gas and a constant force act, and on the
+/// gas act only this side and walls at rest. The energy must be shared among all particles, which
+/// excludes a single disk and a gas whose momentum is conserved between periodic sides.
 bool is_over_gas_alone(const PanelContext& context, std::int32_t surface);
 
-/// From the state at the start; none unless is_over_gas_alone().
+/// Returns the law for the state at the start; none unless is_over_gas_alone().
 std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::int32_t surface,
                                              const FrameInput& start);
 

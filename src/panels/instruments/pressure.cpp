@@ -1,5 +1,5 @@
-// The pressure against time, measured by what the walls receive and by the virial of the
-// collisions: two ways that must agree.
+// The pressure against time, measured in two ways that must agree: from the momentum that the walls
+// receive, and from the virial of the collisions.
 #include "stats/pressure.h"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ class Gauge {
                 pushed ? nan_ : virial.value_or(nan_)};
     }
 
-    // The last; none where the gas does not keep its energy, or it is not known yet.
+    // The last thermal motion; none if the gas does not conserve its energy, or if not known yet.
     std::shared_ptr<const std::optional<ThermalMotion>> thermal() const { return thermal_; }
 
   private:
@@ -62,7 +62,7 @@ class Gauge {
         std::make_shared<std::optional<ThermalMotion>>();
 };
 
-// A gas that is parted has no one pressure before the last partition opens.
+// A gas that is divided by partitions has no single pressure before the last one opens.
 std::string time_words(Language language, const Over& over, const Box& box) {
     const bool is_parted = !std::ranges::all_of(box.surfaces.partitions, &Partition::is_open);
     return over.since == Over::Since::start && is_parted
@@ -70,7 +70,7 @@ std::string time_words(Language language, const Over& over, const Box& box) {
                : words_of_window(language, over, Phrase{"from frame to frame"});
 }
 
-// Of an ideal gas with the energy of this one, and of hard disks or rods.
+// The pressure of an ideal gas with the energy of this one, and of hard disks or rods.
 ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalMotion>& thermal) {
     if (!thermal) return {};
     const Box& box = context.scene.gas.box;
@@ -84,7 +84,7 @@ ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalM
     const auto better =
         pressure_of_disks(EquationOfState::kolafa_rottner, box, particles, *thermal);
     if (!henderson || !better) return all;
-    constexpr double alike = 0.01;  // of a pressure: one line in a plot
+    constexpr double alike = 0.01;  // relative difference: one line in a plot
     if (std::abs(*henderson / *better - 1.0) < alike) {
         all.push_back(ReferenceLevel{"hard disks", *better});
     } else {
@@ -94,7 +94,7 @@ ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalM
     return all;
 }
 
-// On the walls in the bars' colour, by the virial in the one of what should be looked at.
+// The pressure on the walls has the colour of bars, that from the virial the highlight colour.
 const plot::Role of_walls{.of = plot::Role::Of::bar};
 const plot::Role of_virial{.of = plot::Role::Of::highlight};
 

@@ -1,5 +1,5 @@
-// The pressure on a wall that moves against the area that the walls enclose, as a path; with the
-// isotherm and the adiabat of an ideal gas from its start.
+// The pressure on a moving wall against the area that the walls enclose, as a path; with the
+// isotherm and the adiabat of an ideal gas through its start.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
-// Whether the gas is all there is in the area, and of one density: what the curves hold for.
+// Whether the gas alone fills the area with uniform density, for which the curves hold.
 bool fills_area(const PanelContext& context) {
     const Surfaces& surfaces = context.scene.gas.box.surfaces;
     return surfaces.partitions.empty() && surfaces.obstacles.empty() &&
@@ -29,12 +29,12 @@ bool fills_area(const PanelContext& context) {
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
 const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::highlight}, .dashes = {0.5, 0.3}};
 
-// The path of a run, and where an ideal gas would begin it.
+// The path of a run, and where an ideal gas would start.
 struct PressureVolumeRun {
-    std::string name = {};                         // beside others
+    std::string name = {};                         // among compared runs
     std::vector<double> area = {}, pressure = {};  // of each frame; NaN: none
-    double work = 0.0;                             // the particles times the temperature
-    double start = 0.0;                            // the area
+    double work = 0.0;                             // number of particles times temperature
+    double start = 0.0;                            // area at the start
     void archive(Archive& archive) { archive(name, area, pressure, work, start); }
     bool begins_as(const PressureVolumeRun& other) const {
         return work == other.work && start == other.start;
@@ -96,7 +96,7 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
     const Box& box() const { return context_.scene.gas.box; }
     Over over() const { return spec_.over.value_or(usual_window(context_.scene.run)); }
 
-    // Over a whole window: single hits soon after the start would be strokes up and down.
+    // Only over a whole window: soon after the start, single hits would give vertical strokes.
     bool is_measured(double time) const {
         return over().since != Over::Since::window || time >= (1.0 - 1e-9) * over().window;
     }

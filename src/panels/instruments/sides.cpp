@@ -1,5 +1,6 @@
-// What particles do in parts of the box against time: beside a partition, or in regions that the
-// scene names. How many they are, their temperature, mean energy, or centre of mass.
+// A quantity of the particles in parts of the box against time: on the two sides of a partition, or
+// in regions that the scene names. The quantity is their number, temperature, mean energy or centre
+// of mass.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +36,7 @@ Quantities quantities(PartMeasure measure) {
     return {};
 }
 
-// In the order of the regions, or below and above the partition's place.
+// The parts: in the order of the regions, or below and above the partition's place.
 class Parts {
   public:
     Parts(const Box& box, const PanelSpec& spec)
@@ -72,8 +73,8 @@ class Parts {
         return all;
     }
 
-    // Whether the two sides are alike in equilibrium: of a partition in the middle that lets all
-    // through and does nothing else, by symmetry.
+    // Whether the two sides are equal in equilibrium by symmetry: the partition is in the middle,
+    // lets all particles through and does nothing else.
     bool are_alike(const Scene& scene, const Particles& particles) const {
         const Surfaces& surfaces = box_.surfaces;
         const double diameter = 2.0 * particles.radius.maxCoeff();
@@ -100,8 +101,9 @@ class Parts {
     std::vector<NamedRegion> regions_;
 };
 
-// Half of all, and how far the number is from it: that of points is binomial, N / 4 its variance;
-// that of equal disks is less by the fluid's compressibility.
+// The level is half of all particles, with the standard deviation of their number. The number is
+// binomial for points, with variance N / 4; for equal disks the variance is smaller by the relative
+// compressibility of the fluid.
 ReferenceLevels levels_of_count(const PanelContext& context) {
     const Particles& particles = context.particles;
     const auto count = static_cast<double>(particles.count());
@@ -116,7 +118,8 @@ ReferenceLevels levels_of_count(const PanelContext& context) {
     return {level};
 }
 
-// Each degree of freedom has the same mean energy; that of a half of them has a beta distribution.
+// Each degree of freedom has the same mean energy; the energy of half of them has a beta
+// distribution.
 ReferenceLevels levels_of_energy(const PanelContext& context, const ThermalMotion& start,
                                  PartMeasure measure) {
     const double freedom = start.degrees_of_freedom;

@@ -1,5 +1,5 @@
-// The pressure on single walls and partitions against time: the momentum that particles give each,
-// over the time and its length. On a partition it is what its two sides leave.
+// The pressure on single walls and partitions against time: the momentum that particles give to
+// each, divided by time and length. On a partition it is the difference of its two faces.
 #include "panels/instruments/surface_pressure.h"
 
 #include <algorithm>

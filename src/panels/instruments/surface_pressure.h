@@ -11,22 +11,22 @@
 
 namespace carom {
 
-/// Measures the pressure on sides and partitions: the momentum along its normal that particles give
-/// each, over the time and its length (on a line, over the time). Outward on sides; on a partition
-/// what its two sides leave, toward larger x or y.
+/// Measures the pressure on sides and partitions: the normal momentum that particles give to a
+/// surface, divided by time and length (in one dimension, by time). It counts outward on sides; on
+/// a partition it is the difference of its two faces, toward larger x or y.
 class SurfacePressures {
   public:
     SurfacePressures(const Box& box, std::vector<std::int32_t> surfaces, Over over);
 
-    /// Of each surface, in order of time; NaN as long as no time has passed. A time before the last
-    /// one begins anew.
+    /// Returns the pressure on each surface; NaN while no time has passed. To be called in order of
+    /// time; a time before the last one restarts the measurement.
     std::vector<double> operator()(double time, const AdvanceResult& advanced);
 
-    /// Of all surfaces together, at the last time.
+    /// The pressure on all surfaces together, at the last time.
     double of_all() const;
 
   private:
-    /// What has been received by a time, and the length that received it, integrated over time.
+    /// The momentum received up to a time, and the time integral of the length that received it.
     struct Received {
         double time = 0.0;
         std::vector<double> push = {}, reach = {};
@@ -37,10 +37,10 @@ class SurfacePressures {
     std::vector<double> last_length_;
 };
 
-/// For a table; on a line a pressure is a force.
+/// The unit of pressure for a table; in one dimension a pressure is a force.
 std::string unit_of_pressure(const Box& box);
 
-/// Of the surfaces that the panel names, against time.
+/// Makes the panel of the pressures on the surfaces in `spec`, against time.
 std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// What has added up in the course of a run, over the time that a panel looks back.
+// Sums that accumulate in the course of a run, over the window of time that a panel looks back.
 #pragma once
 
 #include <deque>
@@ -8,10 +8,11 @@
 
 namespace carom {
 
-/// What a reading is a mean over where the scene does not say: a twentieth of the run.
+/// The default averaging window of a reading: a twentieth of the run.
 inline Over usual_window(const Run& run) { return {Over::Since::window, 0.05 * run.until}; }
 
-/// Accounts of a run, each with its `time`; kept as far back as the difference of two needs.
+/// Accumulated sums of a run, each with its `time`; kept as far back as the difference of two of
+/// them over the window needs.
 template <class Account>
 class Trailing {
   public:
@@ -19,15 +20,16 @@ class Trailing {
 
     void clear() { all_.clear(); }
 
-    /// In order of time; one of the same time as the last is left out.
+    /// Adds sums in order of time; sums of the same time as the last are ignored.
     void add(Account account) {
         if (all_.empty() || account.time > all_.back().time) all_.push_back(std::move(account));
         drop_old();
     }
     bool empty() const { return all_.empty(); }
 
-    /// The present, and the last that is a whole window ago (of `now` the one before; of `start`
-    /// the first). The same one as long as no time has passed.
+    /// to() gives the present sums; from() gives the last ones that are at least one window old
+    /// (for Since::now the previous ones, for Since::start the first). Both are the same while no
+    /// time has passed.
     const Account& from() const { return all_.front(); }
     const Account& to() const { return all_.back(); }
 

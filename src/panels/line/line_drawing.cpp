@@ -13,8 +13,8 @@
 namespace carom {
 namespace {
 
-constexpr double rods_from = 2.0;      // units of radius: longer beads are drawn as rods
-constexpr double rods_fill = 0.15;     // of the line, from which beads of true length are rods
+constexpr double rods_from = 2.0;      // units of radius, beyond which beads are drawn as rods
+constexpr double rods_fill = 0.15;     // filled share of the line, from which true beads are rods
 constexpr double arrows_below = 1.15;  // units, from the beads to the middle of their arrows
 constexpr double arrows_apart = 0.9;   // units, from those to the right to those to the left
 constexpr double arrows_height = 2.0;  // units, that they take from the world lines
@@ -60,11 +60,11 @@ LinePanel::View LinePanel::whole_view(const DrawContext& dc) const {
     return view;
 }
 
-// Of the line, with all places that its ends ever reach, as it is drawn.
+// The length of the line as drawn, with all places that its ends ever reach.
 double LinePanel::drawn_length() const { return map_->length() + ends_.before() + ends_.beyond(); }
 
-// Of the line as it is drawn, the part that the camera shows: a length of the box is there as much
-// longer as all of it.
+// The part of the drawn line that the camera shows. A length of the box is drawn longer by the same
+// factor as the whole line.
 LinePanel::View LinePanel::part_of(const View& whole, const CameraView& seen,
                                    const DrawContext& dc) const {
     View view = whole;
@@ -124,8 +124,8 @@ void LinePanel::Drawing::draw_end(double side) const {
     canvas.stroke_line({x, v.plot.y}, {x, v.plot.bottom()}, 0.1 * u, dc.theme.wall, dash);
 }
 
-// Those that act, and the world lines of those that move. What beads gain in drawing is between the
-// two.
+// Draws ends that do more than reflect, and the world lines of moving ends. The length that beads
+// gain by being enlarged lies between the two ends.
 void LinePanel::Drawing::draw_acting_ends() const {
     const double growth = map.length() - context.scene.gas.box.size[0];
     for (std::size_t side = 0; side < now.ends.size(); ++side) {
@@ -140,8 +140,8 @@ void LinePanel::Drawing::draw_acting_ends() const {
     }
 }
 
-// What the axis is, what the lines are, and that beads are not as large as they look, or have no
-// room for their labels where the camera is.
+// Draws the titles of axis and lines, and remarks that beads are enlarged, or have no room for
+// their labels in the camera's view.
 void LinePanel::Drawing::draw_captions() const {
     const Language language = context.language();
     const double baseline = v.plot.y - 0.8 * u;
@@ -194,7 +194,7 @@ void LinePanel::Drawing::draw() const {
     draw_callouts();
 }
 
-// Where a bead is seen: on a ring more than once, where it reaches over the cut.
+// The places at which a bead is visible: on a ring more than one, if it reaches across the cut.
 std::vector<Point> LinePanel::Drawing::seen_at(double place, double radius) const {
     const double x = around_once((place - v.low) * v.scale);
     std::vector<Point> seen;
@@ -206,7 +206,8 @@ std::vector<Point> LinePanel::Drawing::seen_at(double place, double radius) cons
     return seen;
 }
 
-// Calls `draw` with each length by which turns round a ring bring a place between these into view.
+// Calls `draw` with each shift by whole turns around a ring that brings a part of the range from
+// `least` to `most` into view.
 template <class Draw>
 void LinePanel::Drawing::for_each_turn(double least, double most, const Draw& draw) const {
     const double end = v.low + v.plot.width / v.scale;
@@ -215,7 +216,8 @@ void LinePanel::Drawing::for_each_turn(double least, double most, const Draw& dr
     for (double turn = first; turn <= last; turn += 1.0) draw(turn * map.length());
 }
 
-// A strip behind the beads: cells of the line as it is drawn, which is longer than it is.
+// Draws the field as a strip behind the beads; its cells are stretched as the drawn line, which is
+// longer than the true one.
 void LinePanel::Drawing::draw_field() const {
     const double longer = map.length() / context.scene.gas.box.size[0];
     for_each_turn(0.0, map.length(), [&](double back) {
@@ -332,8 +334,8 @@ void LinePanel::Drawing::draw_flashes() const {
             draw_flash(canvas, dc, at, flash.share);
 }
 
-// Under the beads, those to the right above those to the left: on the line, or in one row, those of
-// neighbours would lie upon one another.
+// Velocity arrows are below the beads, those to the right above those to the left: on the line
+// itself, or in a single row, arrows of neighbours would overlap.
 void LinePanel::Drawing::draw_arrows() const {
     if (now.velocity.size() == 0) return;
     double half = 0.0;
@@ -375,7 +377,8 @@ bool LinePanel::Drawing::words_fit(Labels labels) const {
     return true;
 }
 
-// Words on all beads if all are large enough; the names of chosen beads, at the start.
+// Draws labels on all beads if all are large enough, and the names of chosen beads at the start of
+// the film.
 void LinePanel::Drawing::draw_words() const {
     const Labels labels = words_fit(panel.shown_labels()) ? panel.shown_labels() : Labels::none;
     for (Eigen::Index i = 0; i < count(); ++i) {

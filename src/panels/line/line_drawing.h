@@ -1,4 +1,4 @@
-// The picture of a line being drawn: for line_drawing.cpp and line_overlays.cpp only.
+// The state while a line is drawn, shared by line_drawing.cpp and line_overlays.cpp only.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,16 @@ namespace carom {
 
 inline constexpr double rod_half_height = 1.3;  // units
 
-// Where things are, in pixels.
+// The layout of the picture, in pixels.
 struct LinePanel::View {
     Rect plot;         // of the world lines
     double line_y;     // the height of the line
-    double scale;      // pixels of a length
+    double scale;      // pixels per unit length
     double low;        // the place at the left end
     Scale time;        // time before now
     bool has_lines;    // there is room for world lines
     bool rods;         // beads of true length are drawn as rods, else as disks
-    bool larger_rods;  // and those drawn larger than they are
+    bool larger_rods;  // the same for beads drawn larger than they are
     double zoom = 1.0;
     double longest, longest_larger;  // of both kinds of beads, pixels
     double x(double place) const { return plot.x + (place - low) * scale; }
@@ -51,7 +51,8 @@ struct LinePanel::Drawing {
     }
     bool is_rod(Eigen::Index i) const { return map.is_true(i) ? v.rods : v.larger_rods; }
 
-    // Small beads stay visible, chosen ones above all.
+    // Small beads have a least radius; it is larger for beads that the film is about and for
+    // points.
     double shown_radius(Eigen::Index i) const {
         const bool is_dot = stands_out(context, i) || map.radius(i) == 0.0;
         return std::max((is_dot ? 0.4 : 0.15) * u, map.radius(i) * v.scale);

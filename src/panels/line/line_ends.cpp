@@ -81,7 +81,8 @@ bool LineEnds::has_words(std::size_t side) const {
     });
 }
 
-// At an end without words, which move with the end; in the middle where both have some.
+// The arrow is at an end without a label, since labels move with their end; in the middle if both
+// ends have labels.
 void LineEnds::draw_gravity(Canvas& canvas, const DrawContext& dc, const Rect& line) const {
     const double g = scene_.gas.box.surfaces.gravity[0], u = dc.unit;
     if (g == 0.0) return;

@@ -1,5 +1,5 @@
-// The ends of a wire whose walls act: how far they come, and what is drawn there. Places are those
-// of the scene, not as drawn.
+// The ends of a wire whose walls do more than reflect: their range of motion and their drawing.
+// Places are those of the scene, not those of the picture.
 #pragma once
 
 #include <array>
@@ -16,37 +16,38 @@ class LineEnds {
   public:
     explicit LineEnds(const PanelContext& context);
 
-    /// Whether they only reflect, and nothing pulls at the beads.
+    /// Whether the ends only reflect, and no force acts on the beads.
     bool is_plain() const { return look_.is_plain(); }
 
     /// First pass, every frame in order.
     void survey(const FrameInput& input);
     void archive(auto& archive) { archive(extent_); }
 
-    /// How far the wire reaches, at most, left of 0 and beyond its length.
+    /// The largest extent of the wire to the left of 0, and beyond its length.
     double before() const { return -extent_.first; }
     double beyond() const { return extent_.second - length_; }
 
-    /// The wire, as far as it ever reaches.
+    /// The wire with its largest extent in the film.
     Region extent() const { return {{extent_.first, 0.0}, {extent_.second, 0.0}}; }
 
     /// An end at a frame.
     struct End {
         SurfaceState state;
         double place = 0.0;
-        std::vector<Point> path = {};  ///< times and places so far, in memory; of one that moves
+        std::vector<Point> path = {};  ///< past times and places within `memory`, if the end moves
     };
 
-    /// Second pass, every frame in order; none of plain ones.
+    /// Second pass, every frame in order: returns the ends; empty if they are plain. `memory`: the
+    /// simulated time that a path goes back.
     std::vector<End> see(const FrameInput& input, double memory);
 
     void archive_progress(auto& archive) { archive(paths_); }
 
-    /// Draws one at `x` (pixels), across the wire at the height `y`.
+    /// Draws an end at `x` (pixels), across the wire at the height `y`.
     void draw(Canvas& canvas, const DrawContext& dc, const End& end, std::size_t side, double x,
               double y) const;
 
-    /// An arrow in a line of words above the wire.
+    /// Draws the arrow of gravity in a line of text above the wire.
     void draw_gravity(Canvas& canvas, const DrawContext& dc, const Rect& line) const;
 
   private:

@@ -47,8 +47,8 @@ double LineMap::place(Eigen::Index i, double x, double last) const {
     return x + turns * true_length_ + push_[i];
 }
 
-// On a ring the first bead is near its last place; each further one is the next to the right, or at
-// the same place but for round-off.
+// On a ring, the first bead is placed near its last place; each further bead is the next one to the
+// right, or at the same place up to round-off.
 Eigen::ArrayXd LineMap::places(const Sample& sample, const Eigen::ArrayXd& last) const {
     Eigen::ArrayXd places(static_cast<Eigen::Index>(order_.size()));
     double before = 0.0;

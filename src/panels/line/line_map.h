@@ -1,6 +1,7 @@
-// Where the beads of a line are drawn. Beads are drawn larger than they are where the dynamics is
-// of points, and pushed apart by as much, so that neighbours seem to touch when they meet, and so
-// do a bead and a wall. Knows no canvas: lengths are of the scene.
+// Maps the beads of a line to the places where they are drawn. Point particles are drawn with a
+// radius, and all beads are shifted apart accordingly, so that two neighbours, or a bead and a
+// wall, appear to touch when they collide. Independent of the canvas: lengths are those of the
+// scene.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@ class LineMap {
   public:
     LineMap() = default;  ///< to be read into
 
-    /// `start` gives the order of the beads, which never changes.
+    /// `start` determines the order of the beads, which never changes.
     LineMap(const PanelContext& context, const Sample& start);
 
     /// The particles from left to right.
@@ -22,10 +23,10 @@ class LineMap {
 
     double radius(Eigen::Index i) const { return radius_[i]; }  ///< as drawn
     double length() const { return length_; }                   ///< of the line as drawn
-    bool is_true(Eigen::Index i) const { return true_[i]; }     ///< drawn as long as it is
+    bool is_true(Eigen::Index i) const { return true_[i]; }     ///< drawn in its true length
 
-    /// Places as drawn. On a ring they go on beyond its length, without jumps, and are told apart
-    /// by `last`, those drawn before.
+    /// The places as drawn. On a ring they continue beyond its length without jumps; `last`, the
+    /// places drawn before, determines the number of turns.
     Eigen::ArrayXd places(const Sample& sample, const Eigen::ArrayXd& last) const;
 
     /// The same for one particle at x, near `last`.
@@ -41,7 +42,7 @@ class LineMap {
     std::vector<Eigen::Index> order_;
     Eigen::ArrayXd radius_;
     Eigen::Array<bool, Eigen::Dynamic, 1> true_;
-    Eigen::ArrayXd push_;  ///< to the right of the true place
+    Eigen::ArrayXd push_;  ///< shift to the right of the true place
     double length_ = 0.0;
 };
 

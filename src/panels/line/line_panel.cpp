@@ -35,7 +35,7 @@ void LinePanel::survey(const FrameInput& input) {
         {input.tick.time, 2.0 * static_cast<double>(counts.particle) + double(counts.wall)});
 }
 
-// Flashes are between the two beads, or the bead and the end, as they are drawn.
+// Flashes are drawn between the two beads, or between the bead and the end, at their drawn places.
 void LinePanel::survey_places(const FrameInput& input) {
     if (!flashes_.asked() && context_.scene.film.callouts.empty()) return;
     if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(input.sample, {});
@@ -52,7 +52,7 @@ void LinePanel::survey_places(const FrameInput& input) {
     callouts_.survey(input, surveyed_places_);
 }
 
-// The median over parts of the run, so that a short burst does not count.
+// The median over parts of the run, so that a short burst has no influence.
 double LinePanel::usual_rate() const {
     constexpr std::size_t parts = 20;
     std::vector<double> rates;
@@ -65,8 +65,8 @@ double LinePanel::usual_rate() const {
                          : quantile(rates, 0.5) / static_cast<double>(context_.particles.count());
 }
 
-// So long that each bead has a few collisions in it most of the time, as far as that is neither too
-// fast nor too slow to be followed.
+// The memory is long enough for a few collisions of each bead most of the time, within limits that
+// keep the world lines neither too fast nor too slow for the eye.
 void LinePanel::fix_axes() {
     colors_.fix_scale();
     flashes_.fix_scale();
@@ -124,7 +124,7 @@ std::string LinePanel::account(const PanelState& state) const {
     return words + (words.empty() ? "" : " ") + field_.account(*now.field);
 }
 
-// Masses that differ are shown unasked.
+// Masses are shown by default if they differ.
 Labels LinePanel::shown_labels() const {
     const Labels asked = context_.scene.film.labels;
     const Eigen::ArrayXd& inverse_mass = context_.particles.inverse_mass;
@@ -132,8 +132,8 @@ Labels LinePanel::shown_labels() const {
     return asked == Labels::none && differ ? Labels::mass : asked;
 }
 
-// Places are as drawn: beads pushed apart where they are drawn larger than they are, and on a ring
-// going on beyond its length without jumps.
+// Places are as drawn: enlarged beads are shifted apart, and on a ring places continue beyond its
+// length without jumps.
 Table LinePanel::table(const PanelState& state, const Theme& theme) const {
     const auto& now = static_cast<const State&>(state);
     Table table{{"part", "particle", "species", column_name("x as drawn", reduced::length),

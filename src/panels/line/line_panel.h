@@ -1,5 +1,5 @@
-// The line with its beads, and under it their world lines: where each bead was during the last
-// while, time flowing down. The picture a film of one dimension is about.
+// The line with its beads, and below it their recent world lines. The main picture of a film in one
+// dimension.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ class LinePanel : public ParticlePanel {
     Table table(const PanelState& state, const Theme& theme) const override;
     bool wants_collisions() const override { return true; }
 
-    /// The ends, where they act.
+    /// Describes the ends, unless they only reflect.
     std::string account(const PanelState& state) const override;
 
     /// For tests: the simulated time that the world lines show.
@@ -38,13 +38,13 @@ class LinePanel : public ParticlePanel {
     struct Drawing;
     struct Bends {
         double time;
-        double count;  // of all world lines since the start
+        double count;  // bends of all world lines since the start
     };
     struct State : ParticleState {
         double time = 0.0;
         std::vector<std::vector<WorldLines::Bend>> lines;  // oldest bend first, the present last
         std::vector<double> reversals;                     // simulated times in memory
-        std::vector<LineEnds::End> ends;                   // none of those that only reflect
+        std::vector<LineEnds::End> ends;                   // empty if they only reflect
         std::size_t bytes() const override {
             std::size_t sum = ParticleState::bytes();
             for (const auto& line : lines) sum += line.size() * sizeof(WorldLines::Bend);
@@ -68,7 +68,7 @@ class LinePanel : public ParticlePanel {
     std::vector<Bends> bends_;    // at each frame of the first pass
     double memory_ = 1.0;
     std::optional<WorldLines> lines_;               // after fix_axes()
-    Eigen::ArrayXd surveyed_places_, last_places_;  ///< in either pass, of the frame before
+    Eigen::ArrayXd surveyed_places_, last_places_;  ///< of the frame before, in each pass
 };
 
 }  // namespace carom

@@ -11,8 +11,8 @@
 namespace carom {
 namespace {
 
-constexpr std::size_t most_lines = 150;  // more do not part on a screen
-constexpr double finest = 1.0 / 2000.0;  // of the memory: bends closer than this are one
+constexpr std::size_t most_lines = 150;  // more cannot be distinguished on a screen
+constexpr double finest = 1.0 / 2000.0;  // of the memory: bends closer in time are merged
 
 }  // namespace
 
@@ -31,7 +31,7 @@ WorldLines::WorldLines(const PanelContext& context, const LineMap& map, const Ga
     choose(map);
 }
 
-// Evenly along the line, and those that the film is about.
+// Chooses beads evenly along the line, and those that the film is about.
 void WorldLines::choose(const LineMap& map) {
     const std::size_t beads = map.order().size();
     const std::size_t stride = (beads + most_lines - 1) / most_lines;
@@ -75,8 +75,8 @@ void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
     const bool turned =
         input.tick.phase == Phase::reversing && (reversals_.empty() || reversals_.back() < now);
     if (turned) reversals_.push_back(now);
-    // Where heat or a reversal changes all velocities, between frames too; what falls bends all the
-    // time.
+    // Heating or a reversal changes all velocities, possibly between frames. Under gravity a line
+    // bends all the time.
     const auto change = std::ranges::upper_bound(changes_, now);
     const double changed = change == changes_.begin() ? 0.0 : *std::prev(change);
     const bool falls = context_.scene.gas.box.surfaces.gravity[0] != 0.0;

@@ -1,5 +1,5 @@
-// World lines: where beads of a line were during the last while, as the places and times at which
-// their velocities changed, or of frames where they fall. Knows no canvas.
+// World lines: the recent paths of the beads of a line, stored as the places and times at which
+// their velocities changed; under gravity, also at each frame. Independent of the canvas.
 #pragma once
 
 #include <deque>
@@ -13,7 +13,7 @@ namespace carom {
 
 class WorldLines {
   public:
-    /// A place and a time at which a velocity changes, or of a frame while it falls.
+    /// A place and a time at which the velocity changes; under gravity, also those of each frame.
     struct Bend {
         double time;          ///< simulated
         double place;         ///< as drawn, length
@@ -21,18 +21,20 @@ class WorldLines {
         void archive(auto& archive) { archive(time, place, shade); }
     };
 
-    /// Of the last `memory` units of simulated time. Refers to the map and the colours.
+    /// Keeps the last `memory` units of simulated time. Holds references to `map` and `colors`.
     WorldLines(const PanelContext& context, const LineMap& map, const GasColors& colors,
                double memory);
 
-    /// Every frame in order, with the places of all beads as drawn, now and one frame before.
+    /// Called for every frame in order, with the places of all beads as drawn in this frame and in
+    /// the frame before.
     void see(const FrameInput& input, const Eigen::ArrayXd& places, const Eigen::ArrayXd& last);
 
-    /// The beads whose lines are kept: all, or as many as part on a screen.
+    /// The beads whose lines are kept: all, or as many as can be distinguished on a screen.
     std::size_t count() const { return particles_.size(); }
     Eigen::Index particle(std::size_t line) const { return particles_[line]; }
 
-    /// A line with the present as its last bend, oldest first; the first may lie before the memory.
+    /// The bends of a line, oldest first, with `present` as the last one; the first may be older
+    /// than the memory.
     std::vector<Bend> line(std::size_t line, const Bend& present) const;
 
     /// The simulated times of reversals in memory.
@@ -56,7 +58,7 @@ class WorldLines {
     std::vector<double> reversals_;        ///< simulated times
 };
 
-/// Whether a film is about this bead: a single one among many, or one that should have a trail.
+/// Whether the film is about this bead: a single one among many, or one for which a trail is asked.
 bool stands_out(const PanelContext& context, Eigen::Index particle);
 
 }  // namespace carom

@@ -15,7 +15,7 @@ constexpr double first_row = 1.05;    // units, from the top of the plot to its 
 
 using Side = PlaceOfNotes::Side;
 
-// With its mark, in a number's usual width.
+// The width of a name with its mark and with a number of typical width.
 double width_of(const DrawContext& dc, const BarNotes& notes, const std::string& name) {
     const std::string words = escape_markup(name) + " " + notes.typical_number;
     return measure_text(words, label_style(dc)).width + 0.7 * dc.unit;
@@ -41,7 +41,8 @@ double width_of_names(const DrawContext& dc, const Plot& plot, bool is_short) {
     return width;
 }
 
-// Whether the curves of the theory, and so the bars in the long run, leave room under the names.
+// Whether the theoretical curves, and thus the bars in the long run, are low enough from `x` on to
+// leave room for the names.
 bool is_low_from(double x, const Rect& area, const DrawContext& dc, const Plot& plot) {
     constexpr double height_of_names = 2.8;  // units
     const double lowest = plot.y.high - height_of_names * dc.unit / area.height * plot.y.high;
@@ -111,7 +112,8 @@ Point place_of_name(const Frame& frame, const Plot& plot, std::size_t index, boo
     return {std::max(frame.dc.area.x, std::min(row.x, second - width(0) - u)) + 0.2 * u, row.y};
 }
 
-// How many names find room side by side, with short names if need be; at least as many as two.
+// The number of names in a row, with short names if necessary; room is computed for at least two
+// names, and rows are balanced.
 std::size_t in_a_row(const Plot& plot, const DrawContext& dc) {
     constexpr double labels = 4.0;  // units, left of the area
     const std::size_t count = std::max<std::size_t>(2, plot.bar_notes->names.size());
@@ -123,7 +125,7 @@ std::size_t in_a_row(const Plot& plot, const DrawContext& dc) {
     return (count + rows - 1) / rows;
 }
 
-// On a plate of the page's colour, so that bars behind it do not cut it up.
+// Draws words on a plate of the page's colour, so that bars behind do not impair them.
 void draw_words(Canvas& canvas, const Frame& frame, Point at, const std::string& markup,
                 Color color) {
     const double u = frame.dc.unit;

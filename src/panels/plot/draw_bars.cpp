@@ -8,7 +8,7 @@
 namespace carom::plot {
 namespace {
 
-constexpr double casing_of_marks = 0.6;  // of the page in it: a line of it alone would split a bar
+constexpr double casing_of_marks = 0.6;  // share of the page's colour: all of it would split a bar
 constexpr double casing = 0.07;          // of the page on each side of lines over bars, in units
 constexpr double cased_bar = 0.7;        // units, the height of bars over which lines have casings
 constexpr double cased_from = 0.3;       // units over the axis
@@ -29,8 +29,8 @@ double top_of(const Frame& frame, const Bars& bars, std::size_t i) {
     return is_broken(bars, i) ? frame.area.y : frame.y(bars.value[i], Beyond::clamped);
 }
 
-// One shape: bars of their own would show seams between them wherever a vector picture is seen at
-// another size. On whole pixels sideways, so that bars side by side are equally sharp.
+// Fills all bars as one polygon: separate bars would show seams in a vector picture that is scaled.
+// Horizontal positions are whole pixels, so that all bars are equally sharp.
 void fill_bars(Canvas& canvas, const Frame& frame, const Bars& bars) {
     std::vector<Point> outline{{left_of(frame, bars, 0), frame.area.bottom()}};
     for (std::size_t i = 0; i < bars.value.size(); ++i) {
@@ -68,7 +68,8 @@ bool is_any_broken(const std::vector<const Bars*>& all, std::size_t bin) {
     return std::ranges::any_of(all, [&](const Bars* bars) { return is_broken(*bars, bin); });
 }
 
-// Two strokes across each bar that is taller than the axis, and across all of such neighbours.
+// Draws two strokes across each bar that is taller than the axis; adjacent ones share their
+// strokes.
 void draw_breaks(Canvas& canvas, const Frame& frame, const std::vector<const Bars*>& all) {
     const double u = frame.dc.unit;
     const Bars& first = *all.front();
@@ -85,7 +86,7 @@ void draw_breaks(Canvas& canvas, const Frame& frame, const std::vector<const Bar
     }
 }
 
-// A standard error to either side of each mean, as far as the axis goes.
+// Draws error bars of one standard error to either side of each mean, cut at the end of the axis.
 void draw_errors(Canvas& canvas, const Frame& frame, const Bars& bars) {
     const double u = frame.dc.unit, width = bars.error_stroke.width * u;
     const Color color = color_of(bars.error_stroke, frame.dc.theme);
@@ -109,7 +110,8 @@ void draw_casing(Canvas& canvas, const Frame& frame, const Line& line) {
     canvas.stroke_path(path, frame.pixels(line.stroke.width + 2.0 * casing), frame.dc.theme.page);
 }
 
-// As high as the bars that it goes through: they are darker there, and stay whole.
+// The casing of a marker is as high as the bars that it crosses, and only tints them, so that they
+// do not look split.
 void draw_casing(Canvas& canvas, const Frame& frame, const Marker& marker, const Bars& bars) {
     const double axis = axis_style(frame.dc).line_width;
     const double half = frame.pixels(0.5 * marker.stroke.width + casing);
@@ -123,9 +125,9 @@ void draw_casing(Canvas& canvas, const Frame& frame, const Marker& marker, const
     }
 }
 
-// Solid bars have hardly another lightness than curves and marks: a line of the page on each side
-// keeps those apart. Under all of them, and not over the axes. It would hide low bars and the feet
-// of others, on which a curve lies like a lid: there the curve has none.
+// Solid bars have nearly the same lightness as curves and marks, so these get a casing: a line in
+// the page's colour on each side. Casings are below all curves and marks, and not over the axes.
+// Over low bars and the feet of others, which it would hide, a curve has no casing.
 void draw_casings(Canvas& canvas, const Frame& frame, const Plot& plot, const Bars& bars) {
     const Rect& area = frame.area;
     const double axis = axis_style(frame.dc).line_width;

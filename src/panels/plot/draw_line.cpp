@@ -1,4 +1,4 @@
-// Lines that grow, and bands of errors around them; points.
+// Draws growing lines, error bands around them, and points.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// Levels, markers and arrows, and the words beside them.
+// Draws levels, markers and arrows, and the words beside them.
 #include <algorithm>
 #include <cmath>
 
@@ -45,8 +45,8 @@ bool fits_across(const Frame& frame, const Place& place) {
     return left >= frame.area.x && place.rect.right() <= frame.area.right();
 }
 
-// Words about a point near the left or the right side, as far from it as keeps them within the
-// plot.
+// Shifts centred words near the left or the right side of the plot horizontally so that they stay
+// inside.
 void keep_inside(const Frame& frame, Place& place) {
     const double air = frame.pixels(0.3), least = frame.area.x + air;
     const double most = frame.area.right() - air - place.rect.width;
@@ -56,8 +56,8 @@ void keep_inside(const Frame& frame, Place& place) {
     place.rect.x = x;
 }
 
-// The first that is free, of all anchors and their steps; where shorter words are left to try, one
-// that holds these.
+// The first free place of all anchors and their steps. While shorter words remain to be tried, the
+// place must hold the words completely.
 std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& anchors,
                                 double width, bool has_shorter) {
     for (const Anchor& anchor : anchors) {
@@ -87,7 +87,7 @@ TextStyle style_of(const Frame& frame, const Label& label) {
     return style;
 }
 
-// Where a label goes, and which of its words; nothing where it is left out.
+// The place of a label and the version of its words that is used; none if the label is left out.
 std::optional<Place> place_of(const Frame& frame, const Label& label) {
     std::string words;
     double width = 0.0;

@@ -13,12 +13,12 @@
 namespace carom::plot {
 namespace {
 
-constexpr double least_left = 3.0;         // for the labels of the axis up, units
+constexpr double least_left = 3.0;         // for the labels of the vertical axis, units
 constexpr double zero_place_height = 1.5;  // units
 constexpr double gap_over_bars = 0.4;  // under notes, for the counts of bars that are cut, units
 constexpr double thinnest = 0.8, widest = 1.6;  // of a plot beside a note, width over height
 
-// The first of the wide titles that is not cut at full size, else of the others.
+// The first of the wide titles that fits at full size, otherwise the first of the others that fits.
 std::string title_of(const Plot& plot, const DrawContext& dc) {
     for (const Text& title : plot.wide_titles) {
         const std::string words = markup_of(title, dc.theme);
@@ -37,7 +37,7 @@ AxisStyle style_of(const Plot& plot, const Axis& axis, const DrawContext& dc) {
     return style;
 }
 
-// Pixels of a unit of data, the same on both axes.
+// Pixels per unit of data, the same on both axes.
 double scale_in(const Rect& area, const Plot& plot) {
     return std::min(area.width / (plot.x.high - plot.x.low),
                     area.height / (plot.y.high - plot.y.low));
@@ -48,8 +48,9 @@ struct PlotArea {
     bool is_key_beside = false;
 };
 
-// Under the title and the notes, right of so much for the labels of the axis; the note that may be
-// beside is, where that leaves more of the area.
+// The area of the data: under the title and the notes, and to the right of `left` pixels for the
+// labels of the axis. A note that may be beside the plot is put there if this makes the plot
+// larger.
 PlotArea area_of(const Plot& plot, const DrawContext& dc, const PlaceOfNotes& place, double left) {
     const Rect whole = plot_area(dc);
     const auto under_notes = [&](bool is_key_beside) {
@@ -74,7 +75,8 @@ PlotArea area_of(const Plot& plot, const DrawContext& dc, const PlaceOfNotes& pl
     return {under};
 }
 
-// What an axis shows between two places: what it says, or more, so that a unit takes `scale`.
+// The scale of an axis between two positions: its own range, or a larger range in which a unit
+// takes `scale` pixels.
 Scale scale_of(const Axis& axis, double from, double to, std::optional<double> scale) {
     if (!scale) return {axis.low, axis.high, from, to};
     const double middle = 0.5 * (axis.low + axis.high), half = 0.5 * std::abs(to - from) / *scale;
@@ -113,7 +115,7 @@ Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
 
 namespace {
 
-// No power of ten is 0: it has a place of its own under the axis, which is broken there.
+// On an axis of powers of ten, 0 has a separate place below, where the axis is broken.
 void draw_zero_place(Canvas& canvas, const Frame& frame) {
     const double u = frame.dc.unit;
     const double middle = 0.5 * (frame.y_scale.from + frame.area.bottom());
@@ -148,7 +150,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     if (!plot.y.title.empty()) draw_y_title(canvas, frame, markup_of(plot.y.title, dc.theme));
 }
 
-// Labels keep clear of all that lines will show in the film, of levels and of some markers.
+// Labels keep clear of the whole course of lines in the film, of levels and of some markers.
 struct Obstacles {
     const Frame& frame;
     void operator()(const Line& line) const {
@@ -207,8 +209,8 @@ bool is_hidden(const AnyLayer& layer) {
     return line != nullptr && line->shown.end == 0;
 }
 
-// What the labels of a part must not lie on: those that stand still, on nothing that is shown in
-// the film; those that change, on nothing that is shown now, nor on those that stand still.
+// Registers what the labels of a part must not overlap: for still labels, all that is shown in the
+// film; for changing labels, what is shown now, and the still labels.
 void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
     if (!has_labels(plot, still)) return;
     LabelPlacer placer(frame.area);

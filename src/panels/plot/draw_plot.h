@@ -1,5 +1,4 @@
-// What is made of a plot: the picture and the table. They cannot disagree, as both come from the
-// same value.
+// The picture and the table of a plot. They cannot disagree, as both are made from the same value.
 #pragma once
 
 #include <optional>
@@ -10,19 +9,20 @@
 
 namespace carom::plot {
 
-/// What of a plot is drawn: what is the same in every frame (title, notes, axes, still layers), or
-/// the rest, over that.
+/// The part of a plot that is drawn: what is the same in every frame (title, notes, axes, still
+/// layers), or the rest, which is drawn over it.
 enum class Part { still, changing };
 
-/// Draws a part of the plot into `dc.area`. A pure function; any thread.
+/// Draws a part of the plot into `dc.area`. A pure function; may be called from any thread.
 void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part);
 
-/// Where a point of its axes is on the canvas: at `y`, or at the top of the highest bar or line at
-/// `x` in what is drawn. None where it lies beyond the axes.
+/// The position on the canvas of a point in the plot's coordinates: at `y` or, without `y`, at the
+/// top of the highest bar that is drawn at `x`, or of the highest line if there is no bar. None if
+/// `x` lies beyond the axis; a `y` beyond the axis is clamped.
 std::optional<Point> place_in(const DrawContext& dc, const Plot& plot, double x,
                               std::optional<double> y);
 
-/// Its numbers: columns `part` and `of`, before them `run` where runs stand side by side, and then
+/// The numbers of a plot: the columns `part` and `of`, preceded by `run` if runs are compared, then
 /// `plot.columns`. Numbers that do not change from one row to the next are listed once.
 Table table_of(const Plot& plot);
 

@@ -1,4 +1,4 @@
-// Where words go in a plot: at the first of some places where they lie on nothing.
+// Checks places for words in a plot, which are put at the first place where they overlap nothing.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ class LabelPlacer {
     /// Words stay inside of `area`.
     explicit LabelPlacer(const Rect& area) : area_(area) {}
 
-    /// What words must not lie on: a straight piece of a line, and other words.
+    /// Add what words must not overlap: a straight segment of a line, and other words.
     void keep_clear(Point from, Point to) { segments_.emplace_back(from, to); }
     void keep_clear(const Rect& words) { words_.push_back(words); }
 
@@ -27,7 +27,7 @@ class LabelPlacer {
     std::vector<Rect> words_;
 };
 
-/// Whether a straight piece of a line lies over a part of the picture.
+/// Whether a straight segment crosses a rectangle.
 bool meets(const Rect& part, const Point& from, const Point& to);
 
 }  // namespace carom::plot

@@ -1,5 +1,5 @@
-// How each kind of layer is drawn: one file for each, behind draw_plot(). Knows where data lie on
-// the canvas; axes, titles and notes are draw_plot.cpp's.
+// The drawing of each kind of layer, in separate files behind draw_plot(). It knows the position of
+// data on the canvas; axes, titles and notes belong to draw_plot.cpp.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace carom::plot {
 
-/// Where the words over bars stand: at the top right or left of the plot, or in rows above it.
+/// The place of the words over bars: at the top right or left of the plot, or in rows above it.
 struct PlaceOfNotes {
     enum class Side { right, left, above, none } side = Side::right;
     double width = 0.0;      ///< of a name and its number, pixels
@@ -22,26 +22,27 @@ struct PlaceOfNotes {
     std::size_t in_row = 2;  ///< how many share the width of a row
 };
 
-/// Where a plot's data lie on a canvas.
+/// The mapping of a plot's data to the canvas.
 struct Frame {
     const DrawContext& dc;
-    Rect area;               ///< that the data fill
-    Scale x_scale, y_scale;  ///< unless an axis is linear, of decimal logarithms
+    Rect area;               ///< filled by the data
+    Scale x_scale, y_scale;  ///< of decimal logarithms, unless an axis is linear
     Axis::Kind y_kind;
     LabelPlacer& placer;
     PlaceOfNotes notes = {};     ///< over bars
     Point row = {};              ///< where the last row above the plot begins, on its baseline
-    bool is_key_beside = false;  ///< of a note that may be
+    bool is_key_beside = false;  ///< whether a note that may be beside the plot is there
 
     double x(double value) const { return x_scale(value); }
 
-    /// Of a datum; on an axis of powers of ten 0 has its place at the area's bottom.
+    /// The vertical position of a value. On an axis of powers of ten, 0 is at the bottom of the
+    /// area.
     double y(double value, Beyond beyond = Beyond::drawn) const;
     double pixels(double units) const { return units * dc.unit; }
 };
 
-/// Where a plot's data lie in `dc.area`: under the title and the notes, left and above the axes'
-/// labels.
+/// Lays out a plot in `dc.area`: the data are below the title and the notes, and inside the labels
+/// of the axes.
 Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer);
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars);
@@ -53,17 +54,17 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker);
 void draw_layer(Canvas& canvas, const Frame& frame, const Arrow& arrow);
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
-/// Where a label goes, and keeps other labels off there; nothing where it is left out.
+/// Places a label and reserves its place against other labels; none if the label is left out.
 std::optional<Rect> rect_of(const Frame& frame, const Label& label);
 
-/// A role's colour on the theme, and that of a stroke, with its shade and its fading.
+/// The colour of a role on a theme, and that of a stroke, with its shade and its fading applied.
 Color color_of(const Role& role, const Theme& theme);
 Color color_of(const Stroke& stroke, const Theme& theme);
 
 /// A stroke's dashes in pixels; empty: solid.
 std::vector<double> dashes_of(const Stroke& stroke, const DrawContext& dc);
 
-/// Strokes a path, or a straight line with flat ends, with all that a stroke says.
+/// Draw a path, or a straight line with flat ends, with all properties of a stroke.
 void draw_stroke(Canvas& canvas, const DrawContext& dc, std::span<const Point> path,
                  const Stroke& stroke);
 void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
@@ -71,7 +72,7 @@ void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
 
 void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark);
 
-/// An arrow in a picture that explains something; the edge's width in units.
+/// The style of an arrow in an explanatory picture; `edge`: the width of its edge in units.
 ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, double edge);
 
 /// Draws an arrow between two points of the canvas.

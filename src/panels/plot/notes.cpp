@@ -9,11 +9,11 @@ namespace carom::plot {
 namespace {
 
 constexpr double sample_gap = 0.5, entry_gap = 1.5;  // units
-constexpr double narrow_gap = 0.4;        // between entries that are in one row for want of room
+constexpr double narrow_gap = 0.4;        // between entries that are squeezed into one row
 constexpr double first_baseline = 2.5;    // units
 constexpr double sample_over_plot = 2.4;  // of notes that begin at the plot's edge, units
 constexpr double gap_beside = 1.4;        // between a plot and the note beside it, units
-constexpr double most_rows = 0.45;        // of the height, that a note takes which may be beside
+constexpr double most_rows = 0.45;  // of the height: limit for a note that may be beside the plot
 
 // Marks are narrower than other samples.
 double sample_of(const Note& note, const KeyEntry& entry, const DrawContext& dc) {
@@ -29,7 +29,7 @@ const Text& words_of(const KeyEntry& entry, std::size_t length) {
     return entry.words[std::min(length, entry.words.size() - 1)];
 }
 
-// Which of its words an entry shows, and where it begins.
+// The version of its words that an entry shows, and its place.
 struct PlacedEntry {
     const KeyEntry* entry;
     std::size_t length;
@@ -37,7 +37,7 @@ struct PlacedEntry {
     double sample, width;
 };
 
-// With its sample as wide as given, or as it is by itself.
+// Measures an entry, with its sample in the given width or in its own.
 PlacedEntry measured(const Note& note, const KeyEntry& entry, std::size_t length,
                      const DrawContext& dc, std::optional<double> sample_width = {}) {
     const double sample = sample_width.value_or(sample_of(note, entry, dc));
@@ -46,7 +46,7 @@ PlacedEntry measured(const Note& note, const KeyEntry& entry, std::size_t length
     return {&entry, length, {}, sample, sample + gap + width_of(words, dc)};
 }
 
-// Makes the widest of them narrower, until all have room side by side.
+// Narrows the widest entries of a row until all fit side by side.
 void squeeze(std::vector<PlacedEntry>& row, double room) {
     std::vector<double> widths;
     for (const PlacedEntry& one : row) widths.push_back(one.width);
@@ -60,7 +60,8 @@ void squeeze(std::vector<PlacedEntry>& row, double room) {
     for (PlacedEntry& one : row) one.width = std::min(one.width, most);
 }
 
-// All in one row, the ends of some words cut off; none where too little of them would be left.
+// Puts all entries in one row, some cut at their ends; empty if more than `most_cut` would be cut
+// off.
 std::vector<PlacedEntry> places_in_one_row(const Note& note, const DrawContext& dc, Point start) {
     constexpr double most_cut = 0.1;  // of all words
     std::vector<PlacedEntry> placed;
@@ -80,7 +81,7 @@ std::vector<PlacedEntry> places_in_one_row(const Note& note, const DrawContext& 
     return placed;
 }
 
-// In rows, from the left end of the first one's baseline.
+// Puts entries in rows; `start` is the left end of the baseline of the first row.
 std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc, Point start = {}) {
     std::size_t lengths = 1, length = 0;
     for (const KeyEntry& entry : note.entries) lengths = std::max(lengths, entry.words.size());
@@ -106,7 +107,7 @@ std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc, Point s
     return placed;
 }
 
-// The same for a column, in which words begin at one place; and the width that the column takes.
+// The same for a column, in which all words are left-aligned; also returns the width of the column.
 std::pair<std::vector<PlacedEntry>, double> column_of(const Note& note, const DrawContext& dc) {
     std::vector<PlacedEntry> entries;
     double width = 0.0;
@@ -140,7 +141,7 @@ double height_of(const Note& note, const DrawContext& dc) {
     return note_height + (placed.empty() ? 0.0 : placed.back().at.y / dc.unit);
 }
 
-// Whether the title is one of so many last ones: all others are too long.
+// Whether the title that is shown is one of the last `count` ones, all others being too long.
 bool has_one_of_last_titles(const Plot& plot, std::size_t count, const DrawContext& dc) {
     const auto fits = [&](const Text& title, TextStyle style) {
         return measure_text(markup_of(title, dc.theme), style).width <= dc.area.width;
@@ -158,12 +159,12 @@ bool has_one_of_last_titles(const Plot& plot, std::size_t count, const DrawConte
 struct ShownNote {
     const Note* note;
     double height;       // units
-    bool is_in_one_row;  // although it wraps: there is no room for more
+    bool is_in_one_row;  // in spite of `wraps`, as there is no room for more rows
 };
 
-// The notes that are drawn: those for which the title leaves no room, and as many as leave room to
-// the data. A key whose rows leave too little is shown in one row, if most of its words fit there:
-// lines without names tell nothing.
+// The notes that are drawn: only those that the shown title requires, and only as long as enough
+// room remains for the data. A key whose rows would take too much is squeezed into one row if most
+// of its words fit, since lines without names are useless.
 std::vector<ShownNote> notes_of(const Plot& plot, const DrawContext& dc) {
     double room = plot_area(dc).height / dc.unit - least_height;
     std::vector<ShownNote> notes;

@@ -21,7 +21,7 @@ Height height_at(const Bars& bars, double x) {
     return {};
 }
 
-// Between the points on either side.
+// Interpolates between the points on either side.
 Height height_at(const Line& line, double x) {
     Height highest_there;
     const std::size_t end = std::min(line.shown.end, line.x.size());
@@ -35,7 +35,7 @@ Height height_at(const Line& line, double x) {
     return highest_there;
 }
 
-// Bars before lines: a theory's curve over them is not what happens.
+// Bars take precedence over lines: a theoretical curve over them is not the measurement.
 Height top_at(const Plot& plot, double x) {
     Height bars, lines;
     for (const AnyLayer& layer : plot.layers) {

@@ -4,7 +4,7 @@ namespace carom::plot {
 
 namespace {
 
-// As many as a panel has choices, and more than there are runs side by side.
+// As many patterns as a panel has choices, and more than there are compared runs.
 const std::vector<double>& dashes_of(std::size_t line) {
     static const std::array<std::vector<double>, 8> patterns{{{},
                                                               {0.8, 0.4},

@@ -1,6 +1,6 @@
-// A plot as a value: axes, layers of data and what they mean, notes. It knows no pixel, no font and
-// no neighbour. draw_plot() draws it, table_of() lists its numbers; its words for captions go with
-// it.
+// A plot as a value: axes, layers of data with their meaning, notes, and its texts for captions. It
+// is independent of pixels, fonts and other panels. draw_plot() draws it, and table_of() lists its
+// numbers.
 //
 // Lengths are in units of the layout (the smallest size of text); data are in those of the axes.
 #pragma once
@@ -25,15 +25,15 @@ namespace carom::plot {
 
 // ---------------------------------------------------------------------------------- colour, dash
 
-/// A colour by what it stands for; a theme gives it.
+/// A colour by its meaning; the theme gives the actual colour.
 struct Role {
     enum class Of { ink, muted, accent, bar, highlight, page, run, own };
     Of of = Of::muted;
-    std::size_t index = 0;       ///< of a run beside others
+    std::size_t index = 0;       ///< of a compared run
     std::array<Color, 3> own{};  ///< on the light, the dark and the print theme
 };
 
-/// A role whose colour on a theme is what a function gives for it.
+/// A role whose colour on each theme is given by a function.
 template <class ColorOn>
 Role own_role(const ColorOn& color_on) {
     return {.of = Role::Of::own,
@@ -41,41 +41,41 @@ Role own_role(const ColorOn& color_on) {
                     color_on(theme(ThemeKind::print))}};
 }
 
-/// How a colour is changed so that it is seen on the page.
+/// How a colour is changed so that it is visible on the page.
 enum class Shade {
     as_it_is,
     legible,  ///< the nearest shade that stands out
-    rimmed    ///< as it is, inside a rim of that shade
+    rimmed    ///< unchanged, with a rim of that shade
 };
 
 /// How a line is drawn.
 struct Stroke {
     Role role = {};
     double width = 0.16;
-    std::vector<double> dashes = {};        ///< line, gap, ... on every theme; none: solid
+    std::vector<double> dashes = {};        ///< line, gap, ... on every theme; empty: solid
     std::vector<double> print_dashes = {};  ///< instead in print, where greys tell lines apart
     Shade shade = Shade::as_it_is;
     double fade = 0.0;  ///< toward the page, 0 to 1
 };
 
-/// How a line is dashed that is one of several: in print only.
+/// The dashes in print of one of several lines; solid if there is only one.
 std::vector<double> dashes_in_print(std::size_t line, std::size_t lines);
 
-/// The line of a run beside others: its own colour, and its own dashes on every theme.
+/// The stroke of one of several compared runs: its own colour, and its own dashes on every theme.
 Stroke stroke_of_run(std::size_t run, double width = 0.16);
 
 // ------------------------------------------------------------------------------------------ words
 
-/// What stands before a name in print, where its colour is no key.
+/// The sample before a name in print, where the colour of the name cannot serve as a key.
 enum class Sample { none, line, disk };
 
-/// Markup in pieces, each of a colour.
+/// Markup in pieces, each with its colour.
 struct Text {
     struct Piece {
         std::string markup;
         std::optional<Role> role = {};  ///< none: the text's own
         Sample sample = Sample::none;
-        std::size_t line = 0;  ///< that the sample shows, of several
+        std::size_t line = 0;  ///< index of the line that the sample shows
     };
     std::vector<Piece> pieces;
 
@@ -88,26 +88,27 @@ struct Text {
 };
 Text operator+(Text first, const Text& second);
 
-/// Words of the program in a language, filled with texts: {} takes the next one, {0} the first.
+/// A phrase of the program in a language, filled with texts: {} takes the next one, {0} the first.
 Text text_of(Language language, Phrase phrase, const std::vector<Text>& texts);
 
-/// A plain name in its colour.
+/// A plain name (not markup) in its colour.
 Text named(const std::string& name, const Role& role, Sample sample = Sample::none,
            std::size_t line = 0);
 
-/// A place for words: a point, and from there on in steps, as far as the plot's area goes.
+/// Places for words: a point, and further points from there in steps, as far as the plot's area
+/// extends.
 struct Anchor {
     Point at;  ///< data, or shares of the area from its top left corner
     bool x_is_share = false, y_is_share = false;
-    Point offset = {};  ///< of the baseline from there, units
+    Point offset = {};  ///< from there to the baseline, units
     Align align = Align::left;
     Point step = {};          ///< units; none: this place only
-    bool has_sample = false;  ///< there the label's sample stands before the words
+    bool has_sample = false;  ///< the label's sample is drawn before the words here
 };
 
 // ----------------------------------------------------------------------------------------- layers
 
-/// Numbers of a column of the table, shared by the plots of all frames.
+/// A column of numbers of the table, shared by the plots of all frames.
 struct Column {
     std::string name;  ///< with its unit: "time (time)"
     std::shared_ptr<const std::vector<double>> values = {};
@@ -116,23 +117,23 @@ struct Column {
 };
 Column column(std::string name, std::vector<double> values);
 
-/// The part of the data that a frame shows: the rest comes later in the film, or is too long ago.
+/// The range of data that a frame shows: the rest comes later in the film, or is too old.
 struct Shown {
     std::size_t first = 0;
     std::size_t end = std::numeric_limits<std::size_t>::max();
 };
 
-/// What all layers have.
+/// The common part of all layers.
 struct Layer {
     std::string part = {};  ///< in the table: "line"; empty: not listed
     std::string of = {};
     std::optional<std::size_t> run = {};  ///< none: all runs of the plot
-    int depth = 0;       ///< deeper ones are drawn first; of equal ones in the plot's order
+    int depth = 0;       ///< deeper layers are drawn first, equal ones in the plot's order
     bool still = false;  ///< the same in every frame: drawn once
-    std::vector<Column> more = {};  ///< for the table, beside what is drawn
+    std::vector<Column> more = {};  ///< further columns of the table, not drawn
 };
 
-/// What becomes of data beyond the axes.
+/// What happens to data beyond the axes.
 enum class Beyond { clamped, cut, drawn };
 
 /// A disk at a point.
@@ -142,24 +143,24 @@ struct Mark {
     Shade shade = Shade::legible;
     bool is_hollow = false;
     bool is_hollow_if_pale = false;  ///< in print, of a grey that hardly differs from the paper
-    double halo = 0.0;               ///< of the page around it
+    double halo = 0.0;               ///< width of a rim in the page's colour around it
     double fade = 0.0;               ///< toward the page, 0 to 1
     double ring = 0.0;               ///< > 0: a ring of this width instead
 };
 
-/// A path through points; where the number of the piece changes it is broken.
+/// A path through points; it is broken where the number of the piece changes.
 struct Line : Layer {
     Column x, y;
     Shown shown = {};
     std::shared_ptr<const std::vector<int>> piece = {};  ///< none: one piece
     std::string piece_column = {};                       ///< of the table; empty: not listed
-    bool is_thinned = true;  ///< points that lie on one another are drawn once
+    bool is_thinned = true;  ///< points that nearly coincide are drawn once
     Stroke stroke = {};
     Beyond beyond = Beyond::clamped;
-    std::optional<Mark> head = {};  ///< where it has come to
+    std::optional<Mark> head = {};  ///< mark at its present end
 };
 
-/// An error to either side of a line.
+/// A band of an error to either side of a line.
 struct Band : Layer {
     Column x, y, error;
     Shown shown = {};
@@ -172,13 +173,13 @@ struct Points : Layer {
     Column x, y;
     std::vector<std::string> of_each = {};  ///< in the table, instead of `of`
     Shown shown = {};
-    double spacing = 0.0;  ///< units: one that is nearer to the last one drawn is left out
+    double spacing = 0.0;  ///< units: a point nearer than this to the last one drawn is left out
     Mark mark = {};
 };
 
-/// Words at the first of some places that is free, on a plate where they must lie on something.
+/// Words at the first free one of some places; if they must overlap something, on a plate.
 struct Label : Layer {
-    std::vector<Text> words;  ///< the first that fits its place; from the longest on
+    std::vector<Text> words;  ///< from longest to shortest; the first that fits its place is used
     std::vector<Anchor> anchors = {};
     Role role = {};
     std::optional<Stroke> sample = {};  ///< before them
@@ -209,7 +210,7 @@ struct Marker : Layer {
 struct Bars : Layer {
     Column from, to, value, error;         ///< errors may be none
     double below = 0.0, above = 0.0;       ///< beyond the ends of the axis, for the table
-    std::vector<std::string> broken = {};  ///< of each bar: what is said at its break; empty: whole
+    std::vector<std::string> broken = {};  ///< text at each bar's break; empty: not broken
     Role role = {.of = Role::Of::bar};
     double alpha = 1.0;               ///< of the filling; 0: none
     std::optional<Stroke> edge = {};  ///< of the upper edge
@@ -219,8 +220,8 @@ struct Bars : Layer {
 struct Arrow : Layer {
     Point from, to;
     Role role = {.of = Role::Of::ink}, edge = {.of = Role::Of::page};
-    double gap = 0.0;       ///< units, that are left out at its end
-    double shortest = 0.0;  ///< units, with which it is drawn
+    double gap = 0.0;       ///< units that are left out at its end
+    double shortest = 0.0;  ///< units; a shorter arrow is not drawn
 };
 
 using AnyLayer = std::variant<Bars, Line, Band, Points, Level, Marker, Arrow, Label>;
@@ -228,7 +229,7 @@ using AnyLayer = std::variant<Bars, Line, Band, Points, Level, Marker, Arrow, La
 /// What all kinds of layers have in common.
 const Layer& common(const AnyLayer& layer);
 
-/// What stands over bars: names and numbers of marks, which stand still while marks and numbers
+/// The text over bars: names and numbers of marks, at places that are fixed while marks and numbers
 /// change, and how many values lie beyond the ends of the axis.
 struct BarNotes {
     struct Name {
@@ -237,11 +238,11 @@ struct BarNotes {
         std::string number;
     };
     std::vector<Name> names = {};
-    std::string typical_number = {};       ///< by which places are found
-    bool are_in_a_row = false;             ///< side by side, sharing its width
+    std::string typical_number = {};       ///< number whose width determines the places
+    bool are_in_a_row = false;             ///< names are side by side in a row and share its width
     bool may_be_beside = true;             ///< at the top right or left; else in a row above
-    bool is_right = false;                 ///< at the top right whatever lies there
-    std::pair<double, double> marks = {};  ///< between which marks move in the whole film
+    bool is_right = false;                 ///< at the top right, whatever is behind
+    std::pair<double, double> marks = {};  ///< range in which marks move in the whole film
     std::string below = {}, above = {}, beyond = {};  ///< "3", "5", "faster"; empty: none
 };
 
@@ -251,20 +252,20 @@ struct BarNotes {
 struct KeyEntry {
     std::optional<Stroke> sample = {};
     std::vector<Text> words;           ///< from the longest on
-    std::optional<Mark> mark = {};     ///< the sample, or its middle
-    std::vector<Arrow> arrows = {};    ///< over the sample, in shares of its width
-    std::optional<Text> longest = {};  ///< whose room it takes, of words that change
+    std::optional<Mark> mark = {};     ///< the sample, or in its middle
+    std::vector<Arrow> arrows = {};    ///< over the sample; coordinates are shares of its width
+    std::optional<Text> longest = {};  ///< of changing words: reserves their room
 };
 
-/// Words under the title: entries in a row, all in their longest words that fit.
+/// Words under the title: entries in a row, each in its longest version with which all fit.
 struct Note {
     std::vector<KeyEntry> entries = {};
-    bool wraps = false;              ///< into as many rows as they need
-    bool changes = false;            ///< from frame to frame; its row is kept in any case
-    bool is_over_plot = false;       ///< begins at the plot's left edge, samples left of it
-    bool may_be_beside = false;      ///< in a column right of the plot, where that leaves it larger
-    double sample_width = 2.6;       ///< units
-    std::size_t of_last_titles = 0;  ///< stands under so many of the last titles; 0: under all
+    bool wraps = false;         ///< into as many rows as they need
+    bool changes = false;       ///< from frame to frame; its row is reserved even while it is empty
+    bool is_over_plot = false;  ///< begins at the plot's left edge, with samples to the left
+    bool may_be_beside = false;  ///< in a column right of the plot, if that makes the plot larger
+    double sample_width = 2.6;   ///< units
+    std::size_t of_last_titles = 0;  ///< shown under so many last titles only; 0: under all
 };
 
 // ------------------------------------------------------------------------------------ axes, plot
@@ -273,14 +274,14 @@ struct Axis {
     enum class Kind {
         linear,
         logarithmic,  ///< of positive data
-        powers        ///< of data that are decimal logarithms themselves
+        powers        ///< data are decimal logarithms themselves
     };
     Text title = {};
-    Text short_title = {};         ///< instead, where that is too long
-    double low = 0.0, high = 1.0;  ///< unless linear, decimal logarithms
+    Text short_title = {};         ///< used if `title` is too long
+    double low = 0.0, high = 1.0;  ///< decimal logarithms, unless linear
     Kind kind = Kind::linear;
     bool is_whole = false;        ///< ticks at whole numbers only
-    bool has_zero_place = false;  ///< under powers of ten, a place of its own for 0
+    bool has_zero_place = false;  ///< a separate place for 0 below the powers of ten
 };
 
 /// A plot, complete and immutable. Copies share its data.
@@ -289,19 +290,19 @@ struct Plot {
     std::vector<Text> titles = {};          ///< from the longest on
     std::vector<Text> wide_titles = {};     ///< tried before those, at full size only
     Axis x = {}, y = {};
-    bool has_equal_scales = false;  ///< then the axes show at least what they say
+    bool has_equal_scales = false;  ///< then axes may show more than `low` to `high`
     std::vector<AnyLayer> layers = {};
     std::vector<Note> notes = {};
     std::optional<BarNotes> bar_notes = {};
     std::vector<std::string> columns = {};           ///< of the table, in order
-    std::vector<std::string> runs = {};              ///< names of runs side by side
+    std::vector<std::string> runs = {};              ///< names of compared runs
     std::string account = {};                        ///< what it shows, in whole sentences
-    std::string finding = {};                        ///< what a caption says beyond that
+    std::string finding = {};                        ///< what a caption adds to that
     std::vector<std::string> accounts_of_runs = {};  ///< of each run: "mean 1.25"
 };
 
-/// Names the runs that stand side by side in a plot, with a key of them: a sample of its line
-/// before each name.
+/// Names the runs that a plot compares, and adds a key: a sample of each run's line before its
+/// name.
 void name_runs(Plot& plot, std::vector<std::string> names);
 
 }  // namespace carom::plot

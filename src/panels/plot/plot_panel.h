@@ -1,5 +1,6 @@
-// A panel that shows a plot: what it draws, lists and says all comes from the plot of a state.
-// What it has seen of a run is a record, a value; means and comparisons of runs combine records.
+// A panel that shows a plot: its picture, its table and its texts are all made from the plot of a
+// state. What the panel has seen of a run is a record, which is a value; means and comparisons of
+// runs are made by combining records.
 #pragma once
 
 #include <memory>
@@ -13,15 +14,15 @@
 
 namespace carom {
 
-/// How much of a plot that grows is shown, of each of the runs in it.
+/// How much of a growing plot is shown, for each of its runs.
 struct ShownState : PanelState {
     std::vector<std::size_t> shown;
 };
 
 class PlotPanel : public SharedPanel {
   public:
-    /// The plot of a state; of none, its axes, its notes and what is the same in every frame. After
-    /// fix_axes(), from any thread.
+    /// The plot of a state. With nullptr: axes, notes and what is the same in every frame. May be
+    /// called from any thread after fix_axes().
     virtual plot::Plot plot(const PanelState* state) const = 0;
 
     Room least_room() const override { return {8.0, 7.0}; }
@@ -40,15 +41,15 @@ class PlotPanel : public SharedPanel {
     }
 };
 
-/// Whether there are means of such records.
+/// Whether mean_of() is defined for such records.
 template <class Record>
 concept HasMean = requires(std::vector<Record> records) {
     mean_of(std::move(records));
 };
 
-/// Shows what was recorded in the first pass: a plot, or another panel of several runs. For a
-/// Record there are mean_of(records) and compare(records, names), which give the record of several
-/// runs.
+/// Shows what was recorded in the first pass: a plot, or another panel that can show several runs.
+/// For a Record, compare(records, names) and, if HasMean, mean_of(records) must be defined; they
+/// give the record of several runs.
 template <class Record, class Base = PlotPanel>
 class RecordPanel : public Base {
   public:
@@ -77,13 +78,13 @@ class RecordPanel : public Base {
     const Record& record() const { return record_; }
 
   protected:
-    /// After the first pass of this run.
+    /// Called after the first pass of this run.
     virtual void finish_record() {}
 
-    /// Fixes the axes by the record, which may be that of several runs.
+    /// Fixes the axes from the record, which may be that of several runs.
     virtual void make_axes() = 0;
 
-    /// Takes the axes of a panel that will show this one's run too.
+    /// Takes the axes of the panel `of`, which also shows the run of this panel.
     virtual void take_axes(const RecordPanel& of) { (void)of; }
 
     Record record_;

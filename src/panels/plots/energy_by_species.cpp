@@ -1,4 +1,5 @@
-// The mean kinetic energy of each species against time: who gives, who takes, and where they meet.
+// The mean kinetic energy of each species against time: which one loses, which one gains, and where
+// they meet.
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"

@@ -1,4 +1,5 @@
-// How many particles have which kinetic energy, beside what this finite gas has at equilibrium.
+// The histogram of the kinetic energies of particles, with the equilibrium distribution of this
+// finite gas.
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
 #include "physics/theory/theory.h"

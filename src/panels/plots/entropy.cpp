@@ -1,5 +1,5 @@
-// The entropy of the velocities or of the positions against time, or both, beside what the same
-// count gives in equilibrium.
+// The entropy of the velocities, of the positions, or both against time, with the value that the
+// same counting gives in equilibrium.
 #include "stats/entropy.h"
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 namespace carom {
 namespace {
 
-// What is known once the gas is seen.
+// Data that are known once the gas has been seen.
 struct Entropies {
     std::optional<VelocityEntropy> velocities;  ///< none of a gas at rest
     bool is_known = false;
 };
 
-// Of the positions of a gas that fills its box evenly in equilibrium: nothing in the box, no
-// gravity, and nothing that changes.
+// Whether the gas fills its box uniformly in equilibrium: there is nothing in the box that prevents
+// it, no gravity, and no change of surfaces.
 bool spreads_evenly(const Scene& scene) {
     const bool changes = std::ranges::any_of(scene.run.events, [](const RunEvent& event) {
         return std::holds_alternative<ChangeSurface>(event.action) ||

@@ -1,6 +1,5 @@
-// What a histogram records of a run, and counts in a frame. How axes are fixed is in
-// histogram_record.cpp, what is shown in histogram_plot.cpp, how well it fits in
-// histogram_test.cpp.
+// What a histogram records of a run and counts in a frame. Axes are fixed in histogram_record.cpp,
+// the plot is made in histogram_plot.cpp, and the goodness of fit is tested in histogram_test.cpp.
 #include "panels/plots/histogram_panel.h"
 
 #include <algorithm>
@@ -17,10 +16,10 @@
 namespace carom {
 namespace {
 
-constexpr double probe_frames = 40;        // whose bars decide the height of the axis, at least
+constexpr double probe_frames = 40;        // least number, to determine the height of the axis
 constexpr double most_in_probe = 100'000;  // values
-constexpr double break_seconds = 1;        // of film, for which a bar near the end stays broken
-constexpr double least_broken = 0.9;       // of the axis: lower bars are drawn as they are
+constexpr double break_seconds = 1;        // of film: how long a bar near the end stays broken
+constexpr double least_broken = 0.9;       // of the axis: lower bars are never broken
 
 using Values = Eigen::Map<const Eigen::ArrayXd>;
 
@@ -30,7 +29,8 @@ double finite_mean(const Values& values) {
                         : 0.0;
 }
 
-// The numbers of members rise. Those of a part of the particles are put into `place`.
+// The values of `members` (ascending indices). For a part of the particles they are copied into
+// `place`.
 Values values_of(const std::vector<Eigen::Index>& members, const ValuesOfInput& all,
                  Eigen::ArrayXXd& place) {
     if (std::cmp_equal(members.size(), all.rows())) return {all.data(), all.size()};
@@ -38,7 +38,7 @@ Values values_of(const std::vector<Eigen::Index>& members, const ValuesOfInput& 
     return {place.data(), place.size()};
 }
 
-// Of a million values whole samples would take half of a film's memory.
+// Thins large samples: whole samples of a million values would take half of a film's memory.
 HistogramProbe probe_of(double time, const Values& values) {
     const auto step = static_cast<Eigen::Index>(
         std::max(1.0, std::ceil(static_cast<double>(values.size()) / most_in_probe)));
@@ -106,8 +106,9 @@ std::optional<double> HistogramPanel::window() const {
 
 bool HistogramPanel::shows_one_mean() const { return spec_.at && window() != 0.0; }
 
-// The first always, as bins depend on it. Of a few particles every frame: their bars waver most. Of
-// a mean at one time what it is a mean of, the last always.
+// The first frame is always a probe, as bins depend on it. With few particles every frame is one,
+// since their bars fluctuate most. For a mean at one time, probes are taken within its window, and
+// always at its end.
 bool HistogramPanel::is_probe(double time, double numbers) const {
     if (surveyed_ == 0) return true;
     const auto probes = static_cast<int>(std::max(most_kept_of_film / numbers, probe_frames));
@@ -147,7 +148,7 @@ void HistogramPanel::survey(const FrameInput& input) {
     ++surveyed_;
 }
 
-// Frames that follow one another show nearly the same.
+// Successive frames are nearly the same: only every tenth one counts as independent.
 void HistogramPanel::finish_record() {
     const std::optional<double> back = window();
     const double share = !back ? 1.0 : span_ > 0.0 ? std::min(1.0, *back / span_) : 0.0;
@@ -161,8 +162,8 @@ HistogramRules HistogramPanel::rules() const {
                          .symmetric = subject_.symmetric,
                          .window = window()};
     if (!rules.range) rules.range = subject_.extent;
-    // A figure of one moment has the film's axis, so that it can be compared with frames; a mean
-    // over time has its own.
+    // A figure of one moment has the axis of the film, so that it can be compared with frames; a
+    // mean over time has its own axis.
     rules.only_last = shows_one_mean();
     if (!spec_.theory) return rules;
     rules.density = subject_.density;
@@ -198,7 +199,8 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
     auto state = std::make_shared<HistogramState>();
     const ValuesOfInput all = subject_.values(input);
     Eigen::ArrayXXd place;
-    // A held frame is no new sample of a mean; at a reversal the present changes while time stands.
+    // A held frame is not a new sample of a mean. Without averaging, all frames are counted: at a
+    // reversal velocities change at constant time.
     const bool counts = window() == 0.0 || input.tick.time > seen_until_;
     seen_until_ = input.tick.time;
     for (std::size_t k = 0; k < choices_.size(); ++k) {
@@ -219,8 +221,9 @@ void HistogramPanel::archive_progress(Archive& archive) {
     archive(seen_until_, readouts_, broken_until_);
 }
 
-// Those that the axis cannot hold, and those near its end that it could not hold a moment ago: a
-// bar that wavers about the end of the axis does not break and heal from frame to frame.
+// Broken are the bars that exceed the axis, and those near its end that exceeded it a moment ago.
+// This hysteresis keeps a bar that fluctuates about the end of the axis from changing in every
+// frame.
 std::vector<bool> HistogramPanel::broken_bars(const MeanHistogram& now, int frame, std::size_t k) {
     const int hold = static_cast<int>(std::lround(break_seconds * context_.scene.film.fps));
     std::vector<int>& until = broken_until_[k];

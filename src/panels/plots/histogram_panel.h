@@ -1,6 +1,7 @@
-// Histograms of one number of particles, of all or of those chosen, drawn together: now, over a
-// while, or since the start; with the equilibrium curves of this finite gas, a fitted normal curve,
-// and means. Which number, and its curve, is given by the panel's own file.
+// Histograms of one quantity of particles, of all or of chosen ones, drawn together: at present,
+// over a time window, or since the start; with the equilibrium curves of this finite gas, a fitted
+// normal curve, and means. The quantity and its equilibrium curve are defined in the file of each
+// kind of panel.
 #pragma once
 
 #include <functional>
@@ -16,10 +17,10 @@
 
 namespace carom {
 
-/// Numbers that lie in a frame's input, not copied: a row for each particle.
+/// A view of numbers in a frame's input, without a copy: a row for each particle.
 using ValuesOfInput = Eigen::Map<const Eigen::ArrayXXd>;
 
-/// All columns of an array, or one of them.
+/// Views of all columns of an array, or of one column.
 template <int Columns>
 ValuesOfInput values_in(const Eigen::Array<double, Eigen::Dynamic, Columns>& array) {
     return {array.data(), array.rows(), array.cols()};
@@ -33,27 +34,28 @@ struct HistogramSubject {
     Phrase title;     ///< "Speed distribution"
     Phrase quantity;  ///< "speed": the axis title
     std::function<ValuesOfInput(const FrameInput&)>
-        values;  ///< one number for each particle, or several that count alike
+        values;  ///< one number for each particle, or several that are counted alike
     std::function<double(const EquilibriumGas& gas, double value)> density =
-        {};  ///< of a number at equilibrium; empty where there is no such curve
+        {};  ///< probability density at equilibrium; empty: no curve
     std::function<double(const EquilibriumGas& gas, double low, double high)> probability =
-        {};                  ///< of a value in between; wanted where the density is not finite
-    bool symmetric = false;  ///< about 0; else values are never negative
+        {};  ///< of a value between `low` and `high`; needed if the density is not finite
+             ///< everywhere
+    bool symmetric = false;  ///< about 0; otherwise values are never negative
     std::optional<std::pair<double, double>> extent =
-        {};  ///< all values are in here; none: as the run shows
+        {};  ///< range of all values; none: determined from the run
     std::optional<Eigen::Index> position_axis =
-        {};             ///< of positions along an axis, whose extent is as wide as the box gets
-    bool means = true;  ///< marked where the scene does not say
-    std::string unit = reduced::speed;          ///< of the numbers, in a table
-    std::optional<TestedQuantity> tested = {};  ///< against equilibrium; none: no test
+        {};             ///< for positions along an axis: `extent` is the largest extent of the box
+    bool means = true;  ///< default of whether means are marked
+    std::string unit = reduced::speed;          ///< of the quantity, in a table
+    std::optional<TestedQuantity> tested = {};  ///< for the test against equilibrium; none: no test
 };
 
 /// What a histogram shows in one frame.
 struct HistogramState : PanelState {
     HistogramCounts counts;
-    std::shared_ptr<const HistogramCounts> readouts = {};  ///< those that numbers tell
-    std::vector<std::vector<bool>> broken = {};  ///< whether each bar of each series is; none: by
-                                                 ///< its height
+    std::shared_ptr<const HistogramCounts> readouts = {};  ///< to which numbers in texts belong
+    /// Whether each bar of each series is drawn broken; empty: decided by its height.
+    std::vector<std::vector<bool>> broken = {};
     std::size_t bytes() const override;
 };
 
@@ -70,7 +72,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     plot::Plot plot(const PanelState* state) const override;
 
-    /// For tests: of the bars of a choice against its curve, where the scene asks for it.
+    /// For tests: the chi-squared test of the bars of a choice against its curve, if the scene asks
+    /// for it.
     std::optional<ChiSquared> test(const PanelState& state, std::size_t series) const;
 
     /// For tests: the fixed bins and the top of the vertical axis.
@@ -80,7 +83,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     /// For tests: the histograms of a state, one for each choice of particles.
     static const std::vector<MeanHistogram>& histograms(const PanelState& state);
 
-    /// For tests: the standard errors of bars that are means over runs, for each choice; or none.
+    /// For tests: the standard errors of bars that are means over runs, for each choice; otherwise
+    /// empty.
     static const std::vector<std::vector<double>>& errors(const PanelState& state);
 
   private:
@@ -93,7 +97,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     };
     struct SeriesLayers {
         plot::Bars bars;   ///< without their heights
-        plot::Line curve;  ///< of no points: none
+        plot::Line curve;  ///< without points: no curve
     };
 
     void finish_record() override;
@@ -102,7 +106,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void begin_counting();
     std::vector<bool> broken_bars(const MeanHistogram& now, int frame, std::size_t k);
     std::optional<double> window() const;
-    bool shows_one_mean() const;  ///< over a time up to that of a figure
+    bool shows_one_mean() const;  ///< over a window that ends at a figure's time
     bool is_probe(double time, double numbers) const;
     HistogramRules rules() const;
     Expected expected(const HistogramSeries& series) const;
@@ -147,16 +151,16 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     double span_ = 0.0;  ///< of simulated time in the film
     HistogramAxes axes_;
     std::vector<Roles> roles_;               ///< of each series
-    plot::Plot whole_;                       ///< of the whole film: all but numbers and layers
+    plot::Plot whole_;                       ///< for the whole film: all but numbers and layers
     std::vector<SeriesLayers> layers_;       ///< of each series, the same in every frame
-    std::vector<RunningHistogram> running_;  ///< of each choice, in the second pass
+    std::vector<RunningHistogram> running_;  ///< for each choice, in the second pass
     double seen_until_ = -1;                 ///< time of the last sample in a mean
     std::shared_ptr<const HistogramCounts> readouts_;
-    std::vector<std::vector<int>> broken_until_;  ///< the last frame, of each bar of each series
+    std::vector<std::vector<int>> broken_until_;  ///< last frame, for each bar of each series
 };
 
-/// Reports a figure that tests the histogram of a number of each particle, where that are too few
-/// values; and the same of the components of velocities.
+/// Report a figure that tests a histogram which has too few values for the test: of one number per
+/// particle, and of velocity components.
 void check_scalar_test(PanelSpec& panel, const Node& node, Reading& reading);
 void check_velocity_test(PanelSpec& panel, const Node& node, Reading& reading);
 

@@ -18,10 +18,9 @@ using namespace plot;
 
 constexpr double line_width = 0.16, thin_width = 0.07, mark_width = 0.12;  // units
 constexpr double tint_alpha = 0.3;        // of bars that others overlap
-constexpr double told_beyond = 0.01;      // of a mean number: less beyond the axis is not told
+constexpr double told_beyond = 0.01;      // of all values: fewer beyond the axis are not mentioned
 constexpr std::size_t most_fit_rows = 3;  // more would leave no room for the bars
-// What lies over what, from the bottom up; the bars of runs side by side from the last to the
-// first.
+// Depths of layers, from the bottom up; bars of compared runs are drawn from the last to the first.
 constexpr int depth_of_bars = 3, depth_of_lines = 2, depth_of_starts = 1;
 // Parts of titles.
 constexpr Phrase apart{"{}: {}"}, aside{"{}, {}"};
@@ -37,7 +36,7 @@ Line line_of(const char* part, HistogramCurve curve, const std::string& x_name,
     return line;
 }
 
-// The normal curve with the mean and the deviation of what the bars show.
+// The normal curve with the mean and the standard deviation of the values in the bars.
 HistogramCurve normal_curve(const Bins& bins, const MeanHistogram& now, double values) {
     HistogramCurve curve;
     if (!(now.deviation > 0.0)) return curve;
@@ -53,7 +52,7 @@ HistogramCurve normal_curve(const Bins& bins, const MeanHistogram& now, double v
     return curve;
 }
 
-// From the fewest of a run to the most.
+// The range of a number over runs, from the lowest to the highest, as text.
 std::string range_of(Language language, const std::vector<MeanHistogram>& now,
                      double MeanHistogram::*beyond, const std::string& unit) {
     const auto [fewest, most] = std::ranges::minmax(now, {}, beyond);
@@ -100,7 +99,7 @@ HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
     bars.depth = depth_of_bars;
     Line curve = line_of("curve", axes_.curves[k], from_name(), value_name());
     curve.stroke = {.role = roles_[k].curve, .width = compares() ? thin_width : line_width};
-    if (compares()) {  // areas of more than two would hide one another
+    if (compares()) {  // filled areas of more than two runs would hide each other
         bars.alpha = 0.0;
         bars.edge = stroke_of_run(k, line_width);
         bars.depth += static_cast<int>(k);
@@ -112,7 +111,7 @@ HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
                            .print_dashes = dashes_in_print(k, count()),
                            .shade = Shade::legible};
         curve.stroke.print_dashes = dashes_in_print(k, count());
-        const auto is_hidden = [&](std::size_t other) {  // under this one, if that were solid
+        const auto is_hidden = [&](std::size_t other) {  // below this curve, if that were solid
             return axes_.curves[other].count == axes_.curves[k].count;
         };
         for (std::size_t other = 0; other < k; ++other)
@@ -121,7 +120,7 @@ HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
     return {std::move(bars), std::move(curve)};
 }
 
-// Dashed beside the equilibrium curve, which has no other colour in print.
+// Dashed if there is an equilibrium curve, which has the same colour in print.
 plot::Stroke HistogramPanel::fit_stroke(std::size_t k) const {
     Stroke stroke{.role = roles_[k].fit, .width = line_width};
     if (!axes_.curves[k].empty()) stroke.dashes = {0.8};
@@ -182,7 +181,7 @@ plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) c
     return bars;
 }
 
-// Before there are counts the curve alone, which words keep clear of.
+// Without a state only the equilibrium curve is added, of which words keep clear.
 void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState* state) const {
     const HistogramSeries& series = axes_.series[k];
     const auto add = [&](auto layer) {
@@ -205,7 +204,8 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
     if (marks_mean_start()) add(mean_mark(k, series.mean_start, true));
 }
 
-// With as many decimals in all frames, of a mean near 0 no more than the axis shows.
+// The number of decimals is the same in all frames; for a mean near 0 it is no more than the axis
+// shows.
 std::string HistogramPanel::mean_words(std::size_t k, double mean) const {
     constexpr double least_of_axis = 0.1;
     const HistogramSeries& series = axes_.series[k];
@@ -215,7 +215,7 @@ std::string HistogramPanel::mean_words(std::size_t k, double mean) const {
                           std::max({series.highest_mean, -series.lowest_mean, least})});
 }
 
-// A picture of one time shows no other that were the present.
+// A figure of one time has no "now".
 std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCounts* now) const {
     const Language language = context_.language();
     std::vector<BarNotes::Name> names;
@@ -241,8 +241,9 @@ std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCoun
     return names;
 }
 
-// Fits are written over the bars, and so are the means where they find no room beside them; a fit
-// says the mean too. A mean over a while may be a small part of one.
+// Fits are written above the bars, and so are means that have no room beside the bars. With a fit
+// such means are omitted, since the fit states the mean. The number of values beyond the axis may
+// be a small fraction of 1 in a mean over time.
 plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
     BarNotes notes{.typical_number = mean_words(0, axes_.series.front().mean_start),
                    .may_be_beside = !fills_the_middle() && !compares(),
@@ -274,7 +275,7 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
     return notes;
 }
 
-// As a picture says it: that of a run, or of a choice of particles.
+// The name in the picture: that of a run, or of a choice of particles.
 std::string HistogramPanel::name_of_series(std::size_t k) const {
     return compares() ? axes_.series[k].name : name_of(context_.scene, choices_[k].chosen);
 }
@@ -290,7 +291,8 @@ plot::Text HistogramPanel::names_of_choices(Joint joint) const {
 // Whether marks of means have the names of choices.
 bool HistogramPanel::marks_name_choices() const { return marks_mean_now() && !spec_.fit; }
 
-// What a title has no room for: the names of choices, and that curves are of the equilibrium.
+// The note on what a short title omits: the names of choices, and that the curves are those of
+// equilibrium.
 plot::Note HistogramPanel::note_of_short_title() const {
     Note note{.wraps = true, .of_last_titles = spec_.title ? 2U : 1U};
     if (count() > 1 && !compares() && !(spec_.title && marks_name_choices()))
@@ -391,7 +393,7 @@ std::string HistogramPanel::value_name() const {
     return axes_.counts_per_cent() ? "value (per cent)" : "value (count)";
 }
 
-// What a bar counts, and in what: without its width a height says nothing.
+// What a bar counts, with the width of its bin, without which its height has no meaning.
 std::string HistogramPanel::height_name() const {
     const bool is_of_one = std::ranges::all_of(
         axes_.series, [](const HistogramSeries& series) { return series.values_each == 1.0; });

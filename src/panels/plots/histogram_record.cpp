@@ -20,16 +20,16 @@ MeanError mean_over(const Items& items, const Number& number) {
     return mean_error(values);
 }
 
-// A quarter more than 97 of a hundred values of the whole run: 99 of a hundred of a gas in
-// equilibrium, whatever the start. Those beyond are counted.
+// 1.25 times the 97 % quantile of the magnitudes in the whole run. This holds 99 % of the values of
+// a gas in equilibrium, whatever its start; the values beyond are counted.
 double reach_of(const std::vector<double>& pool) {
     std::vector<double> sizes = pool;
     for (double& size : sizes) size = std::abs(size);
     return sizes.empty() ? 0.0 : 1.25 * quantile(sizes, 0.97);
 }
 
-// The values of all series at the start where they are a few equal ones, as of beams or of a gas at
-// rest.
+// The distinct values of all series at the start if there are only a few, as for beams or a gas at
+// rest; otherwise empty.
 std::vector<double> equal_starts(const HistogramRecord& record) {
     constexpr std::size_t most = 3;
     std::vector<double> values;
@@ -47,7 +47,7 @@ std::vector<double> equal_starts(const HistogramRecord& record) {
 
 bool is_whole(double number) { return std::abs(number - std::round(number)) < 1e-6; }
 
-// What is asked of bins of a round width.
+// The requirements for bins of a round width.
 struct WantedBins {
     double low, high, width;
     bool is_fixed, is_symmetric;  // a fixed range is filled by whole bins
@@ -55,7 +55,8 @@ struct WantedBins {
     double tick_step;
 };
 
-// Of this width, with an edge or the middle of a bin at 0; none where they do not fit.
+// Bins of this width with an edge (offset 0) or the middle of a bin (0.5) at 0; none if they do not
+// fit.
 std::optional<Bins> bins_of_width(const WantedBins& wanted, double width, double offset) {
     Bins bins{.low = wanted.low, .high = wanted.high};
     if (wanted.is_fixed) {
@@ -70,8 +71,8 @@ std::optional<Bins> bins_of_width(const WantedBins& wanted, double width, double
     return bins;
 }
 
-// How far bins are from what is wanted; none where round-off would deal equal values at the start
-// out to two of them.
+// The penalty of bins relative to the requirements; none if equal values at the start are on an
+// edge, where round-off would distribute them over two bins.
 std::optional<double> misfit(const WantedBins& wanted, const Bins& bins, double offset) {
     constexpr double ticks_off_edges = 1.0, start_off_middle = 1.2, ticks_at_middles = 0.2;
     double sum = std::abs(std::log2(bins.width() / wanted.width));
@@ -87,8 +88,8 @@ std::optional<double> misfit(const WantedBins& wanted, const Bins& bins, double 
     return is_off_middle ? sum + start_off_middle : sum;
 }
 
-// Bins of a round width, their edges or middles on the ticks of the axis, the values of an equal
-// start in the middle of theirs.
+// Bins of a round width, preferably with edges or middles on the ticks of the axis and with the
+// values of equal starts in the middle of a bin.
 std::optional<Bins> round_bins(const WantedBins& wanted) {
     std::optional<Bins> best;
     double least = 1e9;
@@ -144,22 +145,22 @@ Bins bins_of(const HistogramRecord& record, const HistogramRules& rules) {
         .starts = equal_starts(record),
         .tick_step = marks.size() > 1 ? marks[1].value - marks[0].value : bins.high};
     if (const std::optional<Bins> round = round_bins(wanted)) return *round;
-    // Of a range that no round width fills: 0, where particles at rest are, lies not between two.
+    // A range that no round width fills: 0, the value of particles at rest, must not be on an edge.
     if (rules.symmetric && bins.count % 2 == 0) ++bins.count;
     const double place = (record.series.front().mean_start - bins.low) / bins.width();
     if (is_whole(place)) bins.count += rules.symmetric ? 2 : 1;
     return bins;
 }
 
-// Of a bar around `value`: where a density is infinite at the first edge its bars are not, and a
-// curve through their middles says what they will be.
+// The expected share of a bar around `value`. If the density is infinite at the first edge, bars
+// are still finite, and the curve through their middles shows their expected height.
 double expected_share(const HistogramRules& rules, const EquilibriumGas& gas, double value,
                       double width) {
     if (!rules.probability) return width * rules.density(gas, value);
     return rules.probability(gas, value - 0.5 * width, value + 0.5 * width);
 }
 
-// The mean of the curves of all runs.
+// The mean of the equilibrium curves of all runs.
 HistogramCurve curve_of(const HistogramSeries& series, const HistogramRules& rules,
                         const Bins& bins) {
     HistogramCurve curve;
@@ -172,7 +173,7 @@ HistogramCurve curve_of(const HistogramSeries& series, const HistogramRules& rul
         const double value = first + (bins.high - first) * part;
         double heights = 0.0;
         for (const EquilibriumGas& gas : series.equilibria) {
-            double sharing = 0.0;  // infinite masses at rest have no part in the energy
+            double sharing = 0.0;  // infinite masses at rest do not share the energy
             for (const MassGroup& group : gas.groups) sharing += group.count;
             heights += series.unit * series.values_each * sharing *
                        expected_share(rules, gas, value, bins.width());
@@ -191,7 +192,8 @@ double top_of(const std::vector<HistogramCurve>& curves) {
     return top;
 }
 
-// Of each probe the tallest bar of all series, in order of time; or only that of the last of each.
+// The tallest bar of all series for each probe, in order of time; with only_last, only that of the
+// last probes.
 std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramRules& rules,
                                  const HistogramAxes& axes) {
     std::vector<double> tallest;
@@ -212,9 +214,9 @@ std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramR
     return rules.only_last ? std::vector{of_last} : tallest;
 }
 
-// Room for the whole curve, and for the bars of the second half of the run with all that they
-// waver; for those before too, if they are not much taller. A start far from equilibrium, all in
-// one bin, would flatten everything that follows, and so would a return to it: there bars are
+// The height of the axis holds the whole curve and the bars of the second half of the run with
+// their fluctuations; earlier bars too if they are not much taller. A start far from equilibrium
+// with all values in one bin, or a return to it, would flatten everything else: such bars are
 // broken.
 double height_of(const HistogramRecord& record, const HistogramRules& rules,
                  const HistogramAxes& axes) {

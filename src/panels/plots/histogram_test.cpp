@@ -1,4 +1,5 @@
-// How well a histogram fits its curve: Pearson's test, with what is conserved taken into account.
+// The goodness of fit of a histogram: Pearson's chi-squared test, with conservation laws taken into
+// account.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -10,10 +11,10 @@
 namespace carom {
 namespace {
 
-// As the messages say.
+// The message below states these values.
 static_assert(fewest_classes == 3 && least_expected == 5.0);
 
-// How bars are pooled, which may leave too few, is not known before the run.
+// A first check only: the pooling of bars, which may leave too few, is not known before the run.
 void check_test_of(const PanelSpec& panel, int values_each, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
     std::optional<std::int64_t> fewest = particles_in(reading.gas);
@@ -36,7 +37,7 @@ void check_velocity_test(PanelSpec& panel, const Node& node, Reading& reading) {
     check_test_of(panel, both ? reading.gas.box.dimension : 1, node, reading);
 }
 
-// In all runs together.
+// The expected counts in all runs together.
 Expected HistogramPanel::expected(const HistogramSeries& series) const {
     std::vector<double> edges;
     for (int i = 0; i <= axes_.bins.count; ++i) edges.push_back(axes_.bins.edge(i));
@@ -47,8 +48,8 @@ Expected HistogramPanel::expected(const HistogramSeries& series) const {
     return runs.size() == 1 ? std::move(runs.front()) : together(runs);
 }
 
-// Particles of several masses, with so many of each, do not make counts of one distribution; and
-// fixed ones have no part in the energy.
+// With fixed numbers of particles of several masses, counts do not follow one distribution; and
+// particles of infinite mass do not share the energy.
 void HistogramPanel::require_testable(const HistogramSeries& series) const {
     if (series.equilibria.size() < axes_.runs)
         refuse(spec_.place, "there is no equilibrium that these bars could be tested against",

@@ -28,7 +28,7 @@ const plot::Stroke faint{.role = {.of = Role::Of::muted}, .width = 0.06, .dashes
 
 }  // namespace
 
-// What a film of many frames, or of many collisions, shows of a path.
+// The part of a path that a film with many frames or many collisions shows.
 plot::Shown PointsPanel::Path::until(std::size_t frames) const {
     if (ends.empty()) return {0, 0};
     const std::size_t end = ends[std::min(frames, ends.size()) - 1];
@@ -49,7 +49,8 @@ void PointsPanel::survey(const FrameInput& input) {
             Path& path = paths_[k];
             if (subject_.corners) more = subject_.corners(input, k);
             if (subject_.corners) more.insert(more.end(), now.begin(), now.end());
-            // Those before are shown by no frame: a run may have any number of collisions.
+            // Older points are shown by no frame and are dropped, as a run may have any number of
+            // collisions.
             if (more.size() > longest_path) more.erase(more.begin(), more.end() - longest_path);
             for (const Point& point : more) {
                 path.x.push_back(point.x);
@@ -129,8 +130,8 @@ plot::Line PointsPanel::line_of(std::size_t set) const {
     line.is_thinned = false;
     line.beyond = plot::Beyond::cut;
     line.stroke = {.role = subject_.sets[set].role, .width = 0.1, .shade = plot::Shade::legible};
-    // Dashes of a path that goes to and fro add up to a thicket. Two are told apart by their greys,
-    // and by the points at their ends.
+    // Dashes of a path that overlaps itself are not legible. Two paths are distinguished by their
+    // greys, and by the points at their ends.
     if (paths_.size() > 2) line.stroke.print_dashes = plot::dashes_in_print(set, paths_.size());
     return line;
 }
@@ -162,7 +163,7 @@ plot::Plot PointsPanel::plot(const PanelState* state) const {
         points.mark = {.role = subject_.sets[k].role,
                        .radius = has_path ? 0.35 : 0.16,
                        .is_hollow_if_pale = true,
-                       .halo = has_path ? 0.12 : 0.0};  // its own path and others' end before it
+                       .halo = has_path ? 0.12 : 0.0};  // a gap between point and paths
         now.layers.emplace_back(std::move(points));
         if (k >= lines_.size()) continue;
         add_path(now, k, shown.shown);
@@ -170,7 +171,7 @@ plot::Plot PointsPanel::plot(const PanelState* state) const {
     return now;
 }
 
-// One that fades lies there whole and faint, and over it what is recent, ever stronger.
+// A fading path is drawn once whole and faint, and over it ever more recent parts, each stronger.
 void PointsPanel::add_path(plot::Plot& now, std::size_t set, std::size_t frames) const {
     constexpr double faintest = 0.8;
     constexpr std::size_t steps = 4, frames_of_all = 300;

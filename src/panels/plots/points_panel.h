@@ -1,5 +1,5 @@
-// Particles as points in a plane of two of their numbers; a single one leaves its path. Which
-// numbers is given by the panel's own file.
+// Particles as points in the plane of two of their quantities; a set of a single particle leaves
+// its path. The quantities are defined in the file of each kind of panel.
 #pragma once
 
 #include <functional>
@@ -17,21 +17,21 @@ struct PointsSubject {
         std::string name;  ///< in a table
         plot::Role role = {.of = plot::Role::Of::bar};
     };
-    std::vector<plot::Text> titles;   ///< from the longest on
+    std::vector<plot::Text> titles;   ///< from longest to shortest
     Language language;                ///< of the numbers
     std::string across, up;           ///< the axes' titles
-    std::pair<double, double> width;  ///< of the axis across
+    std::pair<double, double> width;  ///< of the horizontal axis
     std::function<void(PointsSubject&, const FrameInput&)> widen =
-        {};  ///< makes axes of positions as wide as the box gets
+        {};  ///< widens axes of positions to the largest extent of the box
     std::optional<std::pair<double, double>>
-        height;  ///< of the axis up; none: symmetric about 0, as the run shows
+        height;  ///< of the vertical axis; none: symmetric about 0, determined from the run
     std::vector<Set> sets;
     std::function<std::vector<Point>(const FrameInput&, std::size_t set)> points;
     std::function<std::vector<Point>(const FrameInput&, std::size_t set)>
-        corners;  ///< of the path of a set of one, on the way from the frame before, in order;
-                  ///< every frame in order; none: paths have no corners but at frames
-    bool fades = false;          ///< the older parts of paths, so that the recent ones are seen
-    bool never_equal = false;    ///< the two numbers: a line where they would be is drawn
+        corners;  ///< of the path of a single-particle set since the frame before, in order;
+                  ///< called for every frame in order; empty: paths have corners at frames only
+    bool fades = false;          ///< older parts of paths fade, so that recent ones stand out
+    bool never_equal = false;    ///< the two quantities: a line marks where they would be equal
     double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
     double breaks_up = 0.0;      ///< 0: none does
     std::pair<std::string, std::string> columns = {};  ///< of a table, with their units
@@ -53,10 +53,10 @@ class PointsPanel : public PlotPanel {
     static const std::vector<Point>& points(const PanelState& state, std::size_t set);
 
   private:
-    /// Of a set of one.
+    /// The path of a set of a single particle.
     struct Path {
         std::vector<double> x, y;
-        std::vector<std::size_t> ends;  ///< of each frame, the number of points up to it
+        std::vector<std::size_t> ends;  ///< for each frame, the number of points up to it
         void archive(Archive& archive) { archive(x, y, ends); }
         plot::Shown until(std::size_t frames) const;
     };
@@ -67,11 +67,11 @@ class PointsPanel : public PlotPanel {
 
     PointsSubject subject_;
     std::vector<Path> paths_;
-    std::vector<double> pool_;  ///< sizes of the numbers up, thinned
+    std::vector<double> pool_;  ///< magnitudes of the vertical quantity, thinned
     std::size_t surveyed_ = 0, seen_ = 0;
     std::pair<double, double> height_ = {0.0, 1.0};
-    plot::Plot whole_;               ///< what is still
-    std::vector<plot::Line> lines_;  ///< of the whole film, of each set
+    plot::Plot whole_;               ///< the part that is the same in all frames
+    std::vector<plot::Line> lines_;  ///< path of each set in the whole film
 };
 
 }  // namespace carom

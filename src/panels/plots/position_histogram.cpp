@@ -1,4 +1,4 @@
-// How many particles are where along one axis.
+// The histogram of the positions of particles along one axis.
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
 

@@ -1,6 +1,6 @@
-// Density, temperature, mean speed or flow along an axis of the box: means over slabs across it, by
-// exact times of residence. Along y height is up, as in the box. Where an ideal gas would have a
-// barometric law, that is drawn with the density.
+// Density, temperature, mean speed or flow along an axis of the box: means over slabs perpendicular
+// to it, from exact residence times. A profile along y has the height as its vertical axis, as in
+// the box. If a barometric law holds for an ideal gas, it is drawn with the density.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,10 +26,10 @@ using plot::Role;
 constexpr int usual_slabs = 20;
 constexpr double share_of_run = 0.1;  // that it is averaged over
 
-using Values = std::vector<Eigen::ArrayXd>;  // of each choice, of each slab; NaN: too few particles
+using Values = std::vector<Eigen::ArrayXd>;  // choice x slab; NaN: too few particles
 
 struct ProfileState : PanelState {
-    std::vector<Values> runs;  // one, or those side by side
+    std::vector<Values> runs;  // one, or the compared runs
     Values errors;             // of a mean
     std::size_t bytes() const override {
         std::size_t sum = 0;
@@ -42,10 +42,10 @@ struct ProfileState : PanelState {
 
 // What the first pass of a run has shown.
 struct ProfileRun {
-    std::string name = {};  // beside others
+    std::string name = {};  // among compared runs
     double length = 1.0;    // of the axis
     double most = 0.0;
-    std::vector<std::vector<double>> laws = {};  // of each choice in each slab; or none at all
+    std::vector<std::vector<double>> laws = {};  // choice x slab; or empty
     void archive(Archive& archive) { archive(name, length, most, laws); }
 };
 
@@ -56,7 +56,7 @@ struct ProfileRecord {
     void archive(Archive& archive) { archive(runs, runs_in_mean); }
 };
 
-// A law only where each run has one.
+// There is a law only if each run has one.
 ProfileRecord mean_of(const std::vector<ProfileRecord>& records) {
     ProfileRecord mean = records.front();
     mean.runs_in_mean = static_cast<int>(records.size());
@@ -89,8 +89,9 @@ Over over_of(const PanelContext& context, const PanelSpec& spec) {
     return spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
 }
 
-// Energy is kept and shared by all, and nothing but gravity and walls acts. One disk keeps the
-// energy along each axis, and beads on a line the order of their masses.
+// Whether the barometric law holds: energy is conserved and shared by all particles, and nothing
+// but gravity and walls acts. A single disk conserves its energy along each axis, and beads on a
+// line keep the order of their masses.
 bool has_law(const Scene& scene, const Particles& particles, FieldOf quantity, int axis) {
     const Surfaces& surfaces = scene.gas.box.surfaces;
     return scene.gas.box.dimension == 2 && particles.count() > 1 &&
@@ -123,7 +124,7 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
 
   private:
     bool is_up() const { return axis_ == 1; }
-    // No particles are a density, but have no temperature.
+    // A slab without particles has a density, 0, but no temperature.
     Eigen::ArrayXd values_of(const CellQuantity& quantity) const {
         return quantity.values(axis_, spec_.quantity == FieldOf::density ? 0.0 : least_in_cell);
     }
@@ -228,7 +229,7 @@ plot::Line ProfilePanel::curve(std::size_t run, std::size_t choice, const char* 
     return line;
 }
 
-// A level in each slab; broken where there is none.
+// A horizontal piece for each slab; the line is broken at slabs without a value.
 plot::Line ProfilePanel::line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
                                  const char* part) const {
     const double width = record_.runs[run].length / static_cast<double>(values.size());
@@ -252,14 +253,14 @@ plot::Line ProfilePanel::line_of(std::size_t run, std::size_t choice, const Eige
     return line;
 }
 
-// Thin beside others, each of which has the line of its run.
+// Thin if runs are compared, since each run has its own line.
 plot::Stroke ProfilePanel::stroke_of_law() const {
     if (record_.compares()) return {.role = {.of = Role::Of::muted}, .width = 0.07};
     if (choices_.size() == 1) return {.role = {.of = Role::Of::accent}};
     return {.role = {.of = Role::Of::muted}, .dashes = {0.5}};
 }
 
-// Through the middles of the slabs.
+// The law as a line through the middles of the slabs.
 plot::Line ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
     const std::vector<double>& densities = record_.runs[run].laws[choice];
     const double width = record_.runs[run].length / static_cast<double>(densities.size());

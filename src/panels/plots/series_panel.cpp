@@ -23,7 +23,8 @@ constexpr int depth_of_markers = 1;  // under levels and their words
 constexpr int band_depth = 1000;     // behind all lines
 const Role muted{.of = Role::Of::muted};
 
-// A word beside an upright line, where the axis has more room, as low as no line crosses it.
+// A word beside a vertical line, on the side with more room, at the lowest place that no line
+// crosses.
 plot::Label label_beside(const plot::Axis& axis, double at, const std::string& word) {
     const bool on_left = at > 0.5 * (axis.low + axis.high);
     plot::Label label;
@@ -36,8 +37,8 @@ plot::Label label_beside(const plot::Axis& axis, double at, const std::string& w
     return label;
 }
 
-// A line up, whose words find a place after those of levels. Words of a level that are too long to
-// lie beside it lie over it, on a plate.
+// Adds a vertical line, whose words are placed after those of levels. Words of a level that are too
+// long to fit beside the line are drawn over it, on a plate.
 void add_marker(plot::Plot& plot, plot::Marker marker) {
     std::optional<plot::Label> words = std::exchange(marker.label, std::nullopt);
     marker.depth = depth_of_markers;
@@ -81,7 +82,7 @@ std::string account_of_last(Language language, Phrase quantity, const std::vecto
 
 namespace {
 
-// What has happened, in a word; empty for what has its own mark, or none.
+// A word for an event; empty for an event that has its own mark, or none.
 Phrase series_event_word(const RunEvent& event) {
     if (const auto* set = std::get_if<SetOpen>(&event.action))
         return set->is_open ? Phrase{"opened"} : Phrase{"closed"};
@@ -142,7 +143,7 @@ void SeriesPanel::archive(Archive& archive) {
     if (archive.is_reading()) make_axes();
 }
 
-// For longer than an instant.
+// Whether a line is at 0 for longer than an instant.
 bool SeriesPanel::rests_at_zero() const {
     constexpr double instant = 0.01;  // of the film
     for (const SeriesRun& run : record_.runs)
@@ -153,7 +154,7 @@ bool SeriesPanel::rests_at_zero() const {
     return false;
 }
 
-// Without a scale by powers of ten room is left over the lines, and what is beyond is cut.
+// A linear axis leaves room above the lines, and values beyond it are cut.
 plot::Axis SeriesPanel::axis_up() const {
     if (subject_.top) return {.high = *subject_.top};
     std::vector<double> all;
@@ -184,7 +185,7 @@ plot::Axis SeriesPanel::axis_up() const {
     constexpr double linear_up_to = 50.0;
     const double mean =
         std::accumulate(all.begin(), all.end(), 0.0) / static_cast<double>(all.size());
-    // Powers of ten have no place for a line that lies at zero: without need they are not taken.
+    // A logarithmic axis cannot show a line at zero, so it is avoided if a linear one suffices.
     const bool is_told_by_linear = rests_at_zero() && most <= linear_up_to * mean;
     if (subject_.spreads && most > linear_up_to * least && !is_told_by_linear)
         return {.low = std::floor(std::log10(least)),
@@ -194,7 +195,7 @@ plot::Axis SeriesPanel::axis_up() const {
     return {.low = has_negative ? -high : 0.0, .high = high};
 }
 
-// The clock of a film runs back after a reversal; this axis does not.
+// The clock of a film runs backwards after a reversal, but this axis does not.
 Phrase SeriesPanel::time_name() const {
     const bool turns =
         std::ranges::any_of(record_.runs, [](const SeriesRun& run) { return !run.turns.empty(); });
@@ -328,7 +329,7 @@ plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
     return level;
 }
 
-// Those of all runs, with their values; where they differ, each one's own.
+// Adds the common levels of all runs with their values; if runs differ, the level of each run.
 void SeriesPanel::add_levels() {
     if (const ReferenceLevels common = record_.common_levels(); !common.empty())
         return add_common_levels(common);
@@ -342,7 +343,7 @@ void SeriesPanel::add_levels() {
     }
 }
 
-// Told apart by their dashes; names of those that look alike stand in one label.
+// Levels are distinguished by their dashes; levels whose numbers look the same share one label.
 void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
     static const std::vector<std::vector<double>> dashes{{0.3}, {0.9, 0.3}, {0.9, 0.3, 0.2, 0.3}};
     constexpr double line_height = 1.4;  // units
@@ -377,7 +378,7 @@ void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
     }
 }
 
-// How far lines should be from a level: as far as its standard deviation most of the time.
+// The band of one standard deviation about a level, within which lines should be most of the time.
 void SeriesPanel::add_band_about(const plot::Level& level, double deviation) {
     if (!(deviation > 0.0)) return;
     plot::Band band;
@@ -409,7 +410,7 @@ void SeriesPanel::add_turns() {
     }
 }
 
-// The same, dashed, where a wall or a partition changes what it does, or the gas is heated.
+// The same, dashed, at times when a wall or a partition changes its behaviour or the gas is heated.
 void SeriesPanel::add_events() {
     constexpr std::size_t most_named = 6;
     const auto events = record_.common_events();

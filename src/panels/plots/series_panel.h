@@ -1,5 +1,6 @@
-// Numbers against elapsed time: lines that grow while their axis is the whole film's, with marks
-// at reversals and at other events. Which numbers is given by the panel's own file.
+// Quantities against elapsed time: lines that grow on an axis that is fixed for the whole film,
+// with marks at reversals and at other events. The quantities are defined in the file of each kind
+// of panel.
 #pragma once
 
 #include <functional>
@@ -22,42 +23,42 @@ struct SeriesSubject {
     std::function<std::vector<double>(const FrameInput&)> measure =
         {};  ///< one number for each line, every frame of the first pass in order; NaN: none
     std::vector<Line> lines = {};
-    std::vector<plot::Text> titles = {};  ///< from the longest on
-    std::vector<std::string> names = {};  ///< of several lines, as a key shows them
-    bool last_title_names = true;         ///< the lines; if not, a key under it does
-    std::vector<std::string> notes = {};  ///< markup under the title, from the longest on
+    std::vector<plot::Text> titles = {};  ///< from longest to shortest
+    std::vector<std::string> names = {};  ///< names of several lines in a key
+    bool last_title_names = true;         ///< names the lines; if not, a key under it does
+    std::vector<std::string> notes = {};  ///< markup under the title, from longest to shortest
     std::function<ReferenceLevels()> references = {};  ///< after the first pass
     std::function<std::vector<std::vector<MeanError>>()> numbers =
-        {};                          ///< of each line, after the first pass
-    std::optional<double> top = {};  ///< of the axis; none: as the run shows
-    bool is_signed =
-        false;             ///< numbers may be negative: where any is, the axis is symmetric about 0
-    bool spreads = false;  ///< over powers of ten, if need be
-    Phrase quantity = {};  ///< "entropy"
-    std::string unit = {};     ///< "1"
-    std::size_t compared = 0;  ///< the line that stands for a run beside others
-    std::optional<plot::Text> compared_title = {};  ///< of that line; none: the title
+        {};                          ///< numbers for each line, after the first pass
+    std::optional<double> top = {};  ///< end of the axis; none: determined from the run
+    bool is_signed = false;  ///< numbers may be negative; if any is, the axis is symmetric about 0
+    bool spreads = false;    ///< the axis may be logarithmic if the values require it
+    Phrase quantity = {};    ///< "entropy"
+    std::string unit = {};   ///< "1"
+    std::size_t compared = 0;  ///< index of the line that represents a run in a comparison
+    std::optional<plot::Text> compared_title = {};  ///< title of that line; none: the usual title
     bool needs_collisions = false;                  ///< to measure
     bool needs_positions = true;                    ///< to measure
     std::function<void(const SeriesRecord&, plot::Plot& whole)> add =
-        {};  ///< layers, notes and words that come from the whole record
+        {};  ///< adds layers, notes and words made from the whole record
 };
 
-/// Titles of a subject whose lines and names are set: what they show with their names in their
-/// colours, or where there is no room alone, over a key.
+/// Sets the titles of a subject whose lines and names are set: `what` with the names of the lines
+/// in their colours or, if that does not fit, `what` alone with a key below.
 void title_with_names(SeriesSubject& subject, Language language, const std::string& what);
 
-/// A line for each choice of particles that the panel shows, and the title that names them: what
-/// is measured of each is for the caller to add.
+/// Returns a subject with a line for each choice of particles that the panel shows, and with titles
+/// that name them. The caller must add what is measured for each.
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title);
 
-/// "pressure 1.25": the last number there is among those shown.
+/// A text like "pressure 1.25" with the last number among those shown that is not NaN.
 std::string account_of_last(Language language, Phrase quantity, const std::vector<double>& values,
                             std::size_t shown);
 
 class SeriesPanel : public RecordPanel<SeriesRecord> {
   public:
-    /// A title that the scene gives says nothing of the lines: a key and the axis name them.
+    /// A title that is given in the scene does not name the lines: a key and the axis do so
+    /// instead.
     SeriesPanel(const PanelContext& context, const PanelSpec& spec, SeriesSubject subject);
 
     void survey(const FrameInput& input) override;

@@ -1,4 +1,4 @@
-// How many particles have which speed, beside what this finite gas has at equilibrium.
+// The histogram of the speeds of particles, with the equilibrium distribution of this finite gas.
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
 #include "physics/theory/theory.h"

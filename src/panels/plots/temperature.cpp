@@ -13,7 +13,7 @@
 namespace carom {
 namespace {
 
-// The temperature of all baths of the run, where they have but one.
+// The temperature of the baths of the run, if all have the same.
 std::optional<double> only_bath(const Scene& scene) {
     std::vector<double> all;
     for (const auto& list : behaviours_in_time(scene.gas.box.surfaces, scene.run))

@@ -1,4 +1,4 @@
-// The time that a panel's numbers are taken over, and what it is called in a picture.
+// The time window over which a panel averages, and its name in a picture.
 #pragma once
 
 #include <optional>
@@ -9,21 +9,22 @@
 
 namespace carom {
 
-/// The time before the present that a mean is over, 0 for the present alone; none: all.
+/// The length of the averaging window before the present: 0 for the present alone; none: since the
+/// start.
 std::optional<double> window_of(const Over& over);
 
-/// When a mean that is shown at a time begins, no earlier than the run; none for what is of the
-/// present alone.
+/// The start of the mean that is shown at a time, not before the start of the run; none if only the
+/// present is shown.
 std::optional<double> start_of_mean(const Over& over, double at);
 
-/// "mean since the start", "mean over the last 5"; `alone` for what is of the present alone.
+/// "mean since the start", "mean over the last 5"; `alone` if only the present is shown.
 std::string words_of_window(Language language, const Over& over, Phrase alone);
 
-/// The same of what is of a moment where it is no mean: "now", of a figure "at time 20".
+/// The same for a quantity of a single moment: without a mean, "now" or, in a figure, "at time 20".
 std::string words_of_moments(Language language, const PanelSpec& spec, const Over& over);
 
-/// In a title, of a film or of a figure at its time: "now", "at time 20", "time 18 to 20". Of runs
-/// that end at different times: "at the end".
+/// The window in the title of a film or of a figure: "now", "at time 20", "time 18 to 20"; for runs
+/// that end at different times, "at the end".
 std::string time_words(Language language, const PanelSpec& spec);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// How far positions reach along an axis of a box whose sides may move.
+// The range of positions along an axis of a box whose sides may move.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// Widens a range of positions to where the sides are in a frame.
+/// Widens a range of positions to the positions of the sides in a frame.
 inline void widen_to_sides(std::pair<double, double>& range, const Box& box, Eigen::Index axis,
                            const FrameInput& input) {
     const std::vector<SurfaceState>& states = input.advanced.surfaces;

@@ -112,7 +112,7 @@ Rect SurfaceView::Brush::outside(std::size_t side, double offset, double depth) 
     return {room.x, room.y - offset - depth, room.width, depth};
 }
 
-// Walls along which others move are drawn as far as these ever come.
+// Walls along which other walls move are drawn over the full range of that motion.
 void SurfaceView::Brush::draw_outline() const {
     const double wide = SurfaceSize::line * u, half = wide / 2;
     draw_box_outline(canvas, dc, room, {box.is_periodic(0), box.is_periodic(1)});
@@ -192,7 +192,7 @@ void SurfaceView::Brush::draw_side(std::size_t side) const {
     draw_side_mark(side);
 }
 
-// Of the force on a piston, or of the motion that is imposed.
+// The arrow of the force on a piston, or of an imposed motion.
 void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
     const auto* piston = std::get_if<Piston>(&behaviour(side));
     const auto& motion = states[side].motion;
@@ -209,8 +209,8 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
                        {2.0 * half * up.x, 2.0 * half * up.y});
 }
 
-// What fits beside the arrow of the lower or the upper side, or beyond the side: all, or but the
-// last of it. The arrow makes room where it must.
+// The part of the label of the lower or the upper side that fits beside its arrow, or beyond the
+// side: all of it, or only its last part. The arrow is shifted if necessary.
 SurfaceView::Brush::SideMark SurfaceView::Brush::beside_mark(std::size_t side) const {
     if (is_upright(side)) return {};
     const std::string all =
@@ -264,7 +264,7 @@ void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
     canvas.stroke_line(from, to, SurfaceSize::thick * u, color);
 }
 
-// Where it is not: only its ends, at the walls.
+// An open partition is drawn by its ends at the walls only.
 void SurfaceView::Brush::draw_partition(std::size_t k) const {
     const Partition& partition = *box.surfaces.partition(k);
     const double at = place_of_surface(box, states, k);
@@ -307,7 +307,8 @@ void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
     }
 }
 
-// What holds a partition that does something, outside of the walls at both ends, and moves with it.
+// The holders of a partition that does more than reflect: outside of the walls at both ends, moving
+// with it.
 void SurfaceView::Brush::draw_ends(std::size_t k) const {
     const Partition& partition = *box.surfaces.partition(k);
     const auto* membrane = std::get_if<Membrane>(&behaviour(k));
@@ -340,8 +341,8 @@ void SurfaceView::Brush::draw_ends(std::size_t k) const {
         {0.8 * SurfaceSize::arrow * sign * u * up.x, 0.8 * SurfaceSize::arrow * sign * u * up.y});
 }
 
-// Those of upright lines in a row above the box, apart from one another; those of level partitions
-// on them.
+// Labels of vertical partitions are in a row above the box, clear of each other; labels of
+// horizontal partitions are on them.
 void SurfaceView::Brush::draw_marks() const {
     TextStyle style = label_style(dc);
     style.color = theme.ink;

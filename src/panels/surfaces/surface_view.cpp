@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// How far outside of a side it reaches, in units.
+// How far the drawing of a side extends outward, in units.
 double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
     const bool marked_here = side / 2 == 1;  // marks of the left and the right stand above the box
     const double mark =
@@ -63,7 +63,7 @@ SurfaceView::SurfaceView(const PanelContext& context)
     }
 }
 
-// Of a side, the most that it ever has.
+// The largest thickness that a side ever has.
 double SurfaceView::thickness_of(std::size_t side) const {
     double most = SurfaceSize::line;
     for (const Behaviour& behaviour : behaviours_[side]) {
@@ -139,7 +139,7 @@ Rect SurfaceView::whole(const BoxMap& map, double unit) const {
             map.frame.height + top + margins_.bottom * unit};
 }
 
-// By the logarithm, as temperatures are told apart by their ratio.
+// The scale is logarithmic, since ratios of temperatures matter.
 Color SurfaceView::bath_color(double temperature, const Theme& theme) const {
     const auto [low, high] = temperatures_;
     const double share =

@@ -1,7 +1,8 @@
-// How the surfaces of a box look: sides that act, partitions, obstacles and gravity, and the room
-// that they take around the box. Where sides move, the picture holds the box as large as it ever
-// gets. What imposes its motion is hatched, what moves freely is a plain bar, a heat bath has a
-// wavy line, a membrane is dashed, a demon dotted. Draws no particles.
+// The appearance of the surfaces of a box: sides that do more than reflect, partitions, obstacles
+// and gravity, and the room that they need around the box. If sides move, the picture is laid out
+// for the largest extent of the box. A surface with an imposed motion is hatched, a freely moving
+// one is a plain bar, a heat bath has a wavy line, a membrane is dashed, a demon is dotted. Draws
+// no particles.
 #pragma once
 
 #include <array>
@@ -11,11 +12,11 @@
 
 namespace carom {
 
-/// From places of the scene, y up, to pixels, y down.
+/// Maps positions of the scene (y up) to pixels (y down).
 struct BoxMap {
-    Rect frame;  ///< of the box, as large as it ever gets
+    Rect frame;  ///< of the box at its largest extent
     Eigen::Array2d low{0.0, 0.0};
-    double scale = 1.0;  ///< pixels of a length
+    double scale = 1.0;  ///< pixels per unit length
 
     Point pixel(const Point& place) const {
         return {frame.x + (place.x - low[0]) * scale, frame.bottom() - (place.y - low[1]) * scale};
@@ -27,7 +28,7 @@ class SurfaceView {
   public:
     explicit SurfaceView(const PanelContext& context);
 
-    /// Whether there is nothing to draw but walls.
+    /// Whether there is nothing to draw but plain walls.
     bool is_plain() const { return plain_; }
 
     /// Whether no side moves.
@@ -37,28 +38,30 @@ class SurfaceView {
     void survey(const FrameInput& input);
     void archive(auto& archive) { archive(extent_.low, extent_.high); }
 
-    /// The box, as large as it ever gets; after the first pass.
+    /// The largest extent of the box; valid after the first pass.
     const Region& extent() const { return extent_; }
 
-    /// Those of a frame that are drawn: of sides and partitions; none of a plain box.
+    /// The states of the sides and partitions that are drawn in a frame; empty for a plain box.
     std::vector<SurfaceState> states(const FrameInput& input) const;
 
-    /// The box in an area, as large as fits beside what stands around it, at the area's left or in
-    /// its middle; and all of it.
+    /// map_in() places the box in an area, as large as fits with what is drawn around it, at the
+    /// area's left or in its middle; whole() is the rectangle of the box with all that is around
+    /// it.
     BoxMap map_in(const Rect& area, double unit, bool centered) const;
     Rect whole(const BoxMap& map, double unit) const;
 
-    /// What is inside of the sides at a moment.
+    /// The interior of the box at a moment.
     Region room(const std::vector<SurfaceState>& states) const;
 
-    /// Fills the room, and draws its outline and what stands in it; not for a plain box.
+    /// draw_room() fills the interior and draws the outline of the box and what is in it; not for a
+    /// plain box.
     void draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                    const std::vector<SurfaceState>& states) const;
     void draw_obstacles(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                         const std::vector<SurfaceState>& states) const;
     void draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                          const std::vector<SurfaceState>& states) const;
-    /// What is outside of the room, and what is written on surfaces.
+    /// Draws what is outside of the interior, and the labels of surfaces.
     void draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                      const std::vector<SurfaceState>& states) const;
 
@@ -76,10 +79,10 @@ class SurfaceView {
 
     const Scene& scene_;
     bool plain_, still_ = true;
-    std::vector<std::vector<Behaviour>> behaviours_;  ///< of each side and partition, at any time
+    std::vector<std::vector<Behaviour>> behaviours_;  ///< of each side and partition, at all times
     std::array<double, 2> temperatures_{};            ///< lowest and highest of baths
     Margins margins_{};
-    Region extent_{};  ///< of the box, as large as it ever gets
+    Region extent_{};  ///< of the box at its largest extent
 };
 
 }  // namespace carom

@@ -1,4 +1,5 @@
-// What surfaces are called and do, in words: on the picture, and for those who do not see it.
+// The names and actions of surfaces in words: for labels in the picture, and for descriptions of
+// it.
 #pragma once
 
 #include <span>
@@ -10,19 +11,19 @@
 
 namespace carom {
 
-/// Its place along its normal at present: of a side, or of a partition, by its number.
+/// The present position along its normal of surface number k, a side or a partition.
 double place_of_surface(const Box& box, std::span<const SurfaceState> states, std::size_t k);
 
-/// What stands beside it in a picture: "T = 2", "M = 50, F = −5", "passes small"; empty for what
-/// only reflects or is driven.
+/// The label of a surface in a picture: "T = 2", "M = 50, F = −5", "passes small"; empty for a
+/// surface that only reflects or is driven.
 std::string mark_of_surface(Language language, const Gas& gas, const Behaviour& behaviour,
                             int axis);
 
-/// "divider, open", "left, T = 2": of a side or a partition, as it is, for a table.
+/// A side or a partition in its present state, for a table: "divider, open", "left, T = 2".
 std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k);
 
-/// Walls that act and partitions as they are at a moment, in whole sentences; nothing of a plain
-/// box. `only_changes`: only of those that move or are open.
+/// Describes partitions, and walls that do more than reflect, at a moment, in whole sentences;
+/// empty for a plain box. `only_changes`: only those that move or are open.
 std::string words_at_present(Language language, const Gas& gas,
                              std::span<const SurfaceState> states, bool only_changes = false);
 

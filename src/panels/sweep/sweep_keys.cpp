@@ -36,7 +36,7 @@ void check_vary(const Sweep& sweep, const Node& node, Reading& reading) {
                         most_in_figure));
 }
 
-// A key that is varied, or what is known of each gas.
+// Reports a horizontal axis that is neither a varied key nor a property that is known of each gas.
 void check_across(const PanelSpec& panel, const Node& node, Reading& reading) {
     const SweepShown& shown = panel.sweep;
     if (shown.against == across_packing || shown.against == across_density) return;
@@ -60,7 +60,7 @@ std::vector<Binding<PanelSpec>> sweep_keys() {
         std::vector<SweepAxis>& all = panel.sweep.sweep.axes;
         all.insert(all.begin(), axes.begin(), axes.end());
     };
-    // A value that all runs share is an axis with one value.
+    // If all runs share the value, the axis has one value only.
     const auto fill_set = [](PanelSpec& panel, const std::vector<std::string>& changes) {
         for (const std::string& change : changes) {
             const std::size_t sign = change.find('=');

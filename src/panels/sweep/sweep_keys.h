@@ -1,4 +1,4 @@
-// The keys of a figure that shows a sweep, and what they mean together.
+// The scene keys of a figure that shows a sweep, and the check of their combination.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace carom {
 
-/// What may stand on the axis across beside the varied keys: the part of the box that particles
-/// cover, and their number in a unit of area or length.
+/// Quantities that the horizontal axis may show instead of a varied key: the fraction of the box
+/// that particles cover, and their number per unit of area or length.
 inline constexpr const char* across_packing = "packing";
 inline constexpr const char* across_density = "density";
 

@@ -16,7 +16,8 @@ namespace {
 
 using plot::Role;
 
-// Of an axis: from 0 unless the values fill but a small part of it; a little beyond them.
+// The range of an axis: a little beyond the values, and from 0 unless they would fill only a small
+// part of it.
 std::pair<double, double> range_of(double least, double most) {
     constexpr double small = 0.3, beyond = 0.06, equal = 1e-9;  // no more than round-off
     const double width = most - least, reach = std::max(std::abs(least), std::abs(most));
@@ -112,7 +113,7 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
     if (numbers.lines.size() > 1) return set_words_of_lines(numbers);
     for (const auto& [curve, dashes] :
          {std::pair{&first.theory, dashes_of_theory}, std::pair{&first.ideal, dashes_of_ideal}}) {
-        if (curve->y.size() < 2) continue;  // of one value no curve is seen
+        if (curve->y.size() < 2) continue;  // a single value makes no visible curve
         const std::string name = say(language_, Phrase{curve->name});
         key.entries.push_back({.sample = stroke_of(ink, dashes), .words = {escape_markup(name)}});
         plot_.account += " " + (dashes == dashes_of_theory ? say(language_, "Dashed: {}.", name)
@@ -121,7 +122,7 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
     if (!key.entries.empty()) plot_.notes.push_back(std::move(key));
 }
 
-// A key of the lines, which are of theory where any is known, and join the points elsewhere.
+// A key of the lines, which are theoretical curves if any are known, and otherwise join the points.
 void SweepPanel::set_words_of_lines(const SweptNumbers& numbers) {
     std::vector<std::string> names;
     for (const SweptLine& line : numbers.lines) names.push_back(line.name);

@@ -1,5 +1,6 @@
-// A number of many runs against what is varied: the mean at each value with its standard error, and
-// what theory says. Runs nothing; whoever has the runs' numbers gives them to it.
+// A number of many runs against the varied parameter: the mean at each value with its standard
+// error, and the prediction of theory. Runs nothing itself: the caller supplies the numbers of the
+// runs.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +11,9 @@
 
 namespace carom {
 
-/// What is known without runs.
+/// A curve that is known without runs.
 struct SweptCurve {
-    std::string name = {};  ///< where it is from: "hard disks by Kolafa and Rottner"
+    std::string name = {};  ///< its source: "hard disks by Kolafa and Rottner"
     std::vector<double> x = {}, y = {};
 };
 
@@ -21,16 +22,16 @@ struct SweptLine {
     std::string name = {};    ///< in the film's language; empty: the only one
     std::string column = {};  ///< the same in a table, in English
     std::vector<double> x = {}, mean = {}, error = {};
-    std::vector<std::int64_t> runs = {};  ///< of each point, those that have the number
-    SweptCurve theory = {};               ///< without values where none is known
+    std::vector<std::int64_t> runs = {};  ///< of each point: how many have the number
+    SweptCurve theory = {};               ///< without values if none is known
     SweptCurve ideal = {};                ///< of an ideal gas
 };
 
 /// What a panel of a sweep shows.
 struct SweptNumbers {
-    std::string number, unit;  ///< what is up
-    std::string across;        ///< the words of the axis across, in the film's language
-    std::string column = {};   ///< what is across in a table, in English
+    std::string number, unit;  ///< vertical quantity
+    std::string across;        ///< title of the horizontal axis, in the film's language
+    std::string column = {};   ///< the same in a table, in English
     std::vector<SweptLine> lines = {};
 };
 
@@ -39,7 +40,7 @@ class SweepPanel : public PlotPanel {
     SweepPanel(const PanelContext& context, const PanelSpec& spec)
         : language_(context.language()), title_(spec.title) {}
 
-    /// What it shows from now on; before, nothing.
+    /// Sets what the panel shows from now on; before, it is empty.
     void show(const SweptNumbers& numbers);
 
     void archive(Archive&) override {}

@@ -22,7 +22,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// How a number is written.
+// The format of a number.
 enum class Format { fixed, count, per_cent, power };
 
 struct Column {
@@ -73,7 +73,8 @@ std::string percent(double per_cent) {
     return padding + whole + "\u2009%";
 }
 
-// The size of text, in units, with which a label over its number fills a height; labels grow less.
+// The size of text, in units, at which a label above its number fills a height; labels grow less
+// than numbers.
 double size_in(double height) {
     constexpr double air = 0.95;
     const double size = (height - air) / (1.0 + above_digits + digit_height);
@@ -94,7 +95,7 @@ void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color co
 
 }  // namespace
 
-// Where each number stands, and how large: as large as the area allows, in one row or several.
+// The places and the size of the numbers: as large as the area allows, in one row or several.
 struct MonitorsPanel::Row {
     Rect area;
     std::size_t shown, columns;
@@ -136,7 +137,7 @@ MonitorsPanel::Row MonitorsPanel::row_of(const Rect& area, double unit, std::siz
     return best;
 }
 
-// As many of the numbers as there is room for, from the first on.
+// The layout of as many of the numbers as there is room for, beginning with the first.
 MonitorsPanel::Row MonitorsPanel::row(const DrawContext& dc) const {
     Rect area = dc.area;
     if (title_) {
@@ -152,7 +153,8 @@ MonitorsPanel::Row MonitorsPanel::row(const DrawContext& dc) const {
     return best;
 }
 
-// Rows differ by one number at most, and the last are the longer ones: none is left over alone.
+// The lengths of rows differ by at most one number, and the last rows are the longer ones, so that
+// no number is left alone.
 Point MonitorsPanel::place(const Row& row, std::size_t index) const {
     const std::size_t rows = (row.shown + row.columns - 1) / row.columns;
     const std::size_t shorter = rows * row.columns - row.shown;
@@ -168,8 +170,8 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
     return {x, row.area.y + row.height * row.unit * static_cast<double>(line)};
 }
 
-// In units, at the smallest size of text, with the arrow behind it; 0 if it is no longer than
-// usual.
+// The width of the longest time in units, at the smallest size of text and with the arrow after it;
+// 0 if it is no longer than usual.
 double MonitorsPanel::widest_time(double unit) const {
     const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     const double width =
@@ -193,8 +195,8 @@ double MonitorsPanel::widest_value(Monitor number) const {
     return none;
 }
 
-// In units, at the smallest size of text: numbers that need a power of ten, and longer words of
-// other languages, need more than usual.
+// In units, at the smallest size of text. Numbers with a power of ten, and longer words of other
+// languages, need more than the usual width.
 double MonitorsPanel::width(Monitor number, double unit) const {
     const double usual = width_for_label(number, unit);
     if (number == Monitor::time) return std::max(usual, (widest_time(unit) + least_gap) / tightest);
@@ -221,7 +223,8 @@ double MonitorsPanel::column_width(double unit) const {
     return widest;
 }
 
-// No numbers stand for those that any gas has, without classes of its own.
+// An empty list stands for the default: the numbers that apply to any gas, without those of
+// classes.
 MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
     : context_(context),
       are_asked_(!spec.numbers.empty()),

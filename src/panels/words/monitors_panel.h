@@ -1,5 +1,5 @@
-// Numbers in fixed places: time, collisions, mean speed and mean energy, or those that the scene
-// asks for; a row under the gas, or as large as a panel.
+// Numbers at fixed places: time, collisions, mean speed and mean energy, or those that the scene
+// asks for; in a row under the gas, or filling a panel.
 #pragma once
 
 #include <array>
@@ -21,12 +21,12 @@ using MonitorNumbers = std::array<double, enum_words<Monitor>.size()>;
 inline std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
 
 struct MonitorsState : PanelState {
-    MonitorNumbers readouts{};  // those that are shown
-    MonitorNumbers numbers{};   // of a distance its decimal logarithm, or none
+    MonitorNumbers readouts{};  // the numbers that are shown
+    MonitorNumbers numbers{};   // a distance as its decimal logarithm, or none
     double return_distance =
         std::numeric_limits<double>::quiet_NaN();  // the same as a double, which may be 0
     Slowness slow;
-    double arrow = 0.0;  // turn of the clock's arrow: 0 forward, 1 back
+    double arrow = 0.0;  // direction of the clock's arrow: 0 forward, 1 back
 };
 
 class MonitorsPanel : public Panel {
@@ -47,16 +47,16 @@ class MonitorsPanel : public Panel {
     std::vector<std::string> left_out(const DrawContext& dc) const override;
 
   protected:
-    // Of the numbers that the scene names, from this one on.
+    // The names of the numbers that the scene lists, from index `shown` on.
     std::vector<std::string> names_after(std::size_t shown) const;
     std::string text(Monitor number, double value) const;
     double widest_value(Monitor number) const;
     std::string label(Monitor number) const;  // markup
 
     PanelContext context_;
-    bool are_asked_;  // by the scene; else they are the usual ones
+    bool are_asked_;  // the numbers are listed in the scene; otherwise they are the default ones
     std::vector<Monitor> numbers_;
-    MonitorNumbers largest_{}, smallest_;  // in the film: fix the number of decimals
+    MonitorNumbers largest_{}, smallest_;  // in the film; they determine the number of decimals
 
   private:
     struct Row;

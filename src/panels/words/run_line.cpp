@@ -1,4 +1,4 @@
-// The line under the box of one of two runs: its name, and its numbers.
+// The line of text under the box of one of two runs: its name and its numbers.
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"

@@ -31,7 +31,7 @@ std::vector<std::string> paragraphs(const std::string& words) {
     return found;
 }
 
-// A line break in a formula is a space; everything stays in its place.
+// Replaces line breaks within formulae by spaces; positions in the text do not change.
 std::string with_whole_formulas(std::string words) {
     for (const formula::Span& span : formula::spans_of(words)) {
         const auto begin = words.begin() + static_cast<std::ptrdiff_t>(span.at);
@@ -122,7 +122,7 @@ double height_of(const SetWords& set) {
     return height;
 }
 
-// Smaller rather than with a word broken; but some scripts have no spaces between words.
+// A smaller size is preferred to breaking a word, except in scripts without spaces between words.
 std::optional<SetWords> set_words(const std::string& text, double width, double height,
                                   double unit) {
     const std::string words = with_whole_formulas(text);

@@ -1,5 +1,5 @@
-// Words in a panel's place, with formulae: as large as they fit there, in whole steps of size,
-// never cut. A line that is a formula alone stands in the middle.
+// A text in the place of a panel, with formulae: in the largest of a few fixed sizes that fits, and
+// never cut. A line that consists of a formula only is centred.
 #pragma once
 
 #include <optional>
@@ -10,25 +10,25 @@
 
 namespace carom {
 
-/// Words set in lines; an empty line is a gap between paragraphs.
+/// A text set in lines; an empty line is a gap between paragraphs.
 struct SetWords {
     std::vector<std::string> lines;
     double size = 0.0;  ///< of the text, pixels
 };
 
-/// Plain words in the largest step of size, down to `unit`, at which they fit into a width and a
-/// height (pixels); none if they fit in none.
+/// Sets plain words in the largest of the fixed sizes, down to `unit`, in which they fit into a
+/// width and a height (pixels); none if they fit in no size.
 std::optional<SetWords> set_words(const std::string& words, double width, double height,
                                   double unit);
 
 /// The height of set words, pixels.
 double height_of(const SetWords& set);
 
-/// What is wrong, with its place, where the words of a panel fit into its own place (pixels) in no
-/// step of size.
+/// The error, with its place in the scene file, if the words of a panel do not fit into `place`
+/// (pixels) in any of the sizes; otherwise none.
 std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit);
 
-/// Throws SceneError where a panel of the film has words that its place has no room for.
+/// Throws SceneError if a panel of the film has words that do not fit into its place.
 void refuse_long_words(const Scene& scene);
 
 }  // namespace carom

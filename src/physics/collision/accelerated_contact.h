@@ -1,13 +1,14 @@
-// When a point on a parabola comes within a distance of a point at rest: contact of a falling disk
-// with a fixed disk or a corner, or of two disks of which only one falls. Free functions on
-// numbers, for any scalar with sqrt and abs. Times are counted from the present. No contact is
-// missed, however short, down to the rounding of positions.
+// The time at which a point on a parabola comes within a given distance of a point at rest: contact
+// of a falling disk with a fixed disk or a corner, or of two disks of which only one falls. Free
+// functions on numbers, for any scalar with sqrt and abs. Times are counted from the present. No
+// contact is missed, however short, down to the rounding of positions.
 //
-// The gap c(t) = |r(t)|^2 - sigma^2 of r(t) = r + v t + a t^2 / 2 is a quartic. Its derivative is
+// The gap c(t) = |r(t)|^2 - sigma^2 with r(t) = r + v t + a t^2 / 2 is a quartic. Its derivative is
 // 2 h(t) with h = r(t) . v(t), and h' = (v^2 + r . a) + 3 (v . a) t + (3/2) a^2 t^2 is quadratic.
-// So the roots of h' are known; between them h is monotone and has one root at most, and between
-// the roots of h the same holds for c. Each root is bracketed, then refined by Newton steps that
-// stay in the bracket. c and h are calculated from r(t) and v(t): their coefficients would cancel.
+// The roots of h' are therefore known in closed form; between two of them h is monotone and has at
+// most one root, and between the roots of h the same holds for c. Each root is bracketed and then
+// refined by Newton steps that stay inside the bracket. c and h are evaluated from r(t) and v(t),
+// because their expansion in powers of t suffers from cancellation.
 #pragma once
 
 #include <array>
@@ -18,7 +19,7 @@
 
 namespace carom {
 
-/// Position, velocity and constant acceleration of the second as seen from the first.
+/// Position, velocity and constant acceleration of the second body relative to the first.
 template <typename Scalar>
 struct AcceleratedMotion {
     Scalar x, y, vx, vy, ax, ay;
@@ -29,14 +30,15 @@ struct AcceleratedMotion {
     }
 };
 
-/// A root of a function that is monotone in [low, high] and has different signs, or 0, at its ends.
-/// `value_and_slope(t)` gives a pair; `steps`: somewhat more than a scalar has bits.
+/// Returns a root of a function that is monotone in [low, high] and has opposite signs, or a zero,
+/// at the two ends. `value_and_slope(t)` returns the pair of value and derivative. `steps` limits
+/// the Newton steps; it should be somewhat larger than the number of bits of the scalar.
 template <typename Scalar, typename Function>
 Scalar bracketed_root(Scalar low, Scalar high, int steps, const Function& value_and_slope) {
     const bool falls = value_and_slope(low).first > 0;
     Scalar t = (low + high) * 0.5;
-    // A double root costs a Newton step for each bit; a bracket much wider than its root halvings
-    // as well.
+    // Near a double root each Newton step gains only one bit, and a bracket much wider than its
+    // root costs bisections as well.
     for (int step = 0; t > low && t < high; ++step) {
         const auto [value, slope] = value_and_slope(t);
         if ((value > 0) == falls)
@@ -50,7 +52,7 @@ Scalar bracketed_root(Scalar low, Scalar high, int steps, const Function& value_
     return low;
 }
 
-/// The roots after 0 of a + b t + c t^2 with c >= 0, in ascending order.
+/// The positive roots of a + b t + c t^2 with c >= 0, in ascending order.
 template <typename Scalar>
 struct PositiveRoots {
     std::array<Scalar, 2> root{};
@@ -69,10 +71,10 @@ struct PositiveRoots {
     }
 };
 
-/// The first time at which the distance falls to `sigma`: 0 when it is no larger now and falls by
-/// more than `round_off` in r . v, `never` when it does not fall to that. `bits` of the scalar.
-/// The acceleration is not 0. If `is_inside` it is no larger now, but for round-off, and must rise
-/// above `sigma` first.
+/// The first time at which the distance falls to `sigma`. Returns 0 if the distance is already no
+/// larger than `sigma` and r . v is below -`round_off`, and `never` if it does not fall to `sigma`.
+/// `bits`: precision of the scalar. The acceleration must not be 0. With `is_inside` the distance
+/// is at present no larger than `sigma`, except for round-off, and must first rise above `sigma`.
 template <typename Scalar>
 Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar& sigma,
                                 const Scalar& round_off, int bits = 53, bool is_inside = false) {
@@ -97,8 +99,8 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
     const bool touches = is_inside || !(gap(zero) > 0);
     if (!is_inside && touches && (now < -round_off || (!(now > 0) && bend < 0))) return zero;
     const PositiveRoots<Scalar> turns(bend, 3 * va, 1.5 * aa);
-    const bool falls_at_first = now < 0 || (!(now > 0) && bend < 0);  // also from rest
-    bool falls = falls_at_first && !touches;  // the distance, from `start` to the next root of h
+    const bool falls_at_first = now < 0 || (!(now > 0) && bend < 0);  // also if it starts from rest
+    bool falls = falls_at_first && !touches;  // from `start` to the next root of h
     Scalar start = zero, low = zero;
     for (int piece = 0; piece <= turns.count; ++piece) {
         Scalar high = low;

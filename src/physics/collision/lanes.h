@@ -1,6 +1,6 @@
-// Several numbers at once, as the compiler's vector types have them: it makes of them what the
-// processor has, and each lane is the same arithmetic as for one number. To be used within inlined
-// functions only, where no calling convention matters.
+// SIMD arithmetic on the compiler's vector types, which it maps to whatever vector instructions the
+// processor has. Each lane gives exactly the result of the scalar arithmetic. To be used only
+// inside inlined functions, where no calling convention applies.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,8 @@ inline constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
     return to;
 }
 
-/// Two numbers in one piece; stored so they can be loaded so again at once.
+/// Loads two numbers with one instruction. If they were stored by store_two(), the processor can
+/// forward them from the store without waiting.
 [[gnu::always_inline]] inline TwoLanes load_two(const double* from) {
     TwoLanes to;
     std::memcpy(&to, from, sizeof to);
@@ -40,7 +41,7 @@ inline constexpr std::size_t lane_count = sizeof(Lanes) / sizeof(double);
 }
 [[gnu::always_inline]] inline void store_two(TwoLanes from, double* to) {
 #ifdef __x86_64__
-    asm("" : "+x"(from));  // lest the compiler stores them one by one
+    asm("" : "+x"(from));  // keeps the compiler from storing the lanes one by one
 #endif
     std::memcpy(to, &from, sizeof from);
 }
@@ -70,30 +71,30 @@ template <SomeLanes Lanes>
     return to;
 }
 
-/// Keeps the compiler from working on the lanes one by one where they were just put together.
+/// Keeps the compiler from processing the lanes one by one where they were just combined.
 [[gnu::always_inline]] inline void keep_together([[maybe_unused]] TwoLanes& a) {
 #ifdef __x86_64__
     asm("" : "+x"(a));
 #endif
 }
 
-/// One number in both.
+/// A vector with the same number in both lanes.
 [[gnu::always_inline]] inline TwoLanes both(double a) { return TwoLanes{a, a}; }
 
-/// The two lanes the other way round.
+/// The two lanes in exchanged order.
 template <typename Two>
 [[gnu::always_inline]] inline Two swapped(const Two& a) {
     return __builtin_shufflevector(a, a, 1, 0);
 }
 
-/// Lane by lane a where `mask`, else b; or of two numbers the one.
+/// Lane by lane a where `mask` is set, otherwise b; for scalars one of the two numbers.
 template <typename Mask, typename Number>
 [[gnu::always_inline]] inline Number select(const Mask& mask, const Number& a, const Number& b) {
     return mask ? a : b;
 }
 
-/// The same where the mask is made of several, each of which is 0 or ~0 in a lane: of these the
-/// compiler would make branches.
+/// The same for a mask combined from several masks, in which each lane is 0 or ~0: the compiler
+/// would otherwise generate branches.
 template <typename Two>
 [[gnu::always_inline]] inline Two select_bits(const TwoMasks& mask, const Two& a, const Two& b) {
     return reinterpret_cast<Two>((mask & reinterpret_cast<TwoMasks>(a)) |

@@ -1,4 +1,4 @@
-// The types shared by the event loop (event_loop.h), which is one source for both dimensions, and
+// Types shared by the event loop (event_loop.h), whose source is the same for both dimensions, and
 // its geometries: the plane of disks (plane.h, mp_plane.h) and the line of beads (line.h).
 #pragma once
 
@@ -16,28 +16,32 @@
 
 namespace carom {
 
-/// How a run calculates: with doubles, or with numbers of more bits (multiprecision.h).
+/// The arithmetic of a run: doubles, or numbers with more bits (multiprecision.h).
 struct Arithmetic {
     int bits = 53;
-    bool screened = true;  ///< multiprecision: doubles exclude what certainly does not happen; the
-                           ///< events are the same without
+    bool screened = true;  ///< multiprecision only: estimates in doubles rule out events that
+                           ///< certainly do not happen; the events that do happen are the same
+                           ///< without this screening
 };
 
-/// How two particles met.
+/// Geometry of a contact of two particles.
 template <int Dimension>
 struct Contact {
     std::array<double, Dimension> separation;  ///< from the first to the second (in a periodic box
                                                ///< to its image that touches the first)
-    double virial = 0.0;                       ///< separation . momentum received by the second
-    double overlap = 0.0;                      ///< depth, in units of the contact distance
+    double virial = 0.0;   ///< scalar product of the separation and the momentum received by the
+                           ///< second
+    double overlap = 0.0;  ///< overlap depth, in units of the contact distance
 };
 
-/// What will happen to a particle, at a time that the queue of events knows: a contact with another
-/// if `contact_time` is not after it, else reaching a border.
+/// The predicted next event of a particle; its time is stored in the event queue. It is a contact
+/// with another particle if `contact_time` is not later than that time, otherwise the particle
+/// reaches a border.
 struct Prediction {
-    double contact_time = never<double>;  ///< local; not after the contact, in the plane of doubles
-                                          ///< the time of one that may come after the border
-    std::int32_t partner = 0;             ///< in that contact
+    double contact_time = never<double>;  ///< local; not later than the contact; in the plane of
+                                          ///< doubles it may be the time of a contact after the
+                                          ///< border is reached
+    std::int32_t partner = 0;             ///< the other particle of that contact
     std::uint32_t partner_collisions : 29 = 0;
     std::uint32_t border : 3 = 0;
 
@@ -49,27 +53,27 @@ struct Prediction {
     }
 
   private:
-    // Not in the template, where GCC 14 takes the masked values for too large.
+    // Outside the template, because GCC 14 would warn there that the masked values are too large.
     void set(std::uint32_t collisions, std::uint32_t side) {
         partner_collisions = collisions & ((1U << 29) - 1U);
         border = side & 7U;
     }
 };
 
-/// The same, and when.
+/// A prediction together with its time.
 template <typename Scalar>
 struct Event : Prediction {
     Scalar time = never<double>;  ///< local
 };
 
-/// Borders of an event: the sides of the box are 0 to 3 (left, right, bottom, top), those of a
-/// cell, or of a periodic box, 4 to 7.
+/// Values of Prediction::border: 0 to 3 are the sides of the box (left, right, bottom, top), 4 to 7
+/// those of a cell or of a periodic box.
 inline constexpr unsigned first_cell_side = 4;
 
-/// Collision counts are compared modulo 2^29: an event has that many bits for them.
+/// Collision counts are compared modulo 2^29, because a prediction stores only 29 bits of them.
 inline constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
 
-/// What a particle is, apart from where it is.
+/// The constant properties of a particle.
 struct Properties {
     double radius;
     double inverse_mass;  ///< 0 for an infinite mass
@@ -80,13 +84,13 @@ struct Properties {
     }
 };
 
-/// What geometries have in common whose bodies know what they are, and stay in one order.
+/// Common base of geometries whose bodies store their own properties and keep a fixed order.
 template <typename BodyType>
 struct PlainBodies {
     using Body = BodyType;
     using Bodies = LargeVector<Body>;
 
-    /// The bodies of these particles, and what the one or the other is.
+    /// Creates the bodies of these particles; properties() returns those of one body.
     static Bodies bodies_of(const Particles& particles) {
         Bodies bodies(static_cast<std::size_t>(particles.count()));
         for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -99,8 +103,8 @@ struct PlainBodies {
         return {bodies[i].radius, bodies[i].inverse_mass};
     }
 
-    /// The order in which bodies shall lie in memory, and whether it is looked for again now and
-    /// then.
+    /// The order in which bodies are stored in memory (here unchanged), and whether they are
+    /// re-sorted from time to time.
     static std::vector<std::int32_t> order(const Bodies& bodies) {
         std::vector<std::int32_t> numbers(bodies.size());
         std::iota(numbers.begin(), numbers.end(), 0);
@@ -109,8 +113,8 @@ struct PlainBodies {
     static bool is_resorted(std::size_t) { return false; }
 };
 
-/// To be called when a body has been moved or its velocity changed, for those who keep something
-/// that depends on it.
+/// To be called after a body has been moved or its velocity has changed, so that bodies can update
+/// quantities derived from these.
 template <typename Body>
 void body_has_changed(Body&) {}
 

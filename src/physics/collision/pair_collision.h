@@ -1,6 +1,7 @@
-// The arithmetic of contact: when two disks meet, when a disk meets a wall, and what velocities a
-// collision leaves. Free functions on numbers, for any scalar with sqrt, abs and a correctly
-// rounded fma. Knows no particles, no box and no clock: times are counted from the present.
+// Contact arithmetic: the contact time of two disks, the time at which a disk reaches a wall, and
+// the velocities after a collision. Free functions on numbers, for any scalar with sqrt, abs and a
+// correctly rounded fma. Independent of particles, box and clock: times are counted from the
+// present.
 #pragma once
 
 #include <cmath>
@@ -10,21 +11,22 @@
 
 namespace carom {
 
-/// Position and velocity of the second disk as seen from the first (second minus first).
+/// Position and velocity of the second disk relative to the first (second minus first).
 template <typename Scalar>
 struct RelativeMotion {
     Scalar x, y, vx, vy;
 };
 
-/// A number of which the standard library knows the limits, unlike several lanes.
+/// A number type with std::numeric_limits, which vectors of lanes do not have.
 template <typename T>
 concept HasLimits = std::numeric_limits<T>::is_specialized;
 
-/// The time of what never happens; never<double> also for lanes.
+/// The time of an event that never happens; never<double> is used for lanes too.
 template <HasLimits Scalar>
 inline constexpr Scalar never = std::numeric_limits<Scalar>::infinity();
 
-/// The distance from 1 to the next number, of a number or of each of several lanes.
+/// Machine epsilon of a number or of each of several lanes: the distance from 1 to the next larger
+/// number.
 template <HasLimits Scalar>
 constexpr Scalar epsilon_of() {
     return std::numeric_limits<Scalar>::epsilon();
@@ -45,8 +47,8 @@ template <typename Scalar>
     return fma(a, b, -cd) + error;
 }
 
-/// A number with more bits than it is written in: `value` is rounded, `error` is what that has
-/// taken away.
+/// An unevaluated sum of two numbers: `value` is the rounded result and `error` its rounding error,
+/// so that value + error is more accurate than one number can be.
 template <typename Scalar>
 struct Unrounded {
     Scalar value, error;
@@ -83,9 +85,9 @@ template <typename Scalar>
     return (square.value - ss) + (square.error - fma(sigma, sigma, -ss));
 }
 
-/// Bound on the rounding error of r . (v2 - v1), 4 epsilon sum |r_a| (|v1_a| + |v2_a|): an approach
-/// slower than that cannot be distinguished from none, and its impulse may round to nothing for
-/// ever.
+/// Bound on the rounding error of r . (v2 - v1): 4 epsilon sum |r_a| (|v1_a| + |v2_a|). An approach
+/// slower than this cannot be distinguished from none, and its impulse might round to nothing again
+/// and again.
 template <typename Scalar>
 [[gnu::always_inline]] inline Scalar approach_round_off(const RelativeMotion<Scalar>& m,
                                                         const Scalar& first_vx,
@@ -99,10 +101,10 @@ template <typename Scalar>
             abs(m.y) * (abs(first_vy) + abs(second_vy)));
 }
 
-/// A quick look at a pair: plain arithmetic without roots, divisions or branches. The disks
-/// certainly do not touch unless approach > 0 and slack >= 0: they recede, or pass wide even when
-/// one is a little larger, by a margin far above the rounding errors for pairs less than 1e10
-/// diameters apart.
+/// A fast rejection test for a pair: plain arithmetic without roots, divisions or branches. Unless
+/// approach > 0 and slack >= 0 the disks certainly do not touch: they recede, or would miss each
+/// other even if one were slightly larger. The margin is far above the rounding errors for pairs
+/// less than 1e10 diameters apart.
 template <typename Scalar>
 struct QuickLook {
     Scalar approach;  ///< -r . v
@@ -116,10 +118,10 @@ template <typename Scalar>
             1.0001 * (sigma * sigma * (m.vx * m.vx + m.vy * m.vy)) - miss * miss};
 }
 
-/// Whether disks that approach, by `approach` = -r . v > 0, might touch within `time`; for several
-/// lanes a mask. Until they touch, at t, their gap c = |r|^2 - sigma^2 goes by 2 approach t - v^2
-/// t^2, which is less than its first term: so no root or division is needed. The margins are far
-/// above the rounding errors for pairs less than 1e10 diameters apart.
+/// Whether two approaching disks, with `approach` = -r . v > 0, might touch within `time`; for
+/// several lanes a mask. Until the contact time t their gap c = |r|^2 - sigma^2 shrinks by 2
+/// approach t - v^2 t^2, which is less than the first term, so no root or division is needed. The
+/// margins are far above the rounding errors for pairs less than 1e10 diameters apart.
 template <typename Scalar>
 [[gnu::always_inline]] inline auto might_touch_within(const RelativeMotion<Scalar>& m,
                                                       const Scalar& sigma, const Scalar& approach,
@@ -128,10 +130,10 @@ template <typename Scalar>
     return gap <= 2.0001 * (approach * time);
 }
 
-/// Time until two disks with sum of radii `sigma` touch: 0 when they overlap, `never` when they
-/// miss each other, recede, or approach by no more than `round_off` in r . v. For a number or for
-/// several lanes, with the same bits: everything is worked out, and what does not count is put
-/// aside. t = c / (-b + sqrt(disc)) with b = r . v < 0 and c = |r|^2 - sigma^2.
+/// Time until two disks with sum of radii `sigma` touch. Returns 0 if they overlap and approach,
+/// and `never` if they miss each other, recede, or approach by no more than `round_off` in r . v.
+/// Gives the same bits for a scalar and for several lanes: all cases are computed and the result is
+/// selected. t = c / (-b + sqrt(disc)) with b = r . v < 0 and c = |r|^2 - sigma^2.
 template <typename Number>
 [[gnu::always_inline]] inline Number contact_time(const RelativeMotion<Number>& m,
                                                   const Number& sigma, const Number& round_off) {
@@ -166,13 +168,15 @@ template <typename Scalar>
     return product + (fma(a, b.value, -product) + a * b.error);
 }
 
-/// J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with inverse masses w1, w2
-/// at separation r: v1 += w1 J r, v2 -= w2 J r. At least one inverse mass is positive. Nothing is
-/// rounded but r . v, and w J by product_of(). The divisor is nearly the same at each collision of
-/// two disks, and so would its rounding error be; and quotients by a number near to a power of 2,
-/// and products with one near to a simple fraction, are rounded up more often than down, or the
-/// other way round. The energy would drift: of equal disks of diameter 1 and mass 1 it rose by
-/// 4e-18 of a disk's at each collision.
+/// Impulse factor J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with
+/// separation r and inverse masses w1, w2, at least one of them positive: v1 += w1 J r, v2 -= w2 J
+/// r.
+///
+/// Only r . v and, in product_of(), w J are rounded. If the divisor were rounded as well, its error
+/// would be nearly the same at each collision of the same two disks. Moreover, quotients by a
+/// number close to a power of 2 and products with one close to a simple fraction are rounded up
+/// more often than down, or the reverse. The energy would therefore drift: for equal disks of
+/// diameter 1 and mass 1 it rose by 4e-18 of a disk's energy at each collision.
 template <typename Scalar>
 [[gnu::always_inline]] inline Unrounded<Scalar> impulse_factor(const RelativeMotion<Scalar>& m,
                                                                const Scalar& first_inverse_mass,
@@ -186,8 +190,8 @@ template <typename Scalar>
     return quotient_of<Scalar>(2 * (m.x * m.vx + m.y * m.vy), {product, error});
 }
 
-/// Time until a coordinate at x with velocity v reaches `low` (v < 0) or `high` (v > 0): 0 when it
-/// is already beyond, `never` at rest.
+/// Time until a coordinate at x with velocity v reaches `low` (v < 0) or `high` (v > 0). Returns 0
+/// if it is already beyond, and `never` for v = 0.
 template <typename Scalar>
 Scalar wall_time(const Scalar& x, const Scalar& v, const Scalar& low, const Scalar& high) {
     if (v == 0) return Scalar(never<double>);

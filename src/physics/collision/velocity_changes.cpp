@@ -9,8 +9,8 @@ constexpr int least_slot_bits = 10;
 
 }  // namespace
 
-// Where few slots are taken they are cleared one by one, the last first: those before it, which lie
-// on the way to it, must still be there.
+// If only few slots are occupied, they are cleared one by one, starting with the last entry:
+// earlier entries, which the probing for a later one passes, must still be present.
 void VelocityLog::open(std::size_t most) {
     most_ = most;
     is_open_ = true;

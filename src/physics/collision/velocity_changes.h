@@ -1,5 +1,5 @@
-// Which velocities have changed in an advance, for those who would otherwise look at all particles
-// again and again.
+// Records which velocities have changed in an advance, so that users of velocities need not look at
+// all particles after each advance.
 #pragma once
 
 #include <algorithm>
@@ -18,23 +18,22 @@ struct VelocityChange {
     std::array<double, 2> before, after;
 };
 
-/// Keeps one entry for each particle whose velocity has changed. Beyond a number of them it keeps
-/// none: looking at all particles takes less time then.
+/// Keeps one entry for each particle whose velocity has changed. Above a maximum number of entries
+/// the log is given up, because looking at all particles is then faster.
 class VelocityLog {
   public:
-    /// From now on changes are noted, of so many particles at most, and those noted before are
-    /// forgotten.
+    /// Clears the log and starts recording changes of up to `most` particles.
     void open(std::size_t most);
     bool is_open() const { return is_open_; }
 
-    /// The next change of a particle.
+    /// Records the next change of a particle.
     void note(std::int32_t particle, const std::array<double, 2>& before,
               const std::array<double, 2>& after);
 
-    /// Velocities have changed of which nothing is noted.
+    /// Gives up the log, because velocities have changed without being recorded.
     void give_up() { is_open_ = false; }
 
-    /// Those since open(), in no particular order; none if not all are known.
+    /// The changes since open(), in no particular order; nothing if not all of them are known.
     std::optional<std::span<const VelocityChange>> changes() const {
         if (!is_open_) return std::nullopt;
         return changes_;
@@ -49,19 +48,19 @@ class VelocityLog {
     bool is_open_ = false;
     std::size_t most_ = 0;
     std::vector<VelocityChange> changes_;
-    std::vector<std::uint32_t> slots_;  ///< a hash table of numbers in changes_, from 1
+    std::vector<std::uint32_t> slots_;  ///< hash table of indices into changes_, plus 1; 0 is a
+                                        ///< free slot
     int slot_bits_ = 0;
 };
 
-/// Decides from advance to advance whether the changes of the next are followed: as long as they
-/// are few.
+/// Decides before each advance whether velocity changes are recorded: as long as they are few.
 class VelocityFollowing {
   public:
     explicit VelocityFollowing(bool is_possible) : pause_(is_possible ? 0 : never) {}
 
     bool is_on() const { return pause_ == 0; }
 
-    /// After each advance; whether its changes were known.
+    /// To be called after each advance with whether its changes were known.
     void see(bool were_known) {
         constexpr int advances_in_pause = 16;
         if (pause_ == never) return;

@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-// A cycle is some eight events of each disk; it takes a few for neighbours to part.
+// A cycle covers about eight events of each disk; neighbours need a few cycles to separate.
 constexpr int cycles_between_sorts = 2;
 
 template <typename Scalar, std::size_t Dimension>
@@ -26,7 +26,7 @@ Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
         return {static_cast<double>(x[0]), static_cast<double>(x[1])};
 }
 
-// Lets a pointer point at something for a while.
+// Sets a pointer for the lifetime of this object.
 template <typename T>
 class PointedAt {
   public:
@@ -46,7 +46,7 @@ std::array<double, Dimension> in_doubles(const std::array<Scalar, Dimension>& x)
     return values;
 }
 
-// With 0 for what a line lacks.
+// Converts to two components; on a line the second is 0.
 template <std::size_t Dimension>
 std::array<double, 2> in_two(const std::array<double, Dimension>& v) {
     return {v[0], Dimension == 1 ? 0.0 : v[Dimension - 1]};
@@ -97,7 +97,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::start(Sample state) {
         }
         body_has_changed(b);
     }
-    state = {};  // while predictions take most memory
+    state = {};  // frees it before the predictions, which take the most memory
     put_in_order();
     if constexpr (has_surfaces) {
         geometry_.surfaces().shift_epoch(-now_);
@@ -107,13 +107,13 @@ void EventLoop<Dimension, Scalar, has_surfaces>::start(Sample state) {
     predict_all();
 }
 
-// Tells where each body was before.
+// Sorts the bodies and returns where each was before.
 template <int Dimension, typename Scalar, bool has_surfaces>
 std::vector<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::put_in_order() {
     cycles_since_sorted_ = 0;
     std::vector<std::int32_t> order = geometry_.order(bodies_);
-    // In their place, along the cycles of the permutation: a second array would be the most memory
-    // that a run takes.
+    // In place, along the cycles of the permutation: a second array would increase the peak memory
+    // of a run.
     std::vector<bool> is_done(order.size());
     for (std::size_t first = 0; first < order.size(); ++first) {
         if (is_done[first] || static_cast<std::size_t>(order[first]) == first) continue;
@@ -134,7 +134,7 @@ std::vector<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::put_in_ord
     return order;
 }
 
-// The same at any time, with the events already predicted.
+// Sorts the bodies at any time and keeps the events already predicted.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::resort() {
     if constexpr (is_large) {
@@ -147,13 +147,14 @@ void EventLoop<Dimension, Scalar, has_surfaces>::resort() {
     }
 }
 
-// All bodies are at the present.
+// All bodies must have been advanced to the present.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::predict_all() {
     last_collision_ = -1.0;
     at_one_instant_ = 0;
     for (Body& b : bodies_) b.collisions = 0;
-    // No prediction takes account of one that was made just before it.
+    // Stored only after all predictions have been made, so that none depends on another one made
+    // just before it.
     for (Body& b : bodies_) b.prediction = {};
     std::vector<Prediction> predictions;
     std::vector<Scalar> times;
@@ -231,13 +232,14 @@ std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::displace(
     return obstacle;
 }
 
-// Contact is no overlap, and with doubles a little more is not either: it comes of round-off.
+// A contact is not an overlap; with doubles neither is a slightly deeper position, which is due to
+// round-off.
 template <int Dimension, typename Scalar, bool has_surfaces>
 std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::overlapped(
     std::size_t moved) const {
     const double slack = of_doubles ? 1e-12 : 0.0;
     const Body& b = bodies_[moved];
-    if constexpr (has_surfaces) {  // where they are now: the sides of the box may have moved
+    if constexpr (has_surfaces) {  // at present: sides may have moved
         if (const auto surface = geometry_.surfaces().overlapped(b, now_))
             return Partner::of_surface(*surface);
     } else {
@@ -263,7 +265,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
                                                          std::vector<Collision>* record,
                                                          const TimeCallback& on_progress,
                                                          VelocityLog* velocities) {
-    // Surfaces accelerate disks between collisions, too.
+    // With surfaces, velocities may also change between collisions, by gravity.
     if (has_surfaces && velocities) std::exchange(velocities, nullptr)->give_up();
     const PointedAt log(velocities_, velocities);
     constexpr int events_between_looks = 4096;
@@ -294,9 +296,9 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::advance_one(double time, Collis
     }
 }
 
-// The particle with the earliest event, -1 when nothing will ever happen. At the end of a cycle of
-// the queue all times are counted from a new epoch, so that they stay small (the shift is a whole
-// number of cycles: exact).
+// The particle with the earliest event, or -1 if there are no more events. At the end of a cycle of
+// the queue the epoch is moved so that all times stay small; the shift is a whole number of cycles
+// and therefore exact.
 template <int Dimension, typename Scalar, bool has_surfaces>
 std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::next_particle() {
     if constexpr (!of_doubles) return queue_.earliest();
@@ -326,7 +328,8 @@ std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::next_particle() {
     }
 }
 
-// True if it was a collision, which is then written to `collision` unless that is null.
+// Returns true if the event was a collision, which is then written to `collision` unless that is
+// null.
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collision* collision) {
     if constexpr (has_surfaces) {
@@ -378,8 +381,9 @@ void EventLoop<Dimension, Scalar, has_surfaces>::move_on_to(const Scalar& time,
     now_ = time;
 }
 
-// Touching starts take some events at time 0, but far fewer than this. An instant is a double's:
-// with many bits the events of disks that are crushed could go on ever faster for ages.
+// Initial states with touching particles cause some events at time 0, but far fewer than this
+// bound. Times count as one instant if they are equal as doubles: with many bits, the events of
+// disks that are being crushed could go on almost without end at ever closer but distinct times.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall(std::optional<std::int32_t> i) {
     const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
@@ -396,7 +400,8 @@ void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall(std::optional<s
         i ? std::optional(number_of(*i)) : std::nullopt);
 }
 
-// Goes on for some more events, to see how fast collisions follow and whose they are.
+// Processes some more events to find how fast collisions follow each other and which particle takes
+// part in most of them.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::refuse_more_collisions() {
     constexpr int events_seen = 4096;

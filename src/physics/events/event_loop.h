@@ -1,13 +1,13 @@
 // The event loop of hard particles, disks in the plane or beads on a line: advances them from one
-// event to the next and nothing else. Each particle has its own time, up to which it has been
-// moved; only those that collide are touched. One source for doubles and for numbers of many bits
-// (multiprecision.h). Does not know runs, reversals at given times or placement (simulation.h), nor
-// which particles are near each other (plane.h, mp_plane.h, line.h).
+// event to the next. Each particle has its own local time, up to which it has been moved; an event
+// touches only the particles that collide. The same source serves doubles and multiprecision
+// (multiprecision.h). The loop does not know about runs, reversals at given times or placement
+// (simulation.h), nor about neighbour search (plane.h, mp_plane.h, line.h).
 //
-// A particle's next event is the first of: its contact with another, with a wall, or its leaving a
-// cell. It predicts a contact with a particle whose own next event comes earlier; if that changes
-// the other's path (its collision count shows this), the event is stale and the particle looks
-// again.
+// A particle's next event is the earliest of its contact with another particle, its contact with a
+// wall, and its crossing of a cell border. It may predict a contact with a particle whose own next
+// event comes earlier. If that event changes the path of the other particle, which its collision
+// count shows, the prediction is stale and the particle predicts again.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,73 +40,75 @@
 
 namespace carom {
 
-/// `has_surfaces`: the box has surfaces that act, obstacles or gravity, or events change surfaces
-/// or velocities.
+/// `has_surfaces`: the box has surfaces other than reflecting walls, or gravity, or events change
+/// surfaces or velocities.
 template <int Dimension, typename Scalar = double, bool has_surfaces = false>
 class EventLoop {
   public:
-    /// Particles without state: start() gives it. After `most` collisions of particles and of
-    /// moving surfaces advance() throws.
+    /// Creates particles without a state, which start() sets. advance() throws after `most`
+    /// collisions, those of moving surfaces included.
     EventLoop(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {},
               std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
-    /// Puts all particles where `state` says, at its time, and predicts all events anew.
+    /// Sets the positions, velocities and time from `state`, and predicts all events.
     void start(Sample state);
 
-    /// Processes all events with time <= `time`; adds each collision to `record` unless it is null,
-    /// and notes in `velocities` which have changed. `on_progress` is called now and then with the
-    /// time of the latest event. Throws Interrupted, SurfaceError (without its time), and
-    /// CollisionError when particles collide without end at one instant, too often in all, or two
-    /// of infinite mass meet on a line.
+    /// Processes all events with time <= `time`. Appends each collision to `record` and notes each
+    /// changed velocity in `velocities`, unless these are null. Calls `on_progress` now and then
+    /// with the time of the latest event. Throws Interrupted; SurfaceError (without the time, see
+    /// at_present()); CollisionError if particles collide without end at one instant, if there are
+    /// too many collisions in total, or if two beads of infinite mass meet.
     void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {},
                  VelocityLog* velocities = nullptr);
 
-    /// What advance() has thrown, with the name of the surface, the time and where it is.
+    /// Completes an error thrown by advance() with the name of the surface, the time and its
+    /// position.
     SurfaceError at_present(const SurfaceError& error) const;
 
-    /// Goes on to the next collision at a time <= `time`, false if there is none.
+    /// Advances to the next collision at a time <= `time`; returns false if there is none.
     bool advance_one(double time, Collision& collision);
 
-    /// Turns all velocities round at `time`, which is not before the last event processed nor after
-    /// the next, and predicts all events anew. What change() and heat() changed at t is changed
-    /// back at 2 `time` - t.
+    /// Reverses all velocities at `time`, which must not lie before the last event processed nor
+    /// after the next one, and predicts all events again. Changes made by change() and heat() at a
+    /// time t will be undone at 2 `time` - t.
     void reverse(double time);
 
-    /// Carries out what an event does to a surface, at `time` as for reverse(), and predicts all
-    /// events anew. Unless `is_mirrored` it is not changed back after a reversal. Returns the
-    /// particle that is in the way of a partition that would close, if any: then nothing is done.
+    /// Applies an event to a surface at `time`, which is restricted as for reverse(), and predicts
+    /// all events again. Unless `is_mirrored`, the change is not undone after a reversal. If a
+    /// partition would close on a particle, nothing is changed and that particle is returned.
     std::optional<std::int32_t> change(const SurfaceAction& action, bool is_mirrored,
                                        double time) requires has_surfaces;
 
-    /// The same for velocities, which are scaled. Returns false, and does nothing, if there is not
-    /// so much energy.
+    /// The same for heating, which scales velocities. Returns false and changes nothing if the
+    /// particles do not have enough energy.
     bool heat(const Heat& heat, bool is_mirrored, double time) requires has_surfaces;
 
-    /// Moves a particle at `time`, which is as for reverse(), by lengths in decimal, and predicts
-    /// all events anew. Returns what it would overlap then, if anything: a particle or a
-    /// wall.
+    /// Displaces a particle at `time`, which is restricted as for reverse(), by lengths given in
+    /// decimal, and predicts all events again. Returns the particle or wall that it would overlap,
+    /// if any.
     std::optional<Partner> displace(std::int64_t particle, const std::array<std::string, 2>& by,
                                     double time);
 
-    /// The state at `time`, which is not before the last event processed nor after the next;
-    /// periodic coordinates lie in [0, size). Changes nothing in the particles.
+    /// Writes the state at `time`, which must not lie before the last event processed nor after the
+    /// next one, to `state`. Periodic coordinates lie in [0, size). Does not change the particles.
     void sample(double time, Sample& state) const;
 
     /// The same without velocities, or without positions.
     Sample sample_of_positions(double time) const;
     Sample sample_of_velocities(double time) const;
 
-    /// Positions at `time`, as sample() has them but in full, and periodic ones not brought into
-    /// the box: those of each particle one after the other, in the order listed by the user.
+    /// Positions at `time` in full precision; periodic coordinates are not wrapped into the box.
+    /// The coordinates of each particle follow each other, in the order in which the user lists the
+    /// particles.
     std::vector<Scalar> positions(double time) const;
 
-    /// Collisions, and what they transferred, since the construction or the last call of forget().
+    /// Collision counts and transferred momentum since construction or the last call of forget().
     const CollisionCounts& counts() const { return counts_; }
     const ImpulseTotals& impulses() const { return impulses_; }
     void forget();
 
-    /// What each surface has done since then, and where it is at `time`, which is as for sample();
-    /// none where there are only walls.
+    /// The totals of each surface since then, and its position at `time`, which is restricted as
+    /// for sample(); empty if there are only walls.
     std::vector<SurfaceState> surfaces(double time) const {
         if constexpr (has_surfaces)
             return geometry_.surfaces().states(clock_.local(time));
@@ -114,7 +116,7 @@ class EventLoop {
             return {};
     }
 
-    /// The work of driven surfaces and events since then, and the heat by events.
+    /// The work done by driven surfaces and by events since then, and the heat added by events.
     double driven_work() const {
         if constexpr (has_surfaces)
             return geometry_.surfaces().driven_work();
@@ -144,13 +146,13 @@ class EventLoop {
     using Queue = std::conditional_t<of_doubles, EventQueue, MpEventQueue>;
     using Clock = std::conditional_t<of_doubles, LocalClock, MpClock>;
     using Body = typename Geometry::Body;
-    /// Planes of doubles search so many disks that memory is slow.
+    /// In a plane of doubles there can be so many disks that memory access is slow.
     static constexpr bool is_large = of_doubles && Dimension == 2;
 
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
 
-    /// A double in the numbers of the loop.
+    /// Converts a double to the scalar type and precision of the loop.
     Scalar with_bits(double value) const {
         if constexpr (of_doubles)
             return value;
@@ -188,7 +190,7 @@ class EventLoop {
 
     Box box_;
     typename Geometry::Bodies bodies_;
-    std::vector<std::int32_t> number_;  ///< of each body as listed by the user
+    std::vector<std::int32_t> number_;  ///< number of each body in the user's order
     Geometry geometry_;
     Queue queue_;
     Clock clock_;
@@ -197,14 +199,14 @@ class EventLoop {
     ChangeHistory<Scalar> changes_;
     double heat_of_events_ = 0.0;
     int cycles_since_sorted_ = 0;
-    FetchAhead<Geometry> fetch_ahead_;   ///< used where memory is slow
-    VelocityLog* velocities_ = nullptr;  ///< within advance(), where it is wanted
+    FetchAhead<Geometry> fetch_ahead_;   ///< used only if `is_large`
+    VelocityLog* velocities_ = nullptr;  ///< set within advance() if changes are recorded
     CollisionCounts counts_;
     ImpulseTotals impulses_;
     std::int64_t collisions_ = 0;  ///< since start()
     std::int64_t most_;
     Scalar last_collision_ = -1.0;
-    std::int64_t at_one_instant_ = 0;  ///< events in a row without a step of time
+    std::int64_t at_one_instant_ = 0;  ///< number of consecutive events at the same time
     std::int32_t last_pair_[2] = {-1, -1};
 };
 

@@ -1,5 +1,5 @@
-// The part of the event loop that gives the state of all particles at a time between two events.
-// Included by event_loop.cpp alone.
+// The part of the event loop that returns the state of all particles at a time between two events.
+// Included only by event_loop.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,9 @@
 
 namespace carom {
 
-// Calls see(number, body) for each. Of many bodies in the order of their numbers: what is written
-// of them then lies side by side, and bodies, which do not, can be fetched ahead.
+// Calls see(number, body) for each body. If there are many, they are visited in the order of their
+// numbers: the results are then written sequentially, and the bodies, which are scattered in
+// memory, can be prefetched.
 template <int Dimension, typename Scalar, bool has_surfaces>
 template <typename See>
 void EventLoop<Dimension, Scalar, has_surfaces>::for_each_body(const See& see) const {

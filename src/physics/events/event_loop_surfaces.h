@@ -1,5 +1,5 @@
-// The part of the event loop that only boxes with surfaces that act have: hits of surfaces, events
-// of the surfaces themselves, and what the run's events change. Included by event_loop.cpp alone.
+// The part of the event loop needed only in boxes with active surfaces: hits of surfaces, events of
+// the surfaces themselves, and changes by events of the run. Included only by event_loop.cpp.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace carom {
 
-// Surfaces have an event for each mover, and the next change of the history.
+// The number of events that belong to surfaces: one for each mover, and one for the next change in
+// the history.
 template <int Dimension, typename Scalar, bool has_surfaces>
 std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::events_of_surfaces() const {
     if constexpr (has_surfaces)
@@ -57,7 +58,8 @@ void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size
     }
 }
 
-// A mover's motion has changed: which particles it reaches, and when it changes again.
+// To be called when the motion of a mover has changed: predicts which particles it reaches, and
+// when its motion changes next.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::look_for_hits(std::size_t k) {
     if constexpr (has_surfaces) {
@@ -77,7 +79,8 @@ void EventLoop<Dimension, Scalar, has_surfaces>::look_for_hits(std::size_t k) {
     }
 }
 
-// True if the particle was reflected. A mover may have changed its motion since this was predicted.
+// Returns true if the particle was reflected. It is not if the motion of the mover has changed
+// since the prediction, or if the surface lets the particle through.
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Prediction& event,
                                                      Collision* collision) {
@@ -169,7 +172,7 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
         const auto before = surfaces.control(surface, now_);
         const auto after = control_after(before, action, time);
         surfaces.set_control(surface, after, now_);
-        // Disks that it let through may be in it.
+        // Disks that the surface has let through may still overlap it.
         const bool opens = std::holds_alternative<SetOpen>(action);
         const bool let_through =
             before.is_open || (!opens && std::holds_alternative<Membrane>(before.behaviour));
@@ -244,9 +247,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::scale(const Scaling<Scalar>& sc
         }
 }
 
-// Along axes where momentum is conserved about the velocity of the centre of mass, which stays,
-// with the energy in it; else about 0. To a temperature: as thermal_motion() has it, which counts
-// velocities from that of the whole gas along such axes.
+// Scales velocities: along axes where momentum is conserved relative to the velocity of the centre
+// of mass, which stays the same, as does its energy; along other axes relative to 0. A target
+// temperature is that of thermal_motion(), which takes velocities along conserved axes relative to
+// those of the whole gas.
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_mirrored,
                                                       double time) requires has_surfaces {
@@ -269,7 +273,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_
             for (std::size_t a = 0; a < Dimension; ++a) mean[a] += its * b.v[a];
         }
         if (count == 0.0) return false;
-        // Of the temperature: degrees of freedom, and the energy of what does not change.
+        // For a target temperature: the degrees of freedom, and the energy that scaling does not
+        // change.
         Scalar freedom = with_bits(Dimension * count), energy_of_mean = with_bits(0.0);
         bool shares_energy = count > 1.0;
         for (std::size_t a = 0; a < Dimension; ++a) {

@@ -9,19 +9,20 @@
 namespace carom {
 namespace {
 
-// Few enough to find the earliest quickly, enough not to step through empty buckets.
+// Low enough to find the earliest event quickly, high enough to avoid stepping through many empty
+// buckets.
 constexpr double events_per_bucket = 0.5;
 constexpr int most_in_list = 32;
 
-// A cycle is as long as several events of each particle, so that beginning one costs each event
-// little.
+// A cycle covers several events of each particle, so that the cost of starting one is small per
+// event.
 constexpr std::uint64_t buckets_per_particle = 16;
 constexpr std::uint64_t least_buckets = 8, most_buckets = std::uint64_t{1} << 30;
 
-// Buckets of a year, as a power of two, unless the cycle has fewer.
+// Base-2 logarithm of the number of buckets in a year, unless a cycle has fewer.
 constexpr int most_year_bits = 13;
 
-// Deferred numbers at most, on average; one and a half are usual.
+// Maximum average number of deferred entries per particle; about one and a half are typical.
 constexpr std::size_t deferred_per_particle = 4;
 
 double power_of_two_near(double value) {
@@ -83,7 +84,7 @@ void EventQueue::renumber(const std::vector<std::int32_t>& before) {
     reset(std::move(times));
 }
 
-// In the cycle, or buckets_ for a time beyond.
+// The bucket of a time within the cycle, or buckets_ for a later time.
 std::int32_t EventQueue::bucket_of(double time) const {
     double due = time * per_width_;
     due = due < buckets_in_cycle_ ? due : buckets_in_cycle_;
@@ -115,9 +116,9 @@ inline void EventQueue::unlink(std::int32_t particle) {
     occupied_[index(list) / 64] &= ~(std::uint64_t{emptied} << (index(list) % 64));
 }
 
-// Whether the event is in the present year, in a later one or beyond the cycle cannot be predicted
-// by the processor either: the particle is always linked, if only into the overflow list, and
-// always deferred, if only to a place that is written over.
+// The processor cannot predict either whether the event lies in the present year, in a later one or
+// beyond the cycle. The particle is therefore always linked, if necessary into the overflow list,
+// and always deferred, if necessary to a slot that will be overwritten.
 inline void EventQueue::insert(std::int32_t particle, double time) {
     const std::int32_t bucket = std::max(bucket_, bucket_of(time));
     if (!crowd_.empty() && bucket == bucket_) [[unlikely]] {
@@ -141,7 +142,7 @@ void EventQueue::leave_crowd(std::int32_t particle) {
     crowd_.erase({nodes_[index(particle)].time, particle});
 }
 
-// The number is written in any case, and written over by the next one unless it is to be kept.
+// The number is always written; unless `keep` is set the next one overwrites it.
 void EventQueue::defer(std::int32_t bucket, bool keep, std::int32_t particle) {
     Year& year = years_[index(bucket >> year_bits_)];
     chunks_[index(year.chunk)].particle[index(year.used)] = particle;
@@ -154,7 +155,8 @@ void EventQueue::defer(std::int32_t bucket, bool keep, std::int32_t particle) {
         year = {new_chunk(year.chunk), 0};
 }
 
-// Some for each particle and one more for each year: enough unless a few collide very often.
+// A few chunks per particle and one for each year: enough unless a few particles collide very
+// often.
 std::size_t EventQueue::most_chunks() const {
     return years_.size() + 16 + deferred_per_particle * index(count_) / Chunk::most;
 }
@@ -190,13 +192,14 @@ std::int32_t EventQueue::new_chunk(std::int32_t before) {
     return chunk;
 }
 
-// Links those deferred to this year. Some are there twice, some are due at another time now.
+// Links the events deferred to this year. Some numbers occur twice, and some events are no longer
+// due in this year.
 void EventQueue::begin_year() {
     looked_at_ = prefetched_ = -1;
     const std::int32_t year = year_begin_ >> year_bits_;
     Year& its = years_[index(year)];
-    // The nodes of the particles of a chunk are prefetched two chunks ahead, and chunks four ahead:
-    // only when a chunk has arrived is it known which one was filled before.
+    // Prefetches the nodes of a chunk's particles two chunks ahead and the chunks themselves four
+    // ahead, since the link to the previously filled chunk is known only once a chunk has arrived.
     std::int32_t soon = its.chunk, later = its.chunk;
     const auto fetch_ahead = [&] {
         for (const std::int32_t particle : chunks_[index(soon)].particle)
@@ -239,7 +242,7 @@ void EventQueue::schedule(std::int32_t particle, double time) {
     ++events_in_cycle_;
 }
 
-// The first from a bucket of the year on; the overflow list when there is none.
+// The first nonempty bucket from the given one of the year on; the overflow list if there is none.
 std::int32_t EventQueue::next_occupied(std::int32_t bucket_in_year) const {
     std::size_t word = index(bucket_in_year) / 64;
     const std::uint64_t bits = occupied_[word] >> (index(bucket_in_year) % 64);
@@ -249,8 +252,8 @@ std::int32_t EventQueue::next_occupied(std::int32_t bucket_in_year) const {
     return static_cast<std::int32_t>(64 * word) + std::countr_zero(occupied_[word]);
 }
 
-// On to the next bucket with events, if it is not more than `buckets` ahead. Without branches: how
-// far it is cannot be predicted by the processor.
+// Moves to the next nonempty bucket, if it is at most `buckets` ahead. Without branches: the
+// processor cannot predict the distance.
 inline bool EventQueue::step_ahead(std::int32_t& from, std::int32_t buckets) const {
     const std::int32_t present = bucket_ - year_begin_;
     from = std::max(from, present);
@@ -314,7 +317,7 @@ std::int32_t EventQueue::earliest() {
     }
 }
 
-// When the cycle is over all events lie beyond it.
+// After the end of a cycle all events lie beyond it.
 double EventQueue::next_cycle() const {
     double first = never<double>;
     for (std::size_t i = 0; i < index(count_); ++i) first = std::min(first, nodes_[i].time);
@@ -325,7 +328,7 @@ double EventQueue::next_cycle() const {
 // The cycle is over: every event that is left lies beyond it.
 void EventQueue::begin_cycle(double shift) {
     const double width = events_per_bucket * shift / static_cast<double>(events_in_cycle_ + 1);
-    // Twice too wide or too narrow does no harm, and each change of width costs exactness.
+    // A width wrong by a factor of two does no harm, and each change of width costs exactness.
     if (width > 2.0 * width_ || width < 0.5 * width_) set_width(width);
     bucket_ = year_begin_ = 0;
     looked_at_ = prefetched_ = -1;

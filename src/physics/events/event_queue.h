@@ -1,17 +1,18 @@
-// A priority queue of the next event of each particle: one event per particle, a new one replaces
-// the old. Times are local (local_clock.h). Does not know what an event means.
+// The priority queue of events: one event per particle; a new one replaces the old. Times are local
+// (local_clock.h). The queue does not know what an event means.
 //
-// A calendar queue (R. Brown, Comm. ACM 31, 1220 (1988)) with a third level. A bucket is as wide as
-// half an event on average; 2^13 buckets make a year; the years up to a fixed horizon make a cycle.
-// - The events of the present year are in unsorted, doubly linked lists, one for each bucket; the
-//   earliest of the present bucket is found by a search through the few in it. A bucket with too
-//   many events (a lattice that starts all at once) is sorted.
+// A calendar queue (R. Brown, Comm. ACM 31, 1220 (1988)) with a third level. The width of a bucket
+// is chosen so that it holds half an event on average; 2^13 buckets form a year; the years up to a
+// fixed horizon form a cycle.
+// - The events of the present year are in unsorted, doubly linked lists, one per bucket; the
+//   earliest event of the present bucket is found by a linear search through the few in it. A
+//   bucket with too many events (for example a lattice in which all start at once) is sorted.
 // - Events of later years are deferred: the particle's number is appended to that year's chunks and
-//   stays there whatever becomes of the event. When the year begins, those still due in it are
-//   linked into its buckets. So the lists of one year fit into the processor's nearest caches,
-//   and deferred numbers are written and read in sequence.
-// - Events beyond the cycle are found by a pass over all particles, in begin_cycle().
-// Scheduling costs the same for any number of particles.
+//   stays there even if the event is replaced. When the year begins, those events that are still
+//   due in it are linked into its buckets. Thus the lists of one year fit into the nearest caches
+//   of the processor, and deferred numbers are written and read sequentially.
+// - Events beyond the cycle are found by a pass over all particles in begin_cycle().
+// The cost of scheduling an event does not depend on the number of particles.
 #pragma once
 
 #include <algorithm>
@@ -31,11 +32,12 @@ class EventQueue {
   public:
     explicit EventQueue(std::int32_t count);
 
-    /// Replaces all events at once (a time is infinite where nothing will ever happen) and chooses
-    /// the width of the buckets by them; the present is time 0.
+    /// Replaces all events (with an infinite time for particles that have none) and derives the
+    /// bucket width from their times; the present is time 0.
     void reset(std::vector<double> times);
 
-    /// Gives the particles new numbers: k is the one that was before[k]. The present is time 0.
+    /// Renumbers the particles: particle k is the one that had the number before[k]. The present is
+    /// time 0.
     void renumber(const std::vector<std::int32_t>& before);
 
     /// Replaces the event of `particle`; `time` must not lie before that of the last earliest().
@@ -47,27 +49,29 @@ class EventQueue {
     /// or -1 when the cycle is over.
     std::int32_t earliest();
 
-    /// For prefetching, once for each event processed: sets `who` to the particles of the next
-    /// bucket with events that was not returned before, at most three, and returns how many; 0 when
-    /// that bucket is more than `buckets` ahead or in another year. A hint: events beyond three are
-    /// left out, and others may still come between.
+    /// For prefetching; to be called once for each event processed. Stores in `who` the particles
+    /// of the next nonempty bucket that has not been reported yet, at most three, and returns their
+    /// number. Returns 0 if that bucket is more than `buckets` ahead or in another year. The result
+    /// is only a hint: events beyond the first three are left out, and earlier events may still be
+    /// inserted.
     std::uint32_t look_ahead(std::int32_t buckets, std::array<std::int32_t, 3>& who);
 
-    /// How far look_ahead() is ahead of the present bucket.
+    /// How many buckets look_ahead() is ahead of the present one.
     std::int32_t buckets_looked_at() const { return looked_at_ - (bucket_ - year_begin_); }
 
     /// Prefetches the time of a particle.
     void fetch(std::int32_t particle) const { __builtin_prefetch(&nodes_[index(particle)]); }
 
-    /// When the cycle is over: the time from its begin to that of the next cycle with an event, a
-    /// whole number of cycles; infinity when there is no event at all.
+    /// After the end of a cycle: the time from its beginning to that of the next cycle that
+    /// contains an event, which is a whole number of cycle lengths; infinity if there are no
+    /// events.
     double next_cycle() const;
 
-    /// Counts all times from `shift` later on (of next_cycle()), and adapts the width of the
-    /// buckets to the number of events in the last cycle.
+    /// Starts the next cycle: shifts the time origin by `shift`, the result of next_cycle(), and
+    /// adapts the bucket width to the number of events in the last cycle.
     void begin_cycle(double shift);
 
-    /// All but what look_ahead() has reported.
+    /// Writes or reads everything except the progress of look_ahead().
     template <class Archive>
     void archive(Archive& archive) {
         archive(nodes_, chunks_, free_chunk_, years_, heads_, occupied_, crowd_, bucket_,
@@ -115,7 +119,7 @@ class EventQueue {
     void clear();
     void set_width(double width);
     void insert(std::int32_t particle, double time);
-    // Out of line: they are rare, and what always happens is the faster for it.
+    // Not inlined: they are rarely called, and the code of the common case becomes faster.
     [[gnu::noinline]] void join_crowd(std::int32_t particle);
     [[gnu::noinline]] void leave_crowd(std::int32_t particle);
     [[gnu::noinline]] void move_to_crowd(std::int32_t list);
@@ -130,30 +134,31 @@ class EventQueue {
     bool step_ahead(std::int32_t& from, std::int32_t buckets) const;
     std::int32_t next_occupied(std::int32_t bucket_in_year) const;
 
-    // Which list comes next, whether it is empty and who is at its head cannot be predicted by the
-    // processor, so lists are handled without branches: they end in the null link, which has a node
-    // of its own that may be written to; and a particle in no list, since its event is in the
-    // crowd, deferred or beyond the cycle, has links as if it were alone in one more list, the
+    // The processor cannot predict which list comes next, whether it is empty and which particle is
+    // at its head, so lists are handled without branches. They end in the null link, which has its
+    // own node that may be written to. A particle in no list, because its event is in the crowd,
+    // deferred or beyond the cycle, has links as if it were alone in an additional list, the
     // overflow list.
     std::int32_t count_;
     LargeVector<Node> nodes_;
     LargeVector<Chunk> chunks_;
-    std::int32_t free_chunk_ = none;   ///< the first of those free, each with the next in `before`
-    std::vector<Year> years_;          ///< and one more, of which nothing is kept
-    std::vector<std::int32_t> heads_;  ///< of the present year's buckets and the overflow list
-    std::vector<std::uint64_t> occupied_;  ///< a bit for each of these lists: whether it has
+    std::int32_t free_chunk_ = none;   ///< first free chunk; `before` of each links to the next
+    std::vector<Year> years_;          ///< plus an extra one whose contents are discarded
+    std::vector<std::int32_t> heads_;  ///< list heads: the present year's buckets and the overflow
+                                       ///< list
+    std::vector<std::uint64_t> occupied_;  ///< one bit for each of these lists: whether it has
                                            ///< events; always set for the overflow list
-    std::set<std::pair<double, std::int32_t>> crowd_;  ///< the events of the present bucket, if
+    std::set<std::pair<double, std::int32_t>> crowd_;  ///< sorted events of the present bucket, if
                                                        ///< they are too many for its list
     std::int32_t buckets_;                             ///< of a cycle
-    double buckets_in_cycle_;                          ///< the same, as times are compared with it
-    int year_bits_;                                    ///< a year has two to this power buckets
+    double buckets_in_cycle_;      ///< the same as a double, for comparison with times
+    int year_bits_;                ///< base-2 logarithm of the number of buckets in a year
     std::int32_t overflow_;        ///< number of the overflow list: after those of a year's buckets
-    std::int32_t bucket_ = 0;      ///< the present one, counted in the cycle
+    std::int32_t bucket_ = 0;      ///< the present bucket, counted from the beginning of the cycle
     std::int32_t year_begin_ = 0;  ///< the first bucket of the present year
     std::int32_t looked_at_ = -1;  ///< bucket of the year up to which look_ahead() has reported
     std::int32_t prefetched_ = -1;  ///< bucket of the year whose first particle was prefetched last
-    double width_ = 1.0;            ///< of a bucket: a power of two, so that cycles add up exactly
+    double width_ = 1.0;  ///< of a bucket: a power of two, so that shifts by cycles are exact
     double per_width_ = 1.0;
     double cycle_ = 1.0;  ///< length of a cycle
     std::int64_t events_in_cycle_ = 0;

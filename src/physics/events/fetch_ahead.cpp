@@ -5,16 +5,16 @@
 namespace carom {
 namespace {
 
-// How many buckets ahead, each of half an event, disks are prefetched; and how many disks later
-// their partners, the cells about both, and the disks in these: each farther apart than the latency
-// of memory.
+// Prefetch distances: disks are prefetched this many buckets ahead (half an event each); their
+// partners, the cells around both, and the disks in these cells follow this many disks later. Each
+// distance exceeds the latency of memory.
 constexpr std::int32_t buckets_ahead = 48;
 constexpr std::uint32_t partner_after = 2;
 constexpr std::uint32_t cells_after = 4;
 constexpr std::uint32_t neighbours_after = 6;
 
-// When more disks than this wait, two are prefetched at a time; and so many wait at most, which
-// leaves room in the ring buffer for the six before them.
+// If more disks than this are waiting, two are prefetched at a time. The maximum number waiting
+// leaves room in the ring buffer for the six disks before them.
 constexpr std::uint32_t many_waiting = 6;
 constexpr std::uint32_t most_waiting = 32;
 
@@ -31,7 +31,7 @@ void FetchAhead<Geometry>::ask(const Bodies& bodies, Geometry& plane, EventQueue
     if (end_ - begin_ > many_waiting) fetch(bodies, plane, queue);
 }
 
-// The events of surfaces, which need no disk, have the numbers behind those of the disks.
+// Numbers above those of the disks belong to events of surfaces, which need no disk.
 template <typename Geometry>
 void FetchAhead<Geometry>::look_ahead(const Bodies& bodies, EventQueue& queue) {
     std::array<std::int32_t, 3> who;

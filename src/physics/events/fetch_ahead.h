@@ -1,6 +1,6 @@
-// Prefetching: of many disks most are in distant memory. The event queue knows which disks have the
-// next events, so what these will need is prefetched in time, one thing after the other, each when
-// the one before has arrived. Changes no result.
+// Prefetching: if there are many disks, most are not in a nearby cache. The event queue knows which
+// disks have the next events, so the data needed for these are prefetched in time and in stages,
+// each stage after the data of the previous one have arrived. Does not change any result.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace carom {
 
-/// Of a plane whose disks are found by a PairSearch; for others there is only the class.
+/// For planes whose neighbour search is a PairSearch; for other geometries the class exists but its
+/// functions are not used.
 template <typename Geometry>
 class FetchAhead {
   public:
@@ -33,8 +34,8 @@ class FetchAhead {
     void ask(const Bodies& bodies, Geometry& plane, EventQueue& queue);
     std::int32_t& coming(std::uint32_t k) { return coming_[k % coming_.size()]; }
 
-    std::array<std::int32_t, 64> coming_{};  ///< ring buffer of the disks of the next events, and
-    std::uint32_t begin_ = 0, end_ = 0;      ///< the part of it that has not been prefetched yet
+    std::array<std::int32_t, 64> coming_{};  ///< ring buffer of the disks of the next events
+    std::uint32_t begin_ = 0, end_ = 0;      ///< range that is still to be prefetched
 };
 
 extern template class FetchAhead<Plane>;

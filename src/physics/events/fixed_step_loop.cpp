@@ -63,7 +63,7 @@ void FixedStepLoop::count_collisions(std::int64_t in_step) {
         {.most = most_, .begin = now_.time - step_, .end = now_.time, .count = in_step});
 }
 
-// Those beyond a wall that go on outward.
+// Reflects the disks that are beyond a wall and move outward.
 void FixedStepLoop::reflect(std::vector<Collision>* record) {
     for (std::int32_t i = 0; i < particles_.count(); ++i)
         for (const int axis : {0, 1}) {
@@ -86,7 +86,7 @@ void FixedStepLoop::reflect(std::vector<Collision>* record) {
         }
 }
 
-// Along x only those that are near are looked at; across a periodic side they come round again.
+// Sweep along x: only disks that are near each other in x are compared, across a periodic side too.
 void FixedStepLoop::collide_overlapping(std::vector<Collision>* record) {
     const auto along = [&](std::int32_t i) { return box_.wrapped(0, now_.position(i, 0)); };
     std::ranges::sort(order_, {}, [&](std::int32_t i) { return std::pair(along(i), i); });

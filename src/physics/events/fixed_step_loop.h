@@ -1,7 +1,7 @@
-// Disks advanced in steps of fixed length, as many teaching programs do it: at the end of each step
-// particles that overlap and approach collide as they are then. They overlap, and may pass through
-// one another; the film beside an event-driven run shows what that does. Takes the place of
-// EventLoop (event_loop.h) in a Simulation. O(N^(3/2)) for each step.
+// Time-driven simulation with a fixed time step, as in many teaching programs: at the end of each
+// step all pairs of particles that overlap and approach collide at their present positions.
+// Particles overlap and may even pass through each other; a film next to an event-driven run shows
+// the consequences. Replaces EventLoop (event_loop.h) in a Simulation. Each step costs O(N^(3/2)).
 #pragma once
 
 #include <array>
@@ -26,8 +26,8 @@ class FixedStepLoop {
     FixedStepLoop(const Box& box, const Particles& particles, double step,
                   std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
-    /// The functions of EventLoop, for the whole of a Simulation. Between the ends of two steps
-    /// particles fly freely; a reversal and a displacement begin a new step.
+    /// The interface of EventLoop, as Simulation uses it. Between the ends of two steps particles
+    /// are in free flight; a reversal or a displacement begins a new step.
     void start(Sample state);
     void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {},
                  VelocityLog* velocities = nullptr);
@@ -63,10 +63,10 @@ class FixedStepLoop {
     Box box_;
     Particles particles_;
     double step_;
-    double first_ = 0.0;               ///< the time that steps are counted from
+    double first_ = 0.0;               ///< the time from which steps are counted
     std::int64_t steps_ = 0;           ///< since then
-    Sample now_;                       ///< periodic coordinates are not brought into the box
-    std::vector<std::int32_t> order_;  ///< the particles by their place along x
+    Sample now_;                       ///< periodic coordinates are not wrapped into the box
+    std::vector<std::int32_t> order_;  ///< particles sorted by their x coordinate
     CollisionCounts counts_;
     ImpulseTotals impulses_;
     std::int64_t collisions_ = 0;  ///< since start()

@@ -1,6 +1,6 @@
-// Time as an epoch and a short time since: contacts are computed in the short time, which never
-// loses digits however long the run. Does not decide when to move the epoch. And the same for
-// numbers with digits to spare, which need no epoch.
+// Represents time as an epoch plus a short time since then. Contacts are computed in the short
+// time, which keeps its precision however long the run. The caller decides when to move the epoch.
+// MpClock has the same interface for multiprecision numbers, which need no epoch.
 #pragma once
 
 #include "physics/multiprecision/multiprecision.h"
@@ -10,7 +10,7 @@ namespace carom {
 
 class LocalClock {
   public:
-    /// Makes a time on the user's clock the epoch; returns it as counted from there.
+    /// Makes a time on the user's clock the epoch; returns its local time, 0.
     double start(double time) {
         high_ = time;
         low_ = 0.0;
@@ -31,7 +31,7 @@ class LocalClock {
     /// Time on the user's clock of a time since the epoch.
     double absolute(double local_time) const { return high_ + (low_ + local_time); }
 
-    /// Makes a time since the epoch the new epoch; returns it as counted from there.
+    /// Makes a local time the new epoch; returns its new local time, 0.
     double move_epoch_to(double local_time) {
         advance(local_time);
         return 0.0;
@@ -49,7 +49,8 @@ class LocalClock {
 
 class MpClock {
   public:
-    /// Times have as many bits as all numbers: a difference of two with fewer would be rounded.
+    /// Times have the same precision as all other numbers: with fewer bits the difference of two
+    /// times would be rounded.
     explicit MpClock(int bits = bits_of_double) : bits_(bits) {}
 
     Real start(double time) { return local(time); }

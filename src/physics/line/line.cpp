@@ -12,10 +12,10 @@
 namespace carom {
 namespace {
 
-// Of two beads that collide, in which ratio their velocities change: as their inverse masses do.
-// In masses where they are finite. 1 / 3 is no double: where masses are in a simple ratio, half of
-// all new velocities lie in the middle between two numbers, and such an error would round all of
-// them the same way.
+// The ratio in which the velocities of two colliding beads change: that of their inverse masses.
+// Expressed by the masses where these are finite, because for example 1 / 3 is not a double: for
+// masses in a simple ratio half of all new velocities lie midway between two numbers, and such an
+// error would round all of them in the same direction.
 std::array<double, 2> shares_of_change(double first_inverse_mass, double second_inverse_mass) {
     const double first = 1.0 / first_inverse_mass, second = 1.0 / second_inverse_mass;
     if (std::isfinite(first) && std::isfinite(second)) return {second, first};
@@ -95,7 +95,8 @@ void Line<Scalar, BodyType>::predict_neighbours(const Bodies& bodies, std::int32
     predict_pair(bodies, i, false, now, first);
 }
 
-// The wall beside the first or the last bead, or the end of a periodic line.
+// Predicts when the first or the last bead reaches the wall next to it, or the end of a periodic
+// line.
 template <typename Scalar, typename BodyType>
 void Line<Scalar, BodyType>::predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                          Event<Scalar>& first) const {

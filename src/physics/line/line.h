@@ -1,7 +1,7 @@
-// The line: beads in one dimension. Which bead is next to which never changes, so the order is kept
-// as state and not read from positions, which round-off and contacts of points (of length 0) leave
-// undecided. For doubles, and for multiprecision, where beads are so few that every time is
-// computed with all bits. Knows no queue and no clock.
+// The line: beads in one dimension. The order of the beads never changes, so it is stored as state
+// and not derived from positions, which round-off and contacts of points (of length 0) can leave
+// ambiguous. For doubles and for multiprecision; multiprecision lines have so few beads that every
+// time is computed with all bits. Independent of the event queue and the clock.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Bead {
     double radius;  ///< half its length
     double inverse_mass;
     std::uint32_t collisions;
-    std::int32_t turns;  ///< how often it has gone round a periodic line
+    std::int32_t turns;  ///< number of turns around a periodic line
     Prediction prediction;
 
     template <class Archive>
@@ -35,7 +35,7 @@ struct Bead {
     }
 };
 
-/// Of beads, or of beads that fall (surfaces/open_line.h).
+/// A line of beads, or of beads that may fall (surfaces/open_line.h).
 template <typename Scalar, typename BodyType = Bead<Scalar>>
 class Line : public PlainBodies<BodyType> {
   public:
@@ -44,13 +44,13 @@ class Line : public PlainBodies<BodyType> {
 
     Line(const Box& box, const Particles& particles, const Arithmetic& = {});
 
-    /// From left to right.
+    /// The numbers of the bodies from left to right.
     static std::vector<std::int32_t> order(const Bodies& bodies);
 
-    /// Takes the bodies as they are, in order, at time 0.
+    /// Sets up the line for bodies that are in order and at time 0.
     void enter(Bodies& bodies);
 
-    /// As those of Plane.
+    /// As the functions of Plane.
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
     Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) const {
         return predict(bodies, i, now);
@@ -59,17 +59,18 @@ class Line : public PlainBodies<BodyType> {
     /// The body leaves a periodic line at one end and enters at the other.
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
-    /// Changes the velocities of two neighbours that are at one time, false if they do not
-    /// approach. Throws CollisionError when both have infinite mass: neither can pass nor
-    /// yield.
+    /// Changes the velocities of two neighbours that have been advanced to the same time. Returns
+    /// false if they do not approach. Throws CollisionError if both have infinite mass, because
+    /// then neither can pass nor yield.
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact) const;
 
-    /// The neighbour that body i overlaps, when all are at one time, if there is one; not one that
-    /// it touches, or overlaps by less than `slack` times the length.
+    /// The neighbour that body i overlaps, if any, when all bodies are at the same time. A
+    /// neighbour that it only touches, or overlaps by less than `slack` times the length, does not
+    /// count.
     std::optional<std::int32_t> overlapped(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                            double slack) const;
 
-    /// Nothing changes but the bodies.
+    /// Empty: the line has no state apart from the bodies.
     template <class Archive>
     void archive(Archive&) {}
 

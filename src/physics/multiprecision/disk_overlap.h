@@ -1,4 +1,5 @@
-// Whether a disk overlaps another, looked for among all: for one that has been moved by hand.
+// Brute-force overlap test of one disk against all others, used for a disk that an event has
+// displaced.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +10,9 @@
 
 namespace carom {
 
-/// The first disk that `moved` overlaps by more than `slack` times the distance of contact, in the
-/// nearest image, when all are at one time. For the planes of doubles and of many bits.
+/// The first disk whose nearest image `moved` overlaps by more than `slack` times the contact
+/// distance, when all disks are at the same time; nothing if there is none. For planes of doubles
+/// and of multiprecision.
 template <typename Geometry>
 std::optional<std::size_t> disk_overlapped(const Geometry& geometry,
                                            const typename Geometry::Bodies& bodies,

@@ -1,4 +1,5 @@
-// A multiprecision disk as the event loop has it, with its values rounded to doubles.
+// The state of a multiprecision disk in the event loop, together with its values rounded to
+// doubles.
 #pragma once
 
 #include <array>
@@ -12,13 +13,13 @@
 namespace carom {
 
 struct alignas(64) MpDisk {
-    /// Each number rounded to a double: one cache line, all that most pairs are tested by.
+    /// The values rounded to doubles, in one cache line: most pairs are tested with these only.
     struct Shadow {
         std::array<double, 2> x{}, v{};
         double time = 0.0;
         double radius = 0.0;
-        double distance = 0.0;  ///< |x| + |y|, and
-        double speed = 0.0;     ///< |vx| + |vy|: scales of the errors made
+        double distance = 0.0;  ///< |x| + |y| and
+        double speed = 0.0;     ///< |vx| + |vy|: scales for error bounds
 
         template <class Archive>
         void archive(Archive& archive) {
@@ -28,11 +29,11 @@ struct alignas(64) MpDisk {
     Shadow shadow;
     double radius = 0.0;
     double inverse_mass = 0.0;
-    Prediction prediction;    ///< of a contact only if that is the next event; then that comes
-    double event_late = 0.0;  ///< not after this,
+    Prediction prediction;    ///< a contact only if it is the next event
+    double event_late = 0.0;  ///< upper bound of event_time, a double
     std::uint32_t collisions = 0;
     Cell cell{};
-    Real event_time;        ///< but at this time
+    Real event_time;        ///< exact time of the next event
     std::array<Real, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
     std::array<Real, 2> v;
     Real time;

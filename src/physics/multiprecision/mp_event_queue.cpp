@@ -12,8 +12,8 @@ MpEventQueue::MpEventQueue(std::int32_t count)
     std::iota(winner_.begin() + count, winner_.end(), 0);
 }
 
-// At equal times the lower number. Rounding keeps the order: only times that become one double need
-// be looked at in full.
+// The particle with the earlier event, at equal times the lower number. Rounding preserves the
+// order, so only times that round to the same double need a full comparison.
 std::int32_t MpEventQueue::earlier(std::int32_t a, std::int32_t b) const {
     const double key_a = keys_[index(a)], key_b = keys_[index(b)];
     if (key_a != key_b) return key_a < key_b ? a : b;

@@ -1,7 +1,7 @@
 // The priority queue of events for multiprecision times, with the interface of event_queue.h, which
-// is made for doubles and for speed. Here a comparison of two times may cost as much as the rest,
-// so times are compared as doubles, and with all bits only where these are equal. Does not know
-// what an event means.
+// is designed for doubles and for speed. Here the comparison of two times may cost as much as
+// everything else, so times are compared as doubles first, and with all bits only if these are
+// equal. The queue does not know what an event means.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ namespace carom {
 
 class MpEventQueue {
   public:
-    /// No event at all; reset() gives all their times.
+    /// Creates a queue without events; reset() sets all times.
     explicit MpEventQueue(std::int32_t count);
 
-    /// Replaces all events at once; a time is infinite where nothing will ever happen.
+    /// Replaces all events; particles without an event have an infinite time.
     void reset(std::vector<Real> times);
 
     /// Replaces the event of `particle`.
@@ -42,9 +42,10 @@ class MpEventQueue {
     }
 
     std::vector<Real> times_;
-    std::vector<double> keys_;  ///< the time of each, rounded down
-    /// A tournament: of each match the particle with the earlier event; the matches 2 k and 2 k + 1
-    /// come before match k, and the last is 1. The particles themselves stand from their number on.
+    std::vector<double> keys_;  ///< the times rounded down to doubles
+    /// A tournament tree: for each match the particle with the earlier event. The winners of the
+    /// matches 2 k and 2 k + 1 meet in match k, and match 1 is the final. The particles themselves
+    /// form the leaves, which come last.
     std::vector<std::int32_t> winner_;
 };
 

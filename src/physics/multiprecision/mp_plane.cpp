@@ -8,17 +8,18 @@
 namespace carom {
 namespace {
 
-// The error of one operation with doubles, relative. Results of the many bits, 64 at least, have
+// Relative error of one operation with doubles. Multiprecision results, with at least 64 bits, have
 // errors 2,000 times smaller, for which the bounds below leave room.
 constexpr double ulp = std::numeric_limits<double>::epsilon() / 2;
-// More than the errors of a few operations in working out a bound itself.
+// Factors that cover the rounding errors of a few operations in the calculation of a bound itself.
 constexpr double more = 1.0 + 1e-12, less = 1.0 - 1e-12;
 
 const MpDisk& at(const MpPlane::Bodies& bodies, std::int32_t i) {
     return bodies[static_cast<std::size_t>(i)];
 }
 
-// A contact that is predicted is the next event: any time that is not after it will do.
+// A predicted contact is always the next event, so any contact_time that is not later than it will
+// do.
 bool is_contact(const Prediction& prediction) { return prediction.contact_time < never<double>; }
 
 }  // namespace
@@ -42,7 +43,8 @@ void MpPlane::enter(Bodies& bodies) {
     }
 }
 
-// Its age comes from the full times, which doubles may be too coarse for late in a long run.
+// The age is calculated from the multiprecision times: late in a long run doubles may be too coarse
+// for them.
 MpPlane::Viewer MpPlane::viewer(const MpDisk& disk, const Real& now) {
     a_.set_difference(now, disk.time);
     const double age = static_cast<double>(a_);
@@ -54,8 +56,8 @@ MpPlane::Viewer MpPlane::viewer(const MpDisk& disk, const Real& now) {
             static_cast<double>(now)};
 }
 
-// A time before which two disks surely do not touch; never when they surely miss each other. The
-// letters are those of contact_time(), each with a bound on its error.
+// A time before which two disks certainly do not touch, or `never` if they certainly miss each
+// other. Variables are named as in contact_time(), each with a bound on its error.
 double MpPlane::soonest_contact(const Viewer& a, const MpDisk& other,
                                 const std::array<double, 2>& shift) const {
     const MpDisk::Shadow &s = a.disk.shadow, &b = other.shadow;
@@ -65,7 +67,8 @@ double MpPlane::soonest_contact(const Viewer& a, const MpDisk& other,
     const double y = (b.x[1] + b.v[1] * age - a.x[1]) + shift[1];
     const double vx = b.v[0] - s.v[0];
     const double vy = b.v[1] - s.v[1];
-    // Conversions, the age (whose error is that of both times), the flights, the sums.
+    // Errors of the conversions, of the age (the errors of both times), of the free flights, and of
+    // the sums.
     const double times = std::abs(a.now) + std::abs(b.time);
     const double x_error =
         16.0 * ulp *
@@ -102,7 +105,8 @@ void MpPlane::place_viewer(const MpDisk& a, const Real& now) {
     placed_ = true;
 }
 
-// Whether r . v, in approach_, is below zero by more than its round-off (approach_round_off()).
+// Whether r . v, stored in approach_, is negative by more than its round-off
+// (approach_round_off()).
 bool MpPlane::approaches(const MpDisk& a, const MpDisk& b) {
     if (approach_.sign() >= 0) return false;
     const MpDisk::Shadow &s = a.shadow, &t = b.shadow;
@@ -115,7 +119,7 @@ bool MpPlane::approaches(const MpDisk& a, const MpDisk& b) {
     return approach_ < c_;
 }
 
-// Most pairs are of one size.
+// Caches the last square, since most pairs have the same contact distance.
 const Real& MpPlane::squared(double sigma) {
     if (sigma != sigma_) {
         sigma_ = sigma;
@@ -125,8 +129,9 @@ const Real& MpPlane::squared(double sigma) {
     return sigma_square_;
 }
 
-// The time of contact in full, in time_; false if they miss each other. Plain arithmetic: what it
-// loses by cancellation is no more than the places have lost by rounding.
+// Calculates the contact time in full precision into time_; returns false if the disks miss each
+// other. Plain arithmetic suffices: it loses no more by cancellation than the rounding of positions
+// already has.
 bool MpPlane::solve_contact(const MpDisk& a, const MpDisk& b, const std::array<double, 2>& shift,
                             const Real& now) {
     place_viewer(a, now);
@@ -169,8 +174,8 @@ bool MpPlane::solve_contact(const MpDisk& a, const MpDisk& b, const std::array<d
     return true;
 }
 
-// Takes the contact with a candidate if it is the one to wait for: the earliest, and not after the
-// next event of the other, which will look again then.
+// Accepts the contact with a candidate if it is the earliest so far and not later than the next
+// event of the other disk, which will predict again at that event.
 void MpPlane::consider(const Bodies& bodies, const MpDisk& a, const Candidate& candidate,
                        const Real& now, First& first) {
     const MpDisk& b = at(bodies, candidate.other);
@@ -185,8 +190,9 @@ void MpPlane::consider(const Bodies& bodies, const MpDisk& a, const Candidate& c
     first.partner_collisions = b.collisions & most_collisions;
 }
 
-// The candidates are taken as they come into question, until the next surely comes too late. One
-// that waits for this very disk already is left out: its event will do.
+// Candidates are processed by increasing lower bound until the next one certainly comes too late. A
+// candidate whose next event is already a contact with this disk is skipped: its own event is
+// sufficient.
 Real MpPlane::predict(Bodies& bodies, std::int32_t i, const Real& now) {
     MpDisk& disk = bodies[static_cast<std::size_t>(i)];
     const Viewer a = viewer(disk, now);
@@ -229,8 +235,8 @@ Real MpPlane::predict(Bodies& bodies, std::int32_t i, const Real& now) {
     return std::move(first.time);
 }
 
-// A disk that leaves a periodic box is shifted by the length of the box and not advanced: that
-// rounds nothing.
+// A disk that leaves a periodic box is shifted by the length of the box without being advanced,
+// which causes no rounding.
 void MpPlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
     MpDisk& body = bodies[static_cast<std::size_t>(i)];
     const Cell from = body.cell;
@@ -244,7 +250,7 @@ void MpPlane::cross(Bodies& bodies, std::int32_t i, int side, const Real&) {
     grid_.move(i, body.radius, from, body.cell);
 }
 
-// As in Plane, the wall comes in sight where the disk may touch it.
+// As in Plane, walls are considered as soon as the disk may touch them.
 MpPlane::Border MpPlane::border_ahead(const Viewer& a, std::size_t axis) const {
     const MpDisk& d = a.disk;
     const double v = d.shadow.v[axis];
@@ -279,8 +285,8 @@ void MpPlane::solve_wall(const MpDisk& a, std::size_t axis, double place, const 
         time_.set_sum(now, time_);
 }
 
-// The first of the borders ahead. A border of a cell is as far away as doubles say; a wall is
-// solved in full unless the cell surely ends before.
+// The first of the borders ahead. The time of a cell border is calculated in doubles; that of a
+// wall in full precision, unless the cell border certainly comes first.
 void MpPlane::predict_border(const Viewer& a, const Real& now, First& first) {
     const std::array<Border, 2> borders{border_ahead(a, 0), border_ahead(a, 1)};
     double cell = never<double>;
@@ -363,7 +369,7 @@ bool MpPlane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>
     contact.overlap = 0.5 * static_cast<double>(b_) / (sigma * sigma);
     contact.separation = {static_cast<double>(r_[0]), static_cast<double>(r_[1])};
     contact.virial = -2.0 * static_cast<double>(approach_) / (a.inverse_mass + b.inverse_mass);
-    // 2 r.v / (r^2 (w1 + w2)), times w1 and w2, which are 1/2 of their sum when they are equal.
+    // 2 r.v / (r^2 (w1 + w2)), multiplied by w1 and w2; these are half their sum if they are equal.
     if (a.inverse_mass == b.inverse_mass) {
         c_.set_quotient(approach_, a_);
         for (std::size_t k = 0; k < 2; ++k) {

@@ -1,9 +1,10 @@
-// The plane of plane.h for multiprecision disks: which pairs may touch and when. A multiprecision
-// time costs as much as a hundred in doubles, so doubles give a time before which a contact or a
-// wall is certainly not reached (the bounds on their errors are rigorous), and only what might come
-// first is solved in multiprecision. Which events happen, and every bit of them, is the same as if
-// all were. Borders of cells are no events of physics: they are crossed at times that doubles give,
-// which is near enough, as a cell is a little wider than it must be.
+// The plane of plane.h for multiprecision disks: which pairs may touch, and when. A multiprecision
+// contact time costs as much as a hundred in doubles. Doubles therefore give a time before which a
+// contact or a wall is certainly not reached, with rigorous error bounds, and only candidates for
+// the first event are solved in multiprecision. The sequence of events is the same, bit for bit, as
+// if all were solved in multiprecision. Crossings of cell borders have no physical meaning: they
+// happen at times calculated in doubles, which is accurate enough because a cell is slightly wider
+// than necessary.
 #pragma once
 
 #include <array>
@@ -36,14 +37,14 @@ class MpPlane : public PlainBodies<MpDisk> {
     }
 
   private:
-    /// The disk whose next event is searched, in doubles, at the present.
+    /// The disk whose next event is sought, in doubles, advanced to the present.
     struct Viewer {
         const MpDisk& disk;
         std::array<double, 2> x;
-        double distance;  ///< |x| + |y| and what it flew: a scale of its error
+        double distance;  ///< |x| + |y| plus the distance flown: scale of its error
         double now;
     };
-    /// Another that it might touch, and a time before which it surely does not.
+    /// Another disk that it might touch, and a time before which it certainly does not.
     struct Candidate {
         double soonest;
         std::int32_t other;
@@ -51,9 +52,9 @@ class MpPlane : public PlainBodies<MpDisk> {
     };
     /// The first event found so far.
     struct First : Event<Real> {
-        double late = never<double>;  ///< a double not before its time
+        double late = never<double>;  ///< upper bound of its time, a double
     };
-    /// A border ahead along an axis.
+    /// The next border along an axis.
     struct Border {
         double place;
         unsigned kind;
@@ -83,14 +84,14 @@ class MpPlane : public PlainBodies<MpDisk> {
     std::vector<std::int32_t> near_ = std::vector<std::int32_t>(2 * CellGrid::spare);
     std::vector<Candidate> candidates_;
 
-    // Numbers to calculate with, so that none need be made on the way.
-    bool placed_ = false;        ///< whether here_ holds the place of the disk that looks
-    std::array<Real, 2> here_;   ///< its place at the present
-    std::array<Real, 2> r_, v_;  ///< of the second disk as seen from the first
+    // Scratch numbers, so that none have to be created during a calculation.
+    bool placed_ = false;        ///< whether here_ holds the position of the viewer
+    std::array<Real, 2> here_;   ///< position of the viewer at the present
+    std::array<Real, 2> r_, v_;  ///< separation and relative velocity (second disk minus first)
     Real approach_;              ///< r . v
     Real time_;                  ///< the result
     Real a_, b_, c_;
-    double sigma_ = 0.0;  ///< whose square is
+    double sigma_ = 0.0;  ///< contact distance whose square is in sigma_square_
     Real sigma_square_;
 };
 

@@ -1,13 +1,13 @@
-// Numbers of as many bits as a run asks for, over MPFR: the only file that knows it. Every number
-// has its own precision: one made of a double is that double, 53 bits of it unless more are asked
-// for, and a result has as many bits as its more precise operand, rounded to nearest. Nothing is
-// global, so that runs of different precisions may go on side by side.
+// Multiprecision numbers based on MPFR; this is the only file that uses it. Each number has its own
+// precision. A number made from a double has 53 bits unless more are requested; the result of an
+// operation has the precision of its more precise operand and is rounded to nearest. There is no
+// global state, so runs of different precisions may proceed side by side.
 //
-// The operators are for convenience: each makes a new number, which costs as much memory traffic as
-// arithmetic. Where time counts there are the set_ functions, which work in place.
+// The operators are for convenience: each creates a new number, which costs as much memory traffic
+// as arithmetic. Where speed matters, the set_ functions work in place.
 //
-// Why not through Boost.Multiprecision: in 1.74, that of Debian 12, the precision of new numbers is
-// one setting for the whole process, in decimal digits.
+// Boost.Multiprecision is not used because in version 1.74, that of Debian 12, the precision of new
+// numbers is a single setting of the whole process, in decimal digits.
 #pragma once
 
 #include <mpfr.h>
@@ -26,7 +26,7 @@ class Real {
   public:
     Real() : Real(0.0) {}
 
-    // Not explicit: arithmetic written for any scalar has constants in it.
+    // Not explicit, because arithmetic written for any scalar contains constants.
     Real(double value, int bits = std::numeric_limits<double>::digits) {
         mpfr_init2(value_, bits);
         mpfr_set_d(value_, value, MPFR_RNDN);
@@ -39,7 +39,7 @@ class Real {
         *value_ = *other.value_;
         other.value_->_mpfr_d = nullptr;
     }
-    /// Takes over the other's precision too.
+    /// Copies the value and the precision.
     Real& operator=(const Real& other) {
         if (this == &other) return *this;
         if (value_->_mpfr_d == nullptr)
@@ -57,7 +57,7 @@ class Real {
         if (value_->_mpfr_d != nullptr) mpfr_clear(value_);
     }
 
-    /// A decimal number as it is written, to the nearest of so many bits.
+    /// Converts a decimal number to the nearest number with this many bits.
     static Real from_text(const std::string& decimal, int bits) {
         Real number(0.0, bits);
         mpfr_set_str(number.value_, decimal.c_str(), 10, MPFR_RNDN);
@@ -70,7 +70,7 @@ class Real {
 
     /// The nearest double.
     explicit operator double() const { return mpfr_get_d(value_, MPFR_RNDN); }
-    /// The nearest doubles that are not larger, not smaller.
+    /// The nearest doubles that are not larger, and not smaller, than this number.
     double rounded_down() const { return mpfr_get_d(value_, MPFR_RNDD); }
     double rounded_up() const { return mpfr_get_d(value_, MPFR_RNDU); }
 
@@ -156,15 +156,15 @@ class Real {
         mpfr_fma(result.value_, a.value_, b.value_, c.value_, MPFR_RNDN);
         return result;
     }
-    /// Of a number that is not negative, also where no double is so small or so large; -infinity of
-    /// 0.
+    /// Decimal logarithm of a nonnegative number, also where no double is so small or so large;
+    /// -infinity for 0.
     friend double log10(const Real& a) {
         long exponent = 0;
         const double digits = mpfr_get_d_2exp(&exponent, a.value_, MPFR_RNDN);
         return std::log10(digits) + static_cast<double>(exponent) * std::log10(2.0);
     }
 
-    /// With its precision and every bit, as hexadecimal digits.
+    /// Writes or reads the precision and all bits, as hexadecimal digits.
     template <class Archive>
     void archive(Archive& archive) {
         std::int64_t its_bits = value_->_mpfr_d != nullptr ? bits() : 0;
@@ -174,7 +174,8 @@ class Real {
     }
 
   private:
-    // As mpfr_set_str() reads it: whole digits, and behind an @ the power of 16 that they count in.
+    // In the format that mpfr_set_str() reads: an integer in hexadecimal digits, followed by @ and
+    // an exponent of 16.
     std::string hexadecimal() const {
         mpfr_exp_t exponent = 0;
         char* const written = mpfr_get_str(nullptr, &exponent, 16, 0, value_, MPFR_RNDN);
@@ -184,7 +185,8 @@ class Real {
         const auto digits = static_cast<mpfr_exp_t>(text.size() - (text[0] == '-' ? 1 : 0));
         return text + "@" + std::to_string(exponent - digits);
     }
-    // False if it is no number of so many bits. Without bits it is as moved from.
+    // Returns false if `text` is not a number with this many bits. With 0 bits the number becomes
+    // as one that has been moved from.
     bool set_hexadecimal(std::int64_t bits, const std::string& text) {
         constexpr std::int64_t most = 1 << 20;  // far more than a run has
         if (bits < 0 || bits > most) return false;

@@ -32,7 +32,8 @@ double draw_one(const Quantity& quantity, Eigen::Index i, Random& random) {
     return normal.mean + normal.deviation * random.normal();
 }
 
-// A normal distribution is cut off at zero: its other draws are made again, up to a bound.
+// A normal distribution is truncated at zero: other draws are repeated, up to a maximum number of
+// tries.
 Eigen::ArrayXd draw_positive(const Gas& gas, std::size_t species, const Quantity& quantity,
                              std::string_view what, bool or_zero) {
     constexpr int most_tries = 1000;
@@ -76,8 +77,9 @@ Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const 
     return velocities;
 }
 
-// To the left or to the right with equal odds. On a ring, whose momentum is to be removed, half of
-// the beads go each way: two alone would else come to rest every other time.
+// To the left or to the right with equal probability. On a ring, where the total momentum will be
+// removed, exactly half of the beads go each way; otherwise two beads alone would end up at rest
+// half of the time.
 Eigen::ArrayXXd left_or_right(const Gas& gas, std::size_t species, const Quantity& speed,
                               Eigen::Index count) {
     Random random = stream(gas, species, "velocity");
@@ -168,7 +170,7 @@ void scale_to_temperature(const Gas& gas, std::size_t species, const Particles& 
 
 constexpr std::int64_t most_particles = 50'000'000;
 
-// The species that has more particles than a gas may have, together with those before it.
+// The species at which the total number of particles exceeds the limit for a gas.
 std::optional<Problem> too_many(const Gas& gas) {
     std::int64_t left = most_particles;
     for (std::size_t s = 0; s < gas.species.size(); ++s) {

@@ -1,5 +1,5 @@
-// Radii, masses and velocities, drawn from the species' rules and the gas's seed.
-// Does not place anything (placement.h).
+// Draws radii, masses and velocities from the rules of the species and the seed of the gas.
+// Positions are not assigned here (placement.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -14,25 +14,25 @@
 
 namespace carom {
 
-/// Which rules of a species give one value for all of its particles or one for each, as the
-/// functions here and place() take for granted.
+/// Which rules of a species have the right number of values, one for all of its particles or one
+/// for each. The functions here and place() require that.
 struct FittingRules {
     bool radius, mass, velocity, position;
 };
 FittingRules fitting_rules(const Species& species);
 
-/// All particles of a gas with their velocities; their places are zero. Species with a speed or a
-/// temperature have no total momentum along periodic axes, unless they have one particle only.
-/// Throws PlacementError.
+/// Draws all particles of a gas and their velocities; their positions are zero. A species with a
+/// speed or a temperature has no total momentum along periodic axes, unless it has only one
+/// particle. Throws PlacementError.
 std::pair<Particles, Sample> draw_gas(const Gas& gas);
 
-/// The same without throwing: adds to `problems` what cannot be drawn, one for a species. Its
-/// particles have radius 0, mass 1 or velocity 0 then; there are none at all where a gas has too
-/// many.
+/// The same without throwing: appends what cannot be drawn to `problems`, one entry per species.
+/// The particles concerned then have radius 0, mass 1 or velocity 0; if the gas has too many
+/// particles, none are drawn.
 std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& problems);
 
-/// The same, or nothing for a gas that cannot be drawn: also if a rule does not fit the number of
-/// particles.
+/// The same, or nothing if the gas cannot be drawn, for instance if a rule does not fit the number
+/// of particles.
 std::optional<std::pair<Particles, Sample>> try_draw_gas(const Gas& gas);
 
 }  // namespace carom

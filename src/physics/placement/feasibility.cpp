@@ -63,7 +63,7 @@ class PlacementCheck {
             found_.push_back({.kind = Kind::region_too_dense, .species = s, .value = covered});
     }
 
-    // Where all places are listed they say themselves whether disks overlap.
+    // If all positions in a plane are listed, the overlap test decides instead.
     bool check_density() {
         const double covered = sum_of_sizes(box_, particles_.radius) / size_of(box_, box_.size);
         const bool listed = std::ranges::all_of(gas_.species, has_position<Places>);
@@ -79,7 +79,8 @@ class PlacementCheck {
         return false;
     }
 
-    // All species on the lattice share one, on which each disk has as much room as the largest.
+    // All species on the lattice share a single one, on which each disk has as much room as the
+    // largest disk needs.
     void check_lattice() {
         const DisksOnLattice disks = disks_on_lattice(gas_, particles_);
         if (disks.numbers.empty()) return;
@@ -170,7 +171,7 @@ class PlacementCheck {
     std::vector<Problem> found_;
 };
 
-/// Particles whose places are known before all are placed.
+/// Particles whose positions are known before all are placed.
 struct Known {
     std::vector<Index> numbers;
     std::vector<Eigen::Array2d> places;
@@ -188,8 +189,9 @@ class MotionCheck {
 
     std::optional<Problem> run(const Run& run) const {
         const Known known = listed();
-        // Beads that are placed later can only take more room: what is found among those listed
-        // holds. It needs all of infinite mass, for those not listed might stand between.
+        // Beads placed later can only take up more room, so a squeeze found among the listed beads
+        // is certain. All beads of infinite mass must be listed, because others might lie between
+        // them.
         if (box_.dimension == 1 && are_all_fixed_listed())
             if (const auto squeeze = among(known, [&](const Particles& some, const Sample& start) {
                     return first_squeeze(box_, some, start, run);
@@ -240,7 +242,7 @@ class MotionCheck {
         return known;
     }
 
-    // All beads of a line that they fill, in some order: none of them has room.
+    // All beads, if they fill the line, in an arbitrary order: none of them has room.
     Known filling() const {
         Known known;
         if (2.0 * particles_.radius.sum() < box_.size[0] * (1.0 - touching_tolerance)) return known;
@@ -252,20 +254,20 @@ class MotionCheck {
         return known;
     }
 
-    // Disks of one species on a lattice where disks touch along a side of the box, if nothing but
-    // they takes its sites.
+    // The disks of a species on a lattice in which disks touch along a side of the box, if only
+    // this species uses its sites.
     Known on_lattice() const {
         const auto others = std::ranges::count_if(gas_.species, [](const Species& species) {
             return !has_position<RandomPlaces>(species) && !has_position<WithinRegion>(species);
         });
         const auto [numbers, radius, smallest] = disks_on_lattice(gas_, particles_);
         const auto count = static_cast<double>(numbers.size());
-        constexpr double roomy = 0.3;  // part of the box in squares around the disks
+        constexpr double roomy = 0.3;  // fraction covered by squares around the disks
         if (others != 1 || 4.0 * radius * radius * count < roomy * box_.size.prod()) return {};
         const auto lattices = fitting_lattices(box_, static_cast<int>(numbers.size()), radius);
         const double touching = 2.0 * radius * (1.0 + touching_tolerance);
         if (lattices.empty()) return {};
-        // Of rows, every other one shifted.
+        // The lattice consists of rows, every other one shifted.
         const Eigen::Array2d& spacing = lattices.front().spacing;
         if (std::min(spacing[0], 2.0 * spacing[1]) > touching) return {};
         const std::vector<Eigen::Array2d> sites = lattice_sites(box_, lattices.front(), radius);

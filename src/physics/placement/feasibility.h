@@ -1,5 +1,5 @@
-// Whether a gas can be placed and can move: the one place where that is decided, before anything is
-// placed and for what has been placed.
+// Decides whether a gas can be placed and can move. It is the only place where that is decided,
+// both before placement and for particles that have been placed.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,25 @@
 
 namespace carom {
 
-/// What keeps the particles of `gas`, with the radii drawn for them, from being placed: disks too
-/// large for the box, too many for its area, for a region or for a lattice, listed places outside
-/// or that overlap. A particle that overlaps others is named once. Nothing found is no promise:
-/// random places are found, or not, by trying. After `most_compared` pairs of disks the search for
-/// overlaps ends.
+/// The reasons why the particles of `gas`, with the radii drawn for them, cannot be placed: disks
+/// too large for the box; too many for its area, for a region or for a lattice; listed positions
+/// outside the box or overlapping. A particle that overlaps several others is reported once. An
+/// empty result is no guarantee, because random positions are found by trial. The search for
+/// overlaps ends after `most_compared` pairs of disks.
 std::vector<Problem> placement_problems(
     const Gas& gas, const Particles& particles,
     std::int64_t most_compared = std::numeric_limits<std::int64_t>::max());
 
-/// What keeps placed particles from moving: beads of infinite mass that leave no room on a line
-/// before the run ends (line_squeeze.h), or a particle that moves where it has no room (jam.h).
+/// The reason why placed particles cannot move, if any: beads of infinite mass on a line that leave
+/// no room before the end of the run (line_squeeze.h), or a moving particle that has no room
+/// (jam.h).
 std::optional<Problem> motion_problem(const Box& box, const Particles& particles,
                                       const Sample& start, const Run& run);
 
-/// All that is known of a gas before it is placed: what cannot be drawn or placed, and where there
-/// is a `run` and nothing else is wrong, what could not move, as far as places are known: those
-/// listed, those of a line that is full, disks as wide as the box, a species on a lattice.
+/// All problems that are known before placement: what cannot be drawn or placed and, if there is a
+/// `run` and no other problem, what could not move. The latter is checked as far as positions are
+/// known in advance: those that are listed, those on a line that is full, disks as wide as the box,
+/// and a species on a lattice.
 std::vector<Problem> problems_of(const Gas& gas, const Run* run, std::int64_t most_compared);
 
 }  // namespace carom

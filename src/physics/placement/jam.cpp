@@ -22,12 +22,12 @@ struct Jam {
 /// A particle, or a wall, on a line along one axis.
 struct Link {
     double x, radius, velocity;
-    bool holds;  ///< it yields to no push
+    bool holds;  ///< is not moved by collisions
     Eigen::Index particle;
 };
 
-// From its first link to its last, which are walls; or of a periodic box the same one twice: one of
-// infinite mass, if there is one.
+// The chain from its first to its last link. These are walls, or in a periodic box the same link
+// twice, if possible one of infinite mass.
 std::vector<Link> closed_chain(std::vector<Link> links, double length, bool periodic) {
     if (!periodic) {
         links.insert(links.begin(), {0.0, 0.0, 0.0, true, wall});
@@ -43,10 +43,10 @@ std::vector<Link> closed_chain(std::vector<Link> links, double length, bool peri
     return links;
 }
 
-// In a row between two links that hold, with no room between any two of it.
+// Finds a jam in a row between two links that hold, without room between any two links.
 std::optional<Jam> jam_of(std::span<const Link> row) {
     const double velocity = row.front().velocity;
-    if (velocity < row.back().velocity) return std::nullopt;  // it opens
+    if (velocity < row.back().velocity) return std::nullopt;  // the row opens
     for (const Link& link : row.subspan(1, row.size() - 2))
         if (link.velocity != velocity || velocity > row.back().velocity)
             return Jam{link.particle, row.size() == 3 && row.front().particle == wall &&
@@ -56,7 +56,7 @@ std::optional<Jam> jam_of(std::span<const Link> row) {
 
 std::optional<Jam> jam_on_line(const std::vector<Link>& links, double length, bool periodic) {
     const std::vector<Link> chain = closed_chain(links, length, periodic);
-    std::size_t begin = 0;  // of a row of links that touch
+    std::size_t begin = 0;  // first link of a row of touching links
     for (std::size_t k = 1; k < chain.size(); ++k) {
         const double room = chain[k].x - chain[k - 1].x - chain[k].radius - chain[k - 1].radius;
         if (room > touching_tolerance * length) begin = k;
@@ -87,7 +87,7 @@ std::optional<Jam> jam_along(int axis, const Box& box, const Particles& particle
         }
         std::ranges::stable_sort(links, {}, &Link::x);
         if (const auto jam = jam_on_line(links, length, periodic)) return jam;
-        // In a whole row without room those of infinite mass cannot move either.
+        // In a complete row without room, particles of infinite mass cannot move either.
         for (Link& link : links) link.holds = false;
         if (const auto jam = jam_on_line(links, length, periodic)) return jam;
     }

@@ -1,6 +1,7 @@
-// Where particles fill a line without any room: those that stand in a row from wall to wall, around
-// a periodic box or between infinite masses, each touching the next. What moves along it collides
-// without end before any time has passed. Rows along the sides of the box, at the start of a run.
+// Detects rows of particles without any free room: from wall to wall, around a periodic box or
+// between infinite masses, each touching the next. A particle that moves along such a row collides
+// endlessly before any time has passed. Only rows along the sides of the box are considered, at the
+// start of a run.
 #pragma once
 
 #include <optional>
@@ -11,9 +12,9 @@
 
 namespace carom {
 
-/// The first particle that moves along a row in which nothing can, if there is one: a jam, or
-/// jam_alone where it is the whole row. A velocity that is not a number is taken for one that
-/// differs from all others.
+/// The first particle that moves along a row in which nothing can move, if there is one; the kind
+/// of problem is jam, or jam_alone if the particle is the whole row. A velocity that is NaN counts
+/// as different from all others.
 std::optional<Problem> first_jam(const Box& box, const Particles& particles, const Sample& start);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-// Hexagonal lattices of places fitted to a box. Knows no particles.
+// Hexagonal lattices of sites fitted to a box. Independent of particles.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,8 +19,8 @@ struct HexagonalLattice {
     int sites() const { return (rows + 1) / 2 * columns + rows / 2 * shifted_columns; }
 };
 
-/// All lattices of at least `count` sites that keep disks of `radius` inside `box` and apart, the
-/// widest spaced first.
+/// All lattices with at least `count` sites on which disks of `radius` lie inside `box` and do not
+/// overlap, in order of decreasing spacing.
 std::vector<HexagonalLattice> fitting_lattices(const Box& box, int count, double radius);
 
 /// The sites of a lattice, row by row from the bottom.

@@ -56,7 +56,8 @@ class LinePlacement {
         take(beads);
     }
 
-    // Beads that may be anywhere come last; of parts of the line the shortest comes first.
+    // Groups in the order of placement: beads that may be anywhere come last, and shorter parts of
+    // the line come before longer ones.
     std::vector<Group> groups() const {
         Group lattice, anywhere;
         lattice.even = true;
@@ -90,7 +91,8 @@ class LinePlacement {
         const bool one_species = species_of(beads.front()) == species_of(beads.back());
         if (!group.even || !one_species) random_.shuffle(beads);
         if (ring_ && group.whole_line && room_.empty()) {
-            // Where a ring begins is of no matter; its first bead makes a stretch of the rest.
+            // The origin of a ring is arbitrary; the first bead turns the rest of it into one
+            // stretch.
             const double gap = (length_ - sum_of_lengths(beads)) / double(beads.size());
             put(beads.front(), group.even ? 0.5 * gap + particles_.radius[beads.front()]
                                           : random_.uniform(0.0, length_));
@@ -126,8 +128,8 @@ class LinePlacement {
         take(group.beads);
     }
 
-    // Beads from left to right with equal or with random gaps. False when there are not as many
-    // different places.
+    // Places beads from left to right with equal or with random gaps. Returns false if there are
+    // not enough distinct positions.
     bool spread(const std::vector<Eigen::Index>& beads, const Stretch& stretch, bool even) {
         const double rest = std::max(0.0, stretch.room() - sum_of_lengths(beads));
         std::vector<double> gaps(beads.size());  // added up from the left
@@ -145,7 +147,7 @@ class LinePlacement {
         return true;
     }
 
-    // Random numbers are finite in number: two points may have fallen on one.
+    // Two points may have the same position, because there are only finitely many random numbers.
     static bool make_distinct(std::vector<double>& x, const Stretch& stretch) {
         constexpr double up = std::numeric_limits<double>::infinity();
         double least = stretch.low;

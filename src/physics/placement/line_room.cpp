@@ -12,8 +12,8 @@
 namespace carom {
 namespace {
 
-// Whole weights that change one by one, and draws in proportion to them, each in logarithmic time
-// (Fenwick 1994).
+// Integer weights that change one at a time, and random draws in proportion to them, each in
+// logarithmic time (Fenwick 1994).
 class Weights {
   public:
     explicit Weights(std::size_t count) : weight_(count, 0), sum_(count + 1, 0) {}
@@ -27,7 +27,7 @@ class Weights {
         for (std::size_t k = i + 1; k < sum_.size(); k += k & (~k + 1)) sum_[k] += change;
     }
 
-    // The first one whose weight and those before it exceed `below`, which is less than the total.
+    // The first index at which the cumulative weight exceeds `below`, which is less than the total.
     std::size_t at(std::uint64_t below) const {
         std::size_t step = 1, found = 0;
         while (2 * step < sum_.size()) step *= 2;
@@ -58,7 +58,7 @@ struct Rooms {
     double lack = 0.0;
 };
 
-// Each where it leaves the least room over.
+// Puts each bead where it leaves the least room.
 Shares share_tightly(const std::vector<Stretch>& stretches, const std::vector<double>& lengths) {
     const Rooms rooms(stretches);
     std::multimap<double, std::size_t> by_room;
@@ -75,8 +75,8 @@ Shares share_tightly(const std::vector<Stretch>& stretches, const std::vector<do
     return shares;
 }
 
-// Every stretch that holds the bead at hand weighs as much as its room; the others wait for
-// shorter beads.
+// Each stretch that can hold the current bead is weighted by its room; the others wait for shorter
+// beads.
 class RandomSharing {
   public:
     explicit RandomSharing(const std::vector<Stretch>& stretches)
@@ -160,7 +160,8 @@ Shares share_at_random(const std::vector<Stretch>& stretches, const std::vector<
     return shares;
 }
 
-// Gaps are reckoned with the bead last put into a stretch: exact for beads of one length.
+// Gaps are calculated with the length of the bead last put into a stretch: exact if all beads have
+// one length.
 Shares share_evenly(const std::vector<Stretch>& stretches, const std::vector<double>& lengths) {
     if (stretches.empty()) return std::nullopt;
     Rooms rooms(stretches);

@@ -1,5 +1,5 @@
-// The free stretches of a line between beads that have their places, and how further beads share
-// them. Knows no species and no rules of placement (line_placement.h).
+// The free stretches of a line between beads already placed, and how further beads are distributed
+// among them. Independent of species and rules of placement (line_placement.h).
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class LineRoom {
   public:
     explicit LineRoom(const Box& box);
 
-    /// Takes up the line under beads.
+    /// Marks the stretches covered by `beads` as taken.
     void take(std::vector<Stretch> beads);
 
     bool empty() const { return taken_.empty(); }
@@ -39,15 +39,16 @@ class LineRoom {
     std::vector<Stretch> taken_;  ///< from left to right
 };
 
-/// The stretch of each bead, in the order of the beads; nothing if they have no room.
+/// The index of the stretch for each bead, in the order of the beads; nothing if they do not fit.
 using Shares = std::optional<std::vector<std::size_t>>;
 
-/// Shares beads of `lengths` (falling) among stretches: each goes to one with a chance proportional
-/// to the room left there. Should this leave one without room, all go where they fit most tightly.
+/// Distributes beads of `lengths` (in descending order) among stretches: each goes to one with a
+/// probability proportional to the room left there. If a bead then does not fit, all beads go where
+/// they fit most tightly.
 Shares share_at_random(const std::vector<Stretch>& stretches, const std::vector<double>& lengths,
                        Random& random);
 
-/// The same with each bead where the widest gaps remain between the beads of a stretch.
+/// The same, but each bead goes to the stretch in which the gaps between beads remain widest.
 Shares share_evenly(const std::vector<Stretch>& stretches, const std::vector<double>& lengths);
 
 }  // namespace carom

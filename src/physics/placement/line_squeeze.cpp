@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-constexpr int most_steps = 100'000;  // of a bead that bounces to and fro: then it may go on so
+constexpr int most_steps = 100'000;  // of a bead that bounces to and fro, perhaps forever
 
 struct Squeeze {
     double time;  ///< simulated
@@ -17,15 +17,15 @@ struct Squeeze {
 };
 
 struct Boundary {
-    Eigen::Index bead;  ///< of infinite mass, or an end
+    Eigen::Index bead;  ///< a bead of infinite mass, or an end of the line
     double velocity;
 };
 
-// What lies between two boundaries.
+// The part of the line between two boundaries.
 struct Chamber {
     std::size_t left, right;  ///< boundaries
     double room;              ///< length not covered by beads
-    int beads;                ///< of finite mass inside
+    int beads;                ///< number of beads of finite mass inside
 };
 
 class Chambers {
@@ -58,7 +58,7 @@ class Chambers {
         if (ring_ && boundaries_.size() > 1) close_ring(box, particles, from_left, from);
     }
 
-    // Goes on by `time` at most; a squeeze ends it early.
+    // Advances by `time`; stops early at a squeeze and returns it.
     std::optional<Squeeze> advance(double now, double time) {
         for (int step = 0; step < most_steps; ++step) {
             double wait = time;

@@ -1,6 +1,7 @@
-// Where beads of infinite mass leave no room on a line: they can neither pass nor yield, so that
-// two of them that meet, or beads that one presses against another or against the end of the line,
-// have no motion that goes on. They move by themselves alone, so that this is known beforehand.
+// Detects where beads of infinite mass leave no room on a line. They can neither pass nor yield, so
+// the motion cannot continue if two of them meet, or if one presses other beads against another
+// infinite mass or the end of the line. Their motion does not depend on the other beads, so this is
+// known before the simulation.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,12 +14,12 @@
 
 namespace carom {
 
-/// What stands for a particle where the line ends.
+/// Used in place of a particle number for the ends of the line.
 inline constexpr Eigen::Index left_end = -1, right_end = -2;
 
-/// The first squeeze of a run from `start` on, if there is one up to its end: its `particle` and
-/// `other` are two beads of infinite mass between which the room ends, the left one first, or an
-/// end of the line; its species is that of the bead listed last.
+/// The first squeeze before the end of a run that begins with `start`, if any. Its `particle` and
+/// `other` are the two beads of infinite mass between which the room vanishes, the left one first;
+/// either may be an end of the line. Its species is that of the bead listed last.
 std::optional<Problem> first_squeeze(const Box& box, const Particles& particles,
                                      const Sample& start, const Run& run);
 

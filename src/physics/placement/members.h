@@ -1,6 +1,6 @@
-// The particles of a gas, species by species as Gas numbers them: what they cover, those whose
-// places are listed, and those on a lattice. And beads from left to right. Draws and places
-// nothing.
+// Queries about the particles of a gas, which are numbered species by species as in Gas: the size
+// that they cover, those with listed positions, and those on a lattice; also beads from left to
+// right. Nothing is drawn or placed here.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,13 +22,13 @@ bool has_position(const Species& species) {
     return std::holds_alternative<Rule>(species.position);
 }
 
-/// What particles of these radii cover: the areas of disks, or the lengths of beads.
+/// The size covered by particles of these radii: the areas of disks, or the lengths of beads.
 template <typename Radii>
 double sum_of_sizes(const Box& box, const Radii& radii) {
     return box.dimension == 1 ? 2.0 * radii.sum() : std::numbers::pi * radii.square().sum();
 }
 
-/// The area of a part of the box with these sides, or its length on a line.
+/// The area of a rectangle with these sides, or on a line the length.
 inline double size_of(const Box& box, const Eigen::Array2d& sides) {
     return box.dimension == 1 ? sides[0] : sides.prod();
 }
@@ -53,7 +53,7 @@ void for_each_listed(const Gas& gas, Function&& f) {
     });
 }
 
-/// The disks on a lattice, of all species that have their places there, and their radii.
+/// The disks of all species that are placed on the lattice, and their largest and smallest radii.
 struct DisksOnLattice {
     std::vector<Eigen::Index> numbers;
     double largest = 0.0, smallest = 0.0;
@@ -74,7 +74,7 @@ inline DisksOnLattice disks_on_lattice(const Gas& gas, const Particles& particle
 /// Beads, or other particles along an axis: coordinate and number.
 using Beads = std::vector<std::pair<double, Eigen::Index>>;
 
-/// All particles by their coordinates along an axis; at one place by number.
+/// All particles sorted by their coordinate along an axis; at equal coordinates by number.
 inline Beads beads_along(const Sample& sample, Eigen::Index axis) {
     Beads beads;
     for (Eigen::Index i = 0; i < sample.position.rows(); ++i)

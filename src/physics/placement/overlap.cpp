@@ -26,12 +26,12 @@ double overlap_of_two(const Box& box, const Particles& particles, const Sample& 
     return square < contact * contact ? 1.0 - std::sqrt(square) / contact : 0.0;
 }
 
-// Cells as wide as the largest disk, or wider, where no cell needs to hold many: each disk is
-// compared with those in the cells around its centre. All are looked at in the order of the cells,
-// so that those that are near each other in the box are so in the processor's caches.
+// A grid with cells at least as wide as the largest disk, for gases in which no cell has to hold
+// many disks: each disk is compared with those in the cells around its centre. Cells are processed
+// in order, so that disks close to each other in the box are also close in the processor's caches.
 class DisksInCells {
   public:
-    /// Whether that is so of these disks: none is much larger than the others.
+    /// Whether the grid suits these disks, that is, none is much larger than the others.
     static bool suits(const Box& box, const Particles& particles) {
         const double across = 2.0 * particles.radius.maxCoeff();
         const double room = box.size[0] * box.size[1];
@@ -42,7 +42,7 @@ class DisksInCells {
 
     DisksInCells(const Box& box, const Particles& particles, const Sample& sample)
         : box_(box), particles_(particles), sample_(sample) {
-        constexpr double beyond_rounding = 1.0 + 1e-9;  // of which cell a disk is in
+        constexpr double beyond_rounding = 1.0 + 1e-9;  // margin for rounding to cells
         const double across = 2.0 * particles.radius.maxCoeff() * beyond_rounding;
         const double one_each =
             std::sqrt(box.size[0] * box.size[1] / static_cast<double>(particles.count()));
@@ -72,7 +72,7 @@ class DisksInCells {
         return y * static_cast<std::size_t>(cells_[0]) + x;
     }
 
-    // By counting.
+    // Counting sort by cell.
     void sort() {
         const auto all = static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]);
         begins_.assign(all + 1, 0);
@@ -83,7 +83,7 @@ class DisksInCells {
             disks_[static_cast<std::size_t>(--begins_[cell_of(i)])] = static_cast<std::int32_t>(i);
     }
 
-    // In some cells of a row.
+    // The disks in consecutive cells of a row.
     std::span<const std::int32_t> in_cells(std::size_t first, std::size_t last) const {
         const auto begin = static_cast<std::size_t>(begins_[first]),
                    end = static_cast<std::size_t>(begins_[last + 1]);
@@ -100,7 +100,8 @@ class DisksInCells {
         return deepest;
     }
 
-    // Of two cells side by side one looks at the other; inside the box at three in one go.
+    // Of two adjacent cells only one is compared with the other; inside the box three cells of a
+    // row are examined at once.
     double deepest_at(int x, int y) const {
         const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
         const std::size_t cell = number_of(column, row);
@@ -122,7 +123,7 @@ class DisksInCells {
         return deepest;
     }
 
-    // A column or row, which on a periodic axis is brought into the box; none beyond a wall.
+    // Wraps the index of a column or row on a periodic axis; nothing beyond a wall.
     std::optional<std::size_t> other(Eigen::Index axis, int at) const {
         if (at >= 0 && at < cells_[axis]) return static_cast<std::size_t>(at);
         if (!box_.is_periodic(axis)) return std::nullopt;
@@ -134,7 +135,8 @@ class DisksInCells {
     const Sample& sample_;
     Eigen::Array2i cells_;
     Eigen::Array2d per_length_;
-    std::vector<std::int32_t> begins_;  ///< of each cell in disks_, and the end of the last
+    std::vector<std::int32_t> begins_;  ///< first index in disks_ for each cell, and the end of the
+                                        ///< last cell
     std::vector<std::int32_t> disks_;   ///< sorted by cell
 };
 

@@ -1,5 +1,5 @@
-// Looks at a whole state for particles that overlap: an audit of the simulation, which sees only
-// pairs that collide.
+// Searches a whole state for overlapping particles: an independent check of the simulation, which
+// looks only at pairs that collide.
 #pragma once
 
 #include "physics/gas.h"

@@ -7,15 +7,16 @@
 namespace carom {
 namespace {
 
-// Of cells in a row, for one that lies beyond the last in a periodic box.
+// Wraps the index of a cell that lies outside a periodic box.
 int wrapped(int cell, int cells) { return (cell % cells + cells) % cells; }
 
 }  // namespace
 
-// Many disks are small where sizes differ: cells as wide as the mean radius keep theirs small. In
-// a box so large that two cells for each disk would be much wider than the disks, which may all lie
-// in one of them, cells are a few radii wide, and several share a list. By the root of the mean
-// square of the radii, a disk then lies in about two cells on the mean, however large some are.
+// Where sizes differ most disks are small, and cells as wide as the mean radius keep the lists of
+// small disks short. In a very large box a grid with two cells per disk would have cells much wider
+// than the disks, and all disks might lie in one of them; there cells are a few radii wide and
+// several share a list. With the root mean square of the radii a disk lies in about two cells on
+// average, however large some disks are.
 PlacedDisks::PlacedDisks(const Box& box, const Eigen::ArrayXd& radii) : box_(box) {
     constexpr double most_radii = 8.0, most_cells = 1e8;
     const auto count = static_cast<double>(radii.size());
@@ -45,7 +46,8 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
     for (int a = 0; a < 2; ++a) {
         const auto s = static_cast<std::size_t>(a);
         const int last = cells_[a] - 1;
-        // Bounded before they become integers: a disk may cover more cells than an int counts.
+        // Clamped before the conversion to integers, since a disk may cover more cells than an int
+        // can count.
         double first = std::floor((centre[a] - radius) / cell_size_[a]);
         double final = std::floor((centre[a] + radius) / cell_size_[a]);
         if (!box_.is_periodic(s)) {
@@ -62,7 +64,8 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
         for (int x = low[0]; x <= high[0]; ++x) f(list_of(x, y));
 }
 
-// Calls f(disk, square of its distance) for those in the same cells until it returns false.
+// Calls f(disk, squared distance) for the disks in the cells that a disk at `centre` touches, until
+// f returns false.
 template <typename Function>
 void PlacedDisks::for_each_near(const Eigen::Array2d& centre, double radius, Function&& f) const {
     bool go_on = true;

@@ -1,5 +1,5 @@
-// Disks that have found their places, and the question whether a further one fits between them.
-// Each disk is listed in all cells that it touches, so large and small ones are found alike.
+// The disks already placed, and the test whether another one fits between them. Each disk is listed
+// in all cells that it touches, so large and small ones are found in the same way.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +12,13 @@
 
 namespace carom {
 
-/// Two disks count as apart when their distance is short of touching by no more than this part of
-/// the sum of their radii: coordinates written in decimals touch only to within round-off.
+/// Two disks do not count as overlapping if their overlap is at most this fraction of the sum of
+/// their radii, because coordinates written in decimals touch only to within round-off.
 inline constexpr double touching_tolerance = 1e-12;
 
 class PlacedDisks {
   public:
-    /// Room for disks of these radii.
+    /// Creates an empty grid for disks of these radii.
     PlacedDisks(const Box& box, const Eigen::ArrayXd& radii);
 
     /// The particle of the lowest number that overlaps a disk at `centre`, if any does.
@@ -30,16 +30,16 @@ class PlacedDisks {
         return surface_in_the_way(box_, barriers_, centre, radius);
     }
 
-    /// Whether a disk at `centre` overlaps none, and no surface of the box.
+    /// Whether a disk at `centre` overlaps neither another disk nor a surface of the box.
     bool is_free(const Eigen::Array2d& centre, double radius) const;
 
-    /// How deep a disk at `centre` would lie in another: the largest 1 - distance / (sum of radii),
-    /// dimensionless; 0 if it overlaps none.
+    /// The relative depth to which a disk at `centre` would overlap others: the largest 1 -
+    /// distance / (sum of radii), dimensionless; 0 if it overlaps none.
     double deepest_overlap(const Eigen::Array2d& centre, double radius) const;
 
     void add(std::int32_t particle, const Eigen::Array2d& centre, double radius);
 
-    /// How many distances the questions so far have cost.
+    /// The number of distances calculated so far.
     std::int64_t compared() const { return compared_; }
 
   private:

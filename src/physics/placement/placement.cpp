@@ -55,7 +55,8 @@ class Placement {
             put(disks[k], sites[k * sites.size() / disks.size()]);
     }
 
-    // Of the fitting lattices the widest that has enough sites clear of the disks placed before.
+    // The free sites of the most widely spaced fitting lattice that has enough sites clear of the
+    // disks placed before.
     std::vector<Eigen::Array2d> free_sites(const std::vector<Eigen::Index>& disks,
                                            double radius) const {
         std::size_t most = 0;

@@ -1,5 +1,5 @@
-// From the rules of a gas to particles: positions without overlap, radii, masses, velocities, all
-// from the gas's seed. place() may be called from any thread.
+// Creates the particles of a gas from its rules: positions without overlap, radii, masses and
+// velocities, all determined by the seed of the gas. place() may be called from any thread.
 #pragma once
 
 #include <utility>

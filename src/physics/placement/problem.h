@@ -1,4 +1,4 @@
-// Why a gas cannot be placed, or cannot move once it is: as values, and what they say in words.
+// The reasons why a gas cannot be placed, or cannot move once placed: as values and in words.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,31 +13,34 @@
 
 namespace carom {
 
-/// One thing that cannot be. Which numbers have a meaning depends on the kind; particles are
-/// counted over all species, and -1 is none.
+/// A single problem. Which of its numbers are used depends on the kind. Particles are counted over
+/// all species; -1 means none.
 struct Problem {
     enum class Kind {
         too_many,           ///< `count` particles up to this species, more than `bound`
         not_positive,       ///< the distribution of its `quantity` gives `value`
-        no_mass,            ///< a point whose mass would follow from a density
-        no_temperature,     ///< nothing moves that could be brought to temperature `value`
-        too_large,          ///< radius `value`, for the box
-        too_dense,          ///< all particles cover the part `value` of the box
-        region_outside,     ///< the species' region reaches outside the box
-        region_too_narrow,  ///< for a disk of radius `value`
-        region_too_dense,   ///< the species covers the part `value` of its region
-        no_lattice,         ///< holds `count` disks of radius up to `value`, but `fitting`
-        lattice_taken,      ///< disks placed before leave `fitting` sites for `count` disks
-        outside,            ///< `particle` of radius `value`
-        overlap,            ///< of `particle` and `other`, `value` apart, at least `bound` needed
-        in_surface,         ///< `particle`, with surface `other` (physics/surface.h)
-        same_place,         ///< of `particle` and `other`, two points on a line
-        no_place,           ///< random: for more than `fitting`; they cover the part `value`
-        no_stretch,         ///< of a line for `count` beads, `value` long; free are `bound`, at
-                            ///< most `widest` in one piece; `particle` if all are one species
-        jam,                ///< `particle` moves along a row without room (jam.h)
-        jam_alone,          ///< `particle` is the whole row
-        squeeze,            ///< at time `value`, between `particle` and `other` (line_squeeze.h)
+        no_mass,            ///< a point particle whose mass would follow from a density
+        no_temperature,     ///< no particle moves that could be scaled to temperature `value`
+        too_large,          ///< radius `value` is too large for the box
+        too_dense,          ///< all particles cover the fraction `value` of the box
+        region_outside,     ///< the region of the species extends outside the box
+        region_too_narrow,  ///< the region is too narrow for a disk of radius `value`
+        region_too_dense,   ///< the species covers the fraction `value` of its region
+        no_lattice,     ///< no lattice holds `count` disks of radius up to `value`, only `fitting`
+        lattice_taken,  ///< disks placed before leave only `fitting` sites for `count` disks
+        outside,        ///< `particle` of radius `value` lies outside the box
+        overlap,        ///< `particle` and `other` are `value` apart but need at least `bound`
+        in_surface,     ///< `particle` overlaps surface `other` (physics/surface.h)
+        same_place,     ///< `particle` and `other` are two points at the same place on a line
+        no_place,       ///< random placement found room for only `fitting`; they cover the fraction
+                        ///< `value`
+        no_stretch,  ///< no stretch of a line fits `count` beads of total length `value`; `bound`
+                     ///< is free, at most `widest` in one piece; `particle` is set if all are of
+                     ///< one species
+        jam,         ///< `particle` moves along a row without room (jam.h)
+        jam_alone,   ///< `particle` is the whole row
+        squeeze,     ///< at time `value` the room between `particle` and `other` vanishes
+                     ///< (line_squeeze.h)
     };
     Kind kind{};
     std::size_t species = 0;  ///< index into Gas::species
@@ -47,10 +50,11 @@ struct Problem {
     std::string_view quantity = {};
 };
 
-/// `region`: how the part of the box is called in which a species is to be.
+/// The message and hint of a problem. `region`: the name of the part of the box in which a species
+/// is to be placed.
 ProblemText to_text(const Problem& problem, const Gas& gas, std::string_view region = "its region");
 
-/// A gas cannot be placed or cannot move; the text is the problem's message and hint.
+/// Thrown if a gas cannot be placed or cannot move; what() is the problem's message and hint.
 class PlacementError : public std::runtime_error {
   public:
     PlacementError(const Problem& problem, const Gas& gas);

@@ -10,16 +10,18 @@ namespace {
 
 constexpr double wider = 1.0 + 1e-9;  // so that round-off never leaves a cell too narrow
 
-// Smaller cells would mostly be empty and cost crossings. Dilute gases cross more than they
-// collide, and wide cells overlap: there larger ones are better. Found by counting instructions.
+// Lower limit of the cell size: smaller cells would mostly be empty and cause more crossings. In
+// dilute gases crossings outnumber collisions and wide cells can overlap, so larger cells are
+// better there. Tuned by counting instructions.
 double least_cell(double area, double count, double diameter) {
     const double one_each = std::sqrt(area / std::max(count, 4.0));
     const double cells_per_particle = one_each > 1.75 * diameter ? 1.0 : 1.25;
     return one_each / std::sqrt(cells_per_particle);
 }
 
-// Cells and pairs looked at per unit of time, in arbitrary units, when disks up to `small` are in
-// the fine grid. Larger disks meet more others and cross more cells, in proportion to their size.
+// Estimated number of cells and pairs examined per unit of time, in arbitrary units, if disks with
+// radii up to `small` are in the fine grid. Larger disks have more neighbours and search more
+// cells, in proportion to their size.
 double expected_work(const Eigen::ArrayXd& radii, double small, double area) {
     const auto larger = (radii > small).cast<double>();
     const double large_count = larger.sum();
@@ -60,16 +62,16 @@ int cells_along(double length, double least) {
     return static_cast<int>(std::clamp(cells, 1.0, 65535.0));
 }
 
-// Disks in cells two apart, one between, must not touch although both hang over. Along a periodic
-// axis those in neighbouring cells must also stay less than half of the box apart, so that the
-// nearest image is the one meant.
+// Disks in two cells separated by one other cell must not touch even if both extend beyond their
+// cells. Along a periodic axis disks in neighbouring cells must also be less than half the box
+// apart, so that the nearest image is the relevant one.
 double overhang_of(double cell, double widest_pair, double length, bool periodic) {
     const double free = 0.5 * (cell - widest_pair * wider);
     const double near = periodic ? 0.25 * length / wider - cell : free;
     return std::max(0.0, std::min(free, near));
 }
 
-// Coarse cells are whole numbers of fine ones; the last takes what is left over.
+// A coarse cell consists of a whole number of fine ones; the last takes the remainder.
 std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
     const int together = static_cast<int>(
         std::min(std::ceil(least * wider / fine_length), static_cast<double>(fine)));
@@ -80,8 +82,8 @@ std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
     return merged;
 }
 
-// Of two in neighbouring cells, of the fine grid or of the coarse one, the nearest image is the one
-// meant. The overhang is a share of a cell.
+// Whether for two disks in neighbouring cells, fine or coarse, the nearest image is always the
+// relevant one. The overhang is given as a fraction of a cell.
 bool nearest_is_meant(const std::vector<std::int32_t>& coarse, double overhang, bool periodic,
                       bool has_large) {
     if (!periodic) return true;
@@ -92,7 +94,7 @@ bool nearest_is_meant(const std::vector<std::int32_t>& coarse, double overhang, 
     return static_cast<double>(in_first + in_last) + 2.0 * overhang < 0.5 / wider * cells;
 }
 
-// Those around which no other image comes into question.
+// The cells around which no other image can be relevant.
 CellGrid::Inner inner_cells(const std::vector<std::int32_t>& coarse, bool periodic,
                             bool has_large) {
     const auto count = static_cast<unsigned>(coarse.size());
@@ -179,11 +181,11 @@ void CellGrid::put_in(std::int32_t particle, Slots& slots) {
     slots.set_chain(particle);
 }
 
-// The last, or the chain's first, fills the gap.
+// The last particle, or the first of the chain, fills the gap.
 void CellGrid::take_out(std::int32_t particle, Slots& slots) {
     if (!slots.has_chain()) [[likely]] {
-        // those behind the last may hold anything, so the first to match counts; without branches,
-        // which the processor could not predict
+        // slots after the last particle may hold anything, so the first match counts; branchless,
+        // because the processor could not predict the branches
         const bool not_first = slots.particle_[0] != particle;
         const bool not_second = slots.particle_[1] != particle;
         const std::size_t gap = (not_first ? 1U : 0U) + (not_first & not_second ? 1U : 0U);
@@ -223,8 +225,8 @@ void CellGrid::append_large_around(Cell cell, std::vector<std::int32_t>& list,
                     [&](const Slots& slots, double, double) { append(slots, list, size); });
 }
 
-// Three cells of a row lie within two lines of memory. Out of line, as all that does nothing but
-// fetch: where GCC sees into such a function it finds no effect, and drops the calls.
+// Three cells of a row lie within two cache lines. Not inlined, like all functions that only
+// prefetch: if GCC inlines such a function it finds no side effect and removes the calls.
 void CellGrid::fetch_around(Cell cell) const {
     const std::int64_t* const columns = &around_[0][cell[0]];
     const std::int64_t* const rows = &around_[1][cell[1]];

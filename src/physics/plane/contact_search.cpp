@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// A disk as it is now, and until when its contacts matter.
+// The searching disk at the present, and the time up to which contacts matter.
 struct Viewer {
     double x, y, vx, vy;
     Properties properties;
@@ -28,7 +28,7 @@ struct Scope {
     const Pairing& pairing;
     const std::int32_t* near;
     double now;
-    /// Earlier than now by more than a contact's time is rounded.
+    /// Earlier than now by more than the rounding error of a contact time.
     double just_before = now - 8 * std::numeric_limits<double>::epsilon() * std::abs(now);
 
     [[gnu::always_inline]] const Body& disk(std::size_t k) const { return disks[near[k]]; }
@@ -47,7 +47,7 @@ struct Scope {
         return viewer;
     }
 
-    // A coordinate of disks of some age.
+    // Advances a coordinate and a velocity component by `age`.
     template <typename Number>
     [[gnu::always_inline]] void move(Number& x, Number& v, const Number& age,
                                      std::size_t axis) const {
@@ -69,21 +69,22 @@ struct Scope {
     return (x - lower) + higher;
 }
 
-// Pairs as they are now.
+// Relative motion of the pairs at the present.
 struct Pairs {
     template <typename T>
     using Each = std::array<T, most_searched>;
     alignas(sizeof(FourLanes)) Each<double> x, y, vx, vy, sigma;
 };
 
-// Which of four others might be touched: bits 0 to 3 of the lanes together.
+// Which of four other disks might be touched: a mask, one lane for each.
 template <bool several_images, bool alike, typename Scope>
 [[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope, const Viewer& a,
                                                     std::size_t k, Pairs& pairs) {
     using Body = typename Scope::Body;
     const Body &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
                &b3 = scope.disk(k + 3);
-    // Each disk's x and y lie side by side, and vx and vy: turned over, two pairs at a time.
+    // For each disk x and y are adjacent in memory, and so are vx and vy: they are transposed, two
+    // pairs at a time.
     const FourLanes x02 = load_two_and_two(b0.x.data(), b2.x.data());
     const FourLanes x13 = load_two_and_two(b1.x.data(), b3.x.data());
     const FourLanes v02 = load_two_and_two(b0.v.data(), b2.v.data());
@@ -128,8 +129,8 @@ template <bool several_images, bool alike, typename Scope>
     return static_cast<std::uint64_t>(half[0] | half[1]);
 }
 
-// Takes a contact at `time`, or never, if it comes first. Without branches, which the processor
-// could not predict.
+// Replaces `first` by a contact at `time` (possibly never) if that comes first. Branchless, because
+// the processor could not predict the branches.
 [[gnu::always_inline]] inline void consider(double time, std::int32_t other,
                                             std::uint32_t collisions, FirstContact& first) {
     const bool lower = other < first.partner();
@@ -140,8 +141,8 @@ template <bool several_images, bool alike, typename Scope>
     first.who ^= (first.who ^ FirstContact(time, other, collisions).who) & mask;
 }
 
-// The exact times of two contacts, of a with the disk numbered k in `near` and of b with l; the
-// same twice does no harm.
+// The exact times of two contacts: of a with the disk at position k in `near`, and of b with that
+// at l. Solving the same contact twice does no harm.
 template <bool alike, typename Scope>
 [[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
                                          const Pairs& p, std::size_t k, std::size_t l,
@@ -170,14 +171,14 @@ template <bool alike, typename Scope>
     consider(time[1], scope.near[l], d.collisions, first_of_b);
 }
 
-// Removes the lowest bit and returns which it was.
+// Removes the lowest set bit and returns its index.
 [[gnu::always_inline]] inline std::size_t next_of(std::uint64_t& bits) {
     const auto k = static_cast<std::size_t>(std::countr_zero(bits));
     bits &= bits - 1;
     return k;
 }
 
-// The same, or `other` where there is none.
+// The same, or `other` if no bit is set.
 [[gnu::always_inline]] inline std::size_t next_of_or(std::size_t other, std::uint64_t& bits) {
     const std::size_t none = bits == 0 ? ~std::size_t{0} : 0;
     const std::size_t k = next_of(bits);
@@ -197,7 +198,7 @@ template <bool several_images, bool alike, typename Scope>
     return found;
 }
 
-// Of one viewer.
+// Search for one disk.
 template <bool several_images, bool alike, typename Scope>
 [[gnu::always_inline]] inline void search(const Scope& scope, std::int32_t i, std::size_t count,
                                           FirstContact& first) {
@@ -214,7 +215,7 @@ template <bool several_images, bool alike, typename Scope>
     first = best;
 }
 
-// Of two.
+// Search for two disks.
 template <bool several_images, bool alike, typename Scope>
 [[gnu::always_inline]] inline void search(const Scope& scope,
                                           const std::array<std::int32_t, 2>& both,
@@ -233,7 +234,7 @@ template <bool several_images, bool alike, typename Scope>
     }
 }
 
-// A loop of its own for each kind of pairs.
+// Instantiates a separate loop for each kind of pairs.
 template <typename Scope, typename... Arguments>
 [[gnu::always_inline]] inline void search_by_kind(const Scope& scope, Arguments&&... arguments) {
     const bool alike = scope.pairing.sigma > 0.0;

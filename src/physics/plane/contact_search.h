@@ -1,9 +1,9 @@
-// Which of some disks a disk touches first, and when. Four are tested at a time for whether they
-// may be touched at all, and before a contact that either has already; the exact times
-// (pair_collision.h) of the few that may are solved two at a time. The only branches depend on how
-// many may be touched: the processor can predict none of the others, and a wrong prediction costs
-// more than the arithmetic it saves. Knows no cells: the caller chooses the disks to test
-// (plane.h).
+// Finds which of several disks a disk touches first, and when. Four disks at a time are tested for
+// whether they can be touched at all, and before a contact already predicted for either disk; the
+// exact contact times (pair_collision.h) of the few candidates are solved two at a time. The only
+// branches depend on the number of candidates: the processor could not predict any others, and a
+// misprediction costs more than the arithmetic it saves. Independent of cells: the caller selects
+// the disks to test (plane.h).
 #pragma once
 
 #include <array>
@@ -18,24 +18,24 @@
 
 namespace carom {
 
-/// What all pairs of a search have in common. First, which images of the other disks are tested:
-/// those shifted by `shift`, and, if there are several and one is then farther than `half` along an
-/// axis, the one nearer by `size`.
+/// Parameters common to all pairs of a search. `shift`: the images of the other disks that are
+/// tested. If `several_images` is set, an image farther away than `half` along an axis is replaced
+/// by the nearer one, at the distance `size` from it.
 struct Pairing {
     std::array<double, 2> shift{};
     std::array<double, 2> half{};
     std::array<double, 2> size{};
     bool several_images = true;
-    double sigma = 0.0;               ///< the sum of radii, if the disks are all alike; else 0
-    std::array<double, 2> gravity{};  ///< the acceleration of all disks, of those that may fall
+    double sigma = 0.0;               ///< sum of radii if all disks are alike; otherwise 0
+    std::array<double, 2> gravity{};  ///< common acceleration of the disks, if they may fall
 
-    /// The nearest images, in a box wide enough that they alone come into question.
+    /// Selects the nearest images, for a box so wide that no others are relevant.
     static Pairing nearest(const Box& box);
-    /// The images at one shift.
+    /// Selects the images at one shift.
     static Pairing shifted(double x, double y);
 };
 
-/// A predicted contact, in the form in which a search replaces it by an earlier one.
+/// A predicted contact, in a form that a search can replace by an earlier one without branches.
 struct FirstContact {
     double time = never<double>;
     std::uint64_t who = 0;  ///< the partner and, in the upper half, its count of collisions
@@ -47,15 +47,15 @@ struct FirstContact {
     std::uint32_t collisions() const { return static_cast<std::uint32_t>(who >> 32); }
 };
 
-/// So many are tested at a time, and so many in one search.
+/// Number of disks tested at a time, and maximum number in one search.
 inline constexpr std::size_t lanes = 4;
 inline constexpr std::size_t most_searched = 64;
 
-/// The contact of disk i with the first to be touched of `near`, `count` <= most_searched numbers
-/// (a whole number of lanes; i itself may be among them and is never met), becomes `first` if it
-/// comes before that; of equal times the lowest number counts. A contact with a disk
-/// that has one before is left out: that disk will look again before. Disks that may fall all do,
-/// with the acceleration of `pairing`.
+/// Replaces `first` by the earliest contact of disk i with the disks listed in `near`, if that
+/// comes before it; among equal times the lowest number counts. `count` <= most_searched is a whole
+/// number of lanes; i itself may be listed and is never met. Contacts with a disk that has an
+/// earlier contact are left out, because that disk will predict again after it. If the disks may
+/// fall, all of them do, with the acceleration of `pairing`.
 void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first);
@@ -63,10 +63,10 @@ void search_contact(const FallingDisks& disks, const DiskProperties& properties,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first);
 
-/// The same for two disks that do not come into question for each other, at one time: of the
-/// numbers of `near` the first `split` are those of the first disk, the others those of the second,
-/// whole numbers of lanes. The processor works on both at once, where two searches would wait for
-/// one another.
+/// The same for two disks, at the same time, that cannot be each other's next partner: the first
+/// `split` entries of `near` belong to the first disk and the others to the second, each a whole
+/// number of lanes. The processor overlaps the two searches, which would otherwise wait for each
+/// other.
 void search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,

@@ -1,4 +1,4 @@
-// A disk as the event loop has it, and what disks are apart from that.
+// The state of a disk in the event loop, and the constant properties of disks.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace carom {
 
-/// All that a pair of disks alike needs to be tested and to collide: one cache line.
+/// All that is needed to test and collide a pair of equal disks, in one cache line.
 struct alignas(64) DiskState {
     std::array<double, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
     std::array<double, 2> v;
@@ -30,8 +30,8 @@ struct alignas(64) DiskState {
 };
 static_assert(sizeof(DiskState) == 64);
 
-/// As for any body. What is read as a pair is written as a pair: a processor can hand on at once
-/// only what it stored in one piece.
+/// As the generic advance_body(). Values that are read as a pair are also written as a pair: a
+/// processor can forward only what was stored as a unit.
 inline void advance_body(DiskState& d, double now) {
     const TwoLanes x = load_two(d.x.data()), v = load_two(d.v.data());
     store_two(x + v * (now - d.time), d.x.data());
@@ -40,7 +40,7 @@ inline void advance_body(DiskState& d, double now) {
 
 using DiskStates = LargeVector<DiskState>;
 
-/// The properties of each disk; of disks that are all alike, once.
+/// The properties of each disk, stored only once if all disks are alike.
 class DiskProperties {
   public:
     explicit DiskProperties(const Particles& particles);
@@ -50,10 +50,10 @@ class DiskProperties {
     }
     const Properties& operator[](std::size_t i) const { return each_[i & mask_]; }
 
-    /// All have one radius, not 0, and one mass that is not infinite.
+    /// Whether all disks have the same nonzero radius and the same finite mass.
     bool alike() const { return alike_; }
 
-    /// Gives the disks new numbers: k is who was before[k].
+    /// Renumbers the disks: disk k is the one that had the number before[k].
     void renumber(const std::vector<std::int32_t>& before);
 
     /// In the order that the disks have.
@@ -64,7 +64,7 @@ class DiskProperties {
 
   private:
     LargeVector<Properties> each_;
-    std::size_t mask_ = 0;  ///< of numbers: 0 where there is but one entry
+    std::size_t mask_ = 0;  ///< applied to disk numbers: 0 if there is only one entry
     bool alike_ = false;
 };
 

@@ -1,5 +1,5 @@
-// A disk that may fall, or a bead on a line that does, as the event loop has it in a box whose
-// surfaces act. Of a bead only the first coordinate counts, the other is 0.
+// A disk, or a bead on a line, that may fall: the state in the event loop for boxes with active
+// surfaces. Of a bead only the first coordinate is used; the other is 0.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// What DiskState is for doubles.
+/// The counterpart of DiskState for multiprecision.
 template <typename Scalar>
 struct PreciseDiskState {
     std::array<Scalar, 2> x{}, v{};
@@ -28,19 +28,19 @@ struct PreciseDiskState {
     }
 };
 
-/// partner < 0 in its prediction: barrier -1 - partner. What a search for contacts needs of most
-/// disks comes first, in one cache line; it takes all to fall.
+/// In its prediction a partner < 0 denotes barrier -1 - partner. The members that a contact search
+/// needs for most disks come first, in one cache line; the search assumes that all disks fall.
 template <typename Scalar>
 struct FallingDisk
     : std::conditional_t<std::is_same_v<Scalar, double>, DiskState, PreciseDiskState<Scalar>> {
-    std::array<Scalar, 2> a{};  ///< 0 while it rests on a floor
+    std::array<Scalar, 2> a{};  ///< acceleration; 0 while the disk rests on a floor
     double radius = 0.0, inverse_mass = 0.0;
     std::int32_t species = 0;
-    std::int32_t turns = 0;  ///< of a bead: how often it has gone round a periodic line
-    /// Bit k modulo 64: surface k has let it through since that last reflected it. While it lies in
-    /// the surface it is let through, whatever it meets there.
+    std::int32_t turns = 0;  ///< of a bead: number of turns around a periodic line
+    /// Bit k modulo 64 is set if surface k has let the disk through and not reflected it since.
+    /// While the disk still overlaps the surface, all parts of the surface let it through.
     std::uint64_t passing = 0;
-    bool is_at_rest = false;  ///< on a floor, so that it does not fall
+    bool is_at_rest = false;  ///< rests on a floor and therefore does not fall
 
     template <class Archive>
     void archive(Archive& archive) {
@@ -52,7 +52,8 @@ struct FallingDisk
 
 using FallingDisks = LargeVector<FallingDisk<double>>;
 
-/// Where a disk with this acceleration is, and how fast, in pairs as it has them (disk_state.h).
+/// Position and velocity of a disk with this acceleration at a time, computed in pairs as the disk
+/// stores them (disk_state.h).
 [[gnu::always_inline]] inline void fall(const DiskState& d, double now,
                                         const std::array<double, 2>& a, std::array<double, 2>& x,
                                         std::array<double, 2>& v) {
@@ -62,14 +63,14 @@ using FallingDisks = LargeVector<FallingDisk<double>>;
     store_two(before + gain, v.data());
 }
 
-/// As advance_body() with a known acceleration, which is not looked up: only the first cache line
-/// is read.
+/// As advance_body(), but with the acceleration given by the caller: only the first cache line of
+/// the disk is read.
 inline void advance_body(DiskState& d, double now, const std::array<double, 2>& a) {
     fall(d, now, a, d.x, d.v);
     d.time = now;
 }
 
-/// Adds a vector to its velocity.
+/// Adds a multiple of a vector to the velocity.
 template <typename Scalar>
 inline void accelerate(FallingDisk<Scalar>& d, const Scalar& factor,
                        const std::array<Scalar, 2>& r) {
@@ -79,7 +80,7 @@ inline void accelerate(DiskState& d, double factor, const std::array<double, 2>&
     store_two(load_two(d.v.data()) + factor * TwoLanes{r[0], r[1]}, d.v.data());
 }
 
-/// One in doubles, at the present.
+/// A disk in doubles, advanced to the present.
 struct DiskView {
     std::array<double, 2> x, v, a;
 

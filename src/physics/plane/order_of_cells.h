@@ -1,5 +1,5 @@
-// The order in which disks lie in memory: that of a Z-curve through their cells, so that those near
-// each other in the box are near each other in memory.
+// The order of disks in memory: along a Z-order curve through their cells, so that disks close to
+// each other in the box are close to each other in memory.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// Below this number the disks fit into the processor's nearest caches in any order.
+/// With fewer disks than this, all fit into the nearest caches of the processor in any order.
 inline constexpr std::size_t least_in_order_of_cells = 4096;
 
 /// The bits of a number, with a zero between each two.
@@ -24,7 +24,8 @@ constexpr std::uint64_t spread_bits(std::uint64_t bits) {
     return (bits | bits << 1) & 0x55555555U;
 }
 
-/// The numbers of the disks in that order; of few disks as they are. The grid begins at `origin`.
+/// The numbers of the disks in that order; unchanged if there are few disks. `origin` is the lower
+/// left corner of the grid.
 template <typename Bodies>
 std::vector<std::int32_t> order_of_cells(const CellGrid& grid, const std::array<double, 2>& origin,
                                          const Bodies& bodies) {
@@ -43,8 +44,8 @@ std::vector<std::int32_t> order_of_cells(const CellGrid& grid, const std::array<
     return numbers;
 }
 
-/// Gives the partners of predicted contacts their new numbers: k is the one that was before[k].
-/// Numbers below 0 are no disks.
+/// Renumbers the partners of predicted contacts: particle k is the one that had the number
+/// before[k]. Negative numbers do not denote disks and are kept.
 template <typename Bodies>
 void renumber_partners(Bodies& bodies, const std::vector<std::int32_t>& before) {
     std::vector<std::int32_t> now(before.size());

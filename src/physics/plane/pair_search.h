@@ -1,6 +1,6 @@
-// Which disk a disk touches first: those in the cells about it (cell_grid.h) are searched by
-// contact_search.h, and what a search will need is prefetched. Also the disks' order in memory, and
-// the cells that they go over to. Knows no walls, no queue and no clock.
+// Finds which disk a disk touches first: contact_search.h searches the disks in the surrounding
+// cells (cell_grid.h), and the data that a search will need are prefetched. Also handles the order
+// of disks in memory and their moves between cells. Independent of walls, event queue and clock.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 
 namespace carom {
 
-/// Of bodies that are DiskStates, or have these for a base. Only those of doubles are searched by
-/// it and put in order.
+/// The bodies are DiskStates or derive from them. Only bodies of doubles are searched and sorted in
+/// memory.
 template <typename BodyType>
 class PairSearch {
   public:
@@ -41,24 +41,24 @@ class PairSearch {
                                                       : never<double>;
     }
 
-    /// What the one or the other of the bodies is.
+    /// The constant properties of body i.
     const Properties& properties(const Bodies&, std::size_t i) const { return properties_[i]; }
 
-    /// Whether so many bodies are put in order now and then.
+    /// Whether this number of bodies is re-sorted from time to time.
     static bool is_resorted(std::size_t count) {
         return of_doubles && count >= least_in_order_of_cells;
     }
 
-    /// The order in which bodies shall lie in memory: disks near each other in the box near each
-    /// other, along a Z-curve through the cells. Few stay as they are: they fit into the cache.
-    /// What is known here of each is put in that order at once.
+    /// The order in which bodies should be stored: along a Z-order curve through the cells, so that
+    /// neighbours in the box are neighbours in memory. A small number of bodies, which fits into
+    /// the cache, keeps its order. The properties stored here are sorted accordingly.
     std::vector<std::int32_t> order(const Bodies& bodies) {
         std::vector<std::int32_t> numbers = order_of_cells(grid_, origin_, bodies);
         if (is_resorted(bodies.size())) properties_.renumber(numbers);
         return numbers;
     }
 
-    /// Takes the bodies as they are, in order, at time 0.
+    /// Enters sorted bodies at time 0 into the grid.
     void enter(Bodies& bodies) {
         for (Body& body : bodies)
             body.cell = grid_.cell_at(static_cast<double>(body.x[0]) - origin_[0],
@@ -66,7 +66,8 @@ class PairSearch {
         fill_grid(bodies);
     }
 
-    /// The same bodies in another order, at any times of their own: k is who was before[k].
+    /// Updates the grid for the same bodies in another order, at any individual times: body k is
+    /// the one that had the number before[k].
     void renumber(Bodies& bodies, const std::vector<std::int32_t>& before) {
         renumber_partners(bodies, before);
         fill_grid(bodies);
@@ -77,13 +78,13 @@ class PairSearch {
         archive(grid_, origin_, properties_);
     }
 
-    /// The body goes over to the next cell.
+    /// Moves the body to the next cell.
     template <typename Scalar>
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
-    /// Prefetch what the event of disk i at `time` will need, in this order, each when the one
-    /// before has arrived: the disk itself; then, by the same call, its partner; the cells about
-    /// both; and the disks in these.
+    /// Prefetch the data needed for the event of disk i at `time`, to be called in this order, each
+    /// after the previous data have arrived: the disk itself; its partner, by the same call; the
+    /// cells around both; the disks in these cells.
     void fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
         constexpr std::size_t cache_line = 64;
         const auto* begin = reinterpret_cast<const char*>(&at(bodies, i));
@@ -92,7 +93,7 @@ class PairSearch {
     void fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const;
     void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time);
 
-    /// The other disk of the event of disk i at `time`, or i where there is none.
+    /// The other disk in the event of disk i at `time`, or i if there is none.
     static std::int32_t partner_ahead(const Bodies& bodies, std::int32_t i, double time);
 
   protected:
@@ -101,26 +102,26 @@ class PairSearch {
 
     double radius_of(std::int32_t i) const { return properties_[i].radius; }
 
-    /// The first contact of a disk.
+    /// The earliest contact of a disk.
     FirstContact first_contact(const Bodies& bodies, std::int32_t i, double now);
-    /// The same of two that have just collided; false, and nothing is found, where one might meet
-    /// the other again before it meets a third.
+    /// The same for two disks that have just collided. Returns false without a result if they might
+    /// meet again before either meets a third disk.
     bool first_contacts(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
                         std::array<FirstContact, 2>& contacts);
-    /// The same of one that has just crossed the side of a cell: the contact that was predicted
-    /// before still holds.
+    /// The same for a disk that has just crossed the side of a cell: the contact predicted before
+    /// remains valid.
     FirstContact first_contact_after_crossing(const Bodies& bodies, std::int32_t i, int side,
                                               double now);
 
-    /// From a to the image of b in contact with it, of two that are at one time: the nearest, or in
-    /// a narrow periodic box, where two may touch, the one that a approaches. False if none
-    /// approaches.
+    /// The vector from a to the image of b that is in contact with it, with both at the same time:
+    /// the nearest image, or in a narrow periodic box, where two images may touch a, the one that a
+    /// approaches. Returns false if a approaches none.
     template <typename Scalar>
     bool separation_at_contact(const Body& a, const Body& b, double sigma, Scalar& x,
                                Scalar& y) const;
 
-    /// Another grid for all disks, over a part of the plane that begins at `origin` and has the
-    /// size and the walls of `part`. The bodies must be entered again.
+    /// Creates a new grid for all disks over the part of the plane that begins at `origin` and has
+    /// the size and walls of `part`. The bodies must be entered again.
     void set_grid(const std::array<double, 2>& origin, const Box& part, std::size_t count) {
         Eigen::ArrayXd radii(static_cast<Eigen::Index>(count));
         for (std::size_t k = 0; k < count; ++k)
@@ -131,9 +132,9 @@ class PairSearch {
 
     Box box_;
     CellGrid grid_;
-    std::array<double, 2> origin_{};  ///< where the grid begins
+    std::array<double, 2> origin_{};  ///< lower left corner of the grid
     std::vector<std::int32_t> near_ =
-        std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be looked at
+        std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be examined
     DiskProperties properties_;
 
   private:
@@ -155,8 +156,8 @@ class PairSearch {
     template <std::size_t usual>
     void fetch_listed(const Bodies& bodies);
 
-    Pairing nearest_, only_;                  ///< with several images, and with the only one
-    std::array<double, 2> surely_nearest_{};  ///< a disk less far away is the image in contact
+    Pairing nearest_, only_;                  ///< for several images, and for a single one
+    std::array<double, 2> surely_nearest_{};  ///< an image closer than this is the one in contact
     std::size_t near_count_ = 0;
 };
 
@@ -223,14 +224,15 @@ bool PairSearch<Body>::separation_of_images(const Body& a, const Body& b, double
     return std::isfinite(best);
 }
 
-// With the disk itself, which it never collides with; afterwards there is at least one group.
+// Pads the list to whole groups with the disk itself, which it never collides with; afterwards
+// there is at least one group.
 template <typename Body>
 inline void PairSearch<Body>::fill_up_lanes(std::int32_t i) {
     for (std::size_t k = 0; k < lanes; ++k) near_[near_count_ + k] = i;
     near_count_ = std::max(lanes, (near_count_ + lanes - 1) / lanes * lanes);
 }
 
-// The first contact with one of those listed.
+// The earliest contact with one of the listed disks.
 template <typename Body>
 [[gnu::always_inline]] inline void PairSearch<Body>::search(const Bodies& bodies, std::int32_t i,
                                                             double now, const Pairing& pairing,
@@ -246,7 +248,7 @@ template <typename Body>
     } while (k < count);
 }
 
-// Of those in the cells around.
+// The pairing for disks in the surrounding cells.
 template <typename Body>
 [[gnu::always_inline]] inline const Pairing& PairSearch<Body>::pairing_near(Cell cell) const {
     const auto inner = [&](std::size_t a) {
@@ -255,7 +257,8 @@ template <typename Body>
     return inner(0) & inner(1) ? only_ : nearest_;
 }
 
-// As it is called for every cell, of which most about a large disk are empty.
+// Returns early for empty cells: it is called for every cell, and most cells around a large disk
+// are empty.
 template <typename Body>
 inline auto PairSearch<Body>::search_slots(const Bodies& bodies, std::int32_t i, double now,
                                            FirstContact& first) {
@@ -284,7 +287,7 @@ template <typename Body>
     return first;
 }
 
-// The nearest image of the other recedes, and no other image comes into question.
+// The nearest image of the other disk recedes, and no other image is relevant.
 template <typename Body>
 [[gnu::always_inline]] inline bool PairSearch<Body>::first_contacts(
     const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
@@ -321,7 +324,7 @@ template <typename Body>
     return first;
 }
 
-// Partners below 0 are no disks.
+// Negative partners are not disks.
 template <typename Body>
 inline std::int32_t PairSearch<Body>::partner_ahead(const Bodies& bodies, std::int32_t i,
                                                     double time) {
@@ -331,8 +334,8 @@ inline std::int32_t PairSearch<Body>::partner_ahead(const Bodies& bodies, std::i
     return i ^ ((i ^ prediction.partner) & meets & ~no_disk);
 }
 
-// The processor cannot predict how many are listed, so at least `usual` entries are prefetched, the
-// last of them from an earlier list; more are rare.
+// The processor cannot predict the length of the list, so at least `usual` entries are prefetched,
+// the last of them possibly left from an earlier list; longer lists are rare.
 template <typename Body>
 template <std::size_t usual>
 inline void PairSearch<Body>::fetch_listed(const Bodies& bodies) {
@@ -342,7 +345,7 @@ inline void PairSearch<Body>::fetch_listed(const Bodies& bodies) {
     near_count_ = 0;
 }
 
-// Without a branch: the processor cannot predict which event comes.
+// Branchless: the processor cannot predict which kind of event comes.
 template <typename Body>
 inline void PairSearch<Body>::fetch_cells_ahead(const Bodies& bodies, std::int32_t i,
                                                 double time) const {

@@ -41,8 +41,8 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
     return true;
 }
 
-// The contact, or the first of the borders ahead on each axis, of the cell with its overhang or of
-// the box. A large disk touches the wall from several cells away.
+// The contact, or the first of the borders ahead on each axis: of the cell with its overhang, or of
+// the box. A large disk reaches the wall while it is still several cells away.
 [[gnu::always_inline]] inline double Plane::next_event(Body& d, double radius, double now,
                                                        const FirstContact& contact) const {
     const TwoLanes none = both(never<double>), zero{};

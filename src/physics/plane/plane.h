@@ -1,5 +1,6 @@
-// The plane: disks in two dimensions between walls that reflect or are periodic, which pairs touch
-// (pair_search.h), and when a disk reaches a wall. Knows no queue and no clock.
+// The plane: disks in two dimensions in a box with reflecting or periodic sides. Determines which
+// pairs touch (pair_search.h) and when a disk reaches a wall. Independent of the event queue and
+// the clock.
 #pragma once
 
 #include <array>
@@ -19,31 +20,31 @@ class Plane : public PairSearch<DiskState> {
   public:
     Plane(const Box& box, const Particles& particles, const Arithmetic& = {});
 
-    /// The bodies of these particles.
+    /// Creates the bodies of these particles.
     static Bodies bodies_of(const Particles& particles);
 
-    /// Finds out what happens next to a body, which keeps it, and returns when (local time).
+    /// Predicts the next event of a body, stores it in the body, and returns its local time.
     double predict(Bodies& bodies, std::int32_t i, double now);
 
-    /// The same for two bodies that have just collided; false, and nothing is found, where one
-    /// might meet the other again before it meets a third.
+    /// The same for two bodies that have just collided. Returns false without a result if they
+    /// might meet again before either meets a third.
     bool predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
                       std::array<double, 2>& when);
 
-    /// The same for a body that has just crossed the side of a cell: the contact that was predicted
-    /// before still holds.
+    /// The same for a body that has just crossed the side of a cell: the contact predicted before
+    /// remains valid.
     double predict_after_crossing(Bodies& bodies, std::int32_t i, int side, double now);
 
-    /// Changes the velocities of two disks in contact that are at one time, false if they do not
-    /// approach (a graze, by round-off).
+    /// Changes the velocities of two disks in contact that have been advanced to the same time.
+    /// Returns false if they do not approach (a grazing contact, due to round-off).
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
 
   private:
     double next_event(Body& d, double radius, double now, const FirstContact& contact) const;
 
-    TwoLanes cell_size_{}, last_cell_{}, overhang_{};  ///< of the grid, as lanes
+    TwoLanes cell_size_{}, last_cell_{}, overhang_{};  ///< parameters of the grid, as lanes
     TwoLanes box_size_{};
-    TwoMasks solid_{};  ///< of the walls
+    TwoMasks solid_{};  ///< mask of the axes with solid walls
     bool has_walls_ = false;
 };
 

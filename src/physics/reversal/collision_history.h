@@ -1,5 +1,6 @@
-// The partners of each particle along the path of a reversed run (reversal_schedule.h). Where the
-// run has been before, it must collide with the same partners again.
+// The sequence of collision partners of each particle along the path of a reversed run
+// (reversal_schedule.h). Where the run retraces its path, each particle must collide with the same
+// partners again.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,25 +16,26 @@ namespace carom {
 
 class CollisionHistory {
   public:
-    /// Collisions less than `slack` of the path apart may change their order.
+    /// Collisions separated by less than `slack` along the path may change their order.
     CollisionHistory(Eigen::Index particles, double slack)
         : of_particle_(static_cast<std::size_t>(particles)), slack_(slack) {}
 
-    /// Adds a collision, or compares it with the one recorded; false if it contradicts it.
+    /// Records a collision, or compares it with the one recorded before; returns false if they
+    /// contradict each other.
     bool record(const Branch& branch, const Collision& collision);
 
-    /// For each particle how many collisions from its first state it is, to be compared at a second
+    /// For each particle its number of collisions relative to the start, to be compared at a second
     /// visit.
     std::vector<std::ptrdiff_t> checkpoint() const;
 
-    /// Whether each particle is where it was at a checkpoint, up to what happens at this very
-    /// moment.
+    /// Whether each particle is at the same place in its sequence of collisions as at a checkpoint,
+    /// apart from collisions at this very moment.
     bool is_at(const std::vector<std::ptrdiff_t>& checkpoint, double path) const;
 
-    /// From the begin of this branch on nothing is recorded of what lies ahead on it.
+    /// Forgets what has been recorded ahead of the beginning of this branch, in its direction.
     void forget_ahead(const Branch& branch);
 
-    /// Declares the path recorded up to `path`, by an observer who goes along.
+    /// Marks the path as recorded up to `path`; to be called while the run advances.
     void extend_to(double path);
 
   private:
@@ -43,9 +45,10 @@ class CollisionHistory {
     };
     struct OfParticle {
         std::deque<Entry> entries;
-        std::ptrdiff_t position = 0;      ///< of the next entry in the direction of the start run
-        std::ptrdiff_t before_start = 0;  ///< entries from before the start; negative where those
-                                          ///< from after it are forgotten
+        std::ptrdiff_t position = 0;  ///< index of the next entry in the direction of the initial
+                                      ///< run
+        std::ptrdiff_t before_start = 0;  ///< number of entries from before the start; negative if
+                                          ///< entries from after the start were forgotten
     };
 
     bool record(int direction, double path, std::int32_t particle, Partner partner);

@@ -42,7 +42,7 @@ bool closes(const RunEvent& event) {
     return set != nullptr && !set->is_open;
 }
 
-/// Events of a run that a trial leaves in, and which they are in the run.
+/// The events of a run that a trial includes, and their indices in the run.
 class TrialEvents {
   public:
     TrialEvents(const Run& run, const auto& is_left_out) {
@@ -55,8 +55,8 @@ class TrialEvents {
 
     std::vector<RunEvent>& all() { return events_; }
 
-    /// Calls a function in which an error names an event of those from `first` on; the error that
-    /// it throws names the event of the run.
+    /// Calls a function whose errors refer to events by their index counted from `first`, and
+    /// rethrows these errors with the index in the run.
     void run_from(std::size_t first, const auto& function) const {
         try {
             function();
@@ -75,14 +75,16 @@ TimeCallback in_trial(const TrialCallback& on_progress, int bits) {
     return [&on_progress, bits](double time) { on_progress(bits, time); };
 }
 
-/// How a run in so many bits returned.
+/// Result of a trial run with a given number of bits.
 struct TrialResult {
     bool same_partners = true;  ///< in reverse order
-    double log2_excess = -1e9;  ///< of the largest return distance over the tolerance
+    double log2_excess = -1e9;  ///< base-2 logarithm of the largest return distance divided by the
+                                ///< tolerance
     bool succeeded() const { return same_partners && log2_excess < 0.0; }
 };
 
-/// Goes through all branches of a run, in the bits of the simulation that it is given at time 0.
+/// Runs through all branches of a run, starting from a simulation at time 0 and with its number of
+/// bits.
 class ReturnTrial {
   public:
     ReturnTrial(const Simulation& start, const Run& run, const ReversalSchedule& schedule,
@@ -134,7 +136,8 @@ class ReturnTrial {
         std::vector<std::ptrdiff_t> checkpoint;
     };
 
-    // From a reversal to before the next: positions at its time are compared before it.
+    // The events from one reversal until just before the next: positions at the time of a reversal
+    // are compared before it happens.
     std::vector<RunEvent> events_of_next_branch() {
         const std::vector<RunEvent>& all = events_.all();
         first_event_ = next_event_;
@@ -160,8 +163,9 @@ class ReturnTrial {
         if (!history.is_at(before.checkpoint, times.path)) result.same_partners = false;
     }
 
-    // False if a particle collides with another partner than before. In steps, so that the recorded
-    // collisions of a long run do not add up in memory.
+    // Advances and records collisions; returns false if a particle collides with another partner
+    // than before. Works in steps, so that the recorded collisions of a long run do not accumulate
+    // in memory.
     bool advance(const Branch& branch, double time, CollisionHistory& history) {
         constexpr int steps = 64;
         const double begin = now_;
@@ -180,12 +184,12 @@ class ReturnTrial {
 
     Simulation simulation_;
     TrialEvents events_;
-    std::size_t first_event_ = 0, next_event_ = 0;  ///< of the branch, and of the next
+    std::size_t first_event_ = 0, next_event_ = 0;  ///< first event of this branch and of the next
     bool has_begun_ = false;
     const ReversalSchedule& schedule_;
     const TrialCallback& on_progress_;
     std::vector<Visit> visits_;
-    std::vector<State> states_;  ///< at the first of each two mirror times
+    std::vector<State> states_;  ///< states at the first of each pair of mirror times
     double now_ = 0.0;
 };
 
@@ -201,7 +205,7 @@ class PrecisionSearch {
           placed_(place(gas)),
           tolerance_(tolerance_length()) {}
 
-    /// The simulation at time 0 in bits with which a trial has succeeded.
+    /// The simulation at time 0, with a number of bits for which a trial has succeeded.
     Simulation start() {
         count_collisions();
         const double guess = first_guess();
@@ -227,8 +231,9 @@ class PrecisionSearch {
         return run_.tolerance * (smallest > 0.0 ? smallest : spacing);
     }
 
-    // Of each particle with others on the longest branch, in doubles: only the number counts, and
-    // what a gas that does not return is in the way of is not closed.
+    // Counts the collisions per particle on the branch with most of them, in doubles. Only their
+    // number matters, so partitions are not closed: a particle of a gas that does not return might
+    // be in their way.
     void count_collisions() {
         Simulation simulation(gas_, in_bits(run_, bits_of_double),
                               in_trial(on_progress_, bits_of_double));
@@ -249,8 +254,8 @@ class PrecisionSearch {
         }
     }
 
-    // The growth law is for equal disks; of others it is a guess. On a line errors grow more
-    // slowly, by how much is found out.
+    // The growth law holds for equal disks; for others this is only a guess. On a line errors grow
+    // more slowly, at a rate that the trials find out.
     double first_guess() const {
         if (gas_.box.dimension == 1) return least_bits;
         const double lost =
@@ -262,7 +267,7 @@ class PrecisionSearch {
     TrialResult try_out(const Simulation& start) const {
         const auto& [particles, placed] = placed_;
         const double fastest = particles.count() > 0 ? speeds(placed).maxCoeff() : 0.0;
-        // The times of collisions come as doubles.
+        // The times of collisions are reported as doubles.
         const double round_off = 16.0 * std::numeric_limits<double>::epsilon() * run_.until;
         CollisionHistory history(particles.count(),
                                  (fastest > 0.0 ? tolerance_ / fastest : 0.0) + round_off);
@@ -303,7 +308,7 @@ class PrecisionSearch {
     const TrialCallback& on_progress_;
     std::pair<Particles, Sample> placed_;
     double tolerance_;      ///< length
-    double of_each_ = 0.0;  ///< collisions with others, on the branch with most
+    double of_each_ = 0.0;  ///< collisions per particle with others, on the branch with most
     double longest_ = 0.0;  ///< duration of that branch
 };
 

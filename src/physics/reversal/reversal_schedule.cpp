@@ -10,7 +10,7 @@ namespace {
 
 constexpr int path_bits = 256;  // no sum of times needs more
 
-// Without rounding.
+// The path coordinate at a time, without rounding.
 Real exact_path(const Branch& branch, double time) {
     const Real since = Real(time, path_bits) - branch.begin;
     return branch.direction > 0 ? branch.exact_path + since : branch.exact_path - since;
@@ -39,7 +39,8 @@ ReversalSchedule::ReversalSchedule(const Run& run) {
     end_at(run.until);
 }
 
-// The first time at which the gas was where it is on a later branch.
+// Finds the first time at which the gas was at a point of the path that a later branch reaches
+// again.
 MirrorTimes ReversalSchedule::mirror_of(const Branch& later, double path) const {
     const double again = std::min(later.begin + std::abs(path - later.path), later.end);
     for (const auto& [branch, low, high] : known_) {

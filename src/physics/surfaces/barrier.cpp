@@ -6,15 +6,15 @@
 namespace carom {
 namespace {
 
-// How long the piece of a partition is that goes on beyond a wall, in units of the box.
+// Length of a piece of a partition that continues beyond a wall, in units of the box.
 constexpr double far_beyond = 1e6;
 
-// From wall to wall, but for the gaps, whose ends are corners.
+// A partition extends from wall to wall except for its gaps, whose ends are corners.
 void add_partition(const Box& box, const Partition& partition, std::int32_t surface,
                    std::vector<Barrier>& barriers) {
     const auto axis = static_cast<std::size_t>(partition.axis), along = 1 - axis;
     Barrier line{.surface = surface};
-    line.normal[axis] = axis == 0 ? -1.0 : 1.0;  // the line goes up, or to the right
+    line.normal[axis] = axis == 0 ? -1.0 : 1.0;  // the line runs upwards, or to the right
     line.place[axis] = partition.at;
     if (partition.gaps.empty()) {
         barriers.push_back(line);
@@ -22,7 +22,8 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     }
     const double end = box.length(along);
     double from = 0.0;
-    // None at a wall, but at a periodic side where there is a gap on one side of it only.
+    // There is no corner at a wall. At a periodic side there is one only if a gap adjoins it on
+    // exactly one side.
     const bool gap_at_low = !(partition.gaps.front().first > 0.0);
     const bool gap_at_high = !(partition.gaps.back().second < end);
     const bool ends_at_border = box.is_periodic(along) && gap_at_low != gap_at_high;
@@ -35,7 +36,7 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     };
     const auto add_piece = [&](double to) {
         if (!(to > from)) return;
-        // What reaches a wall goes on beyond it: the wall may move there.
+        // A piece that reaches a wall continues beyond it, because the wall may move.
         const bool goes_on_below = !box.is_periodic(along) && from == 0.0;
         const bool goes_on_above = !box.is_periodic(along) && to == end;
         Barrier piece = line;
@@ -95,7 +96,7 @@ void add_images(const Box& box, std::size_t axis, double reach, std::vector<Barr
     }
 }
 
-// By the number of sides to its right.
+// By the parity of the number of edges to the right of the point.
 bool is_inside(const Obstacle::Lines& lines, const Eigen::Array2d& point) {
     bool inside = false;
     const std::size_t count = lines.corners.size();

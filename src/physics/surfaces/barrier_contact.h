@@ -1,5 +1,5 @@
-// When a disk reaches a barrier. Free functions on numbers, for doubles and for many bits. Times
-// are counted from the present.
+// The time at which a disk reaches a barrier. Free functions on numbers, for doubles and for
+// multiprecision. Times are counted from the present.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace carom {
 
-/// The motion of a disk as a barrier sees it, from the barrier's place.
+/// The motion of a disk relative to a barrier, with the barrier's place as the origin.
 template <typename Scalar>
 struct BarrierMotion {
     std::array<Scalar, 2> x, v, a;
@@ -26,8 +26,8 @@ Scalar dot(const std::array<double, 2>& a, const std::array<Scalar, 2>& b) {
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/// Whether a disk may touch a barrier within a time: false only where it certainly does not. A
-/// bound without roots, on how far the disk can come; `size` of the box bounds the rounding errors.
+/// Whether a disk may touch a barrier within `time`; false only if it certainly does not. Uses a
+/// bound on the distance flown that needs no roots. `size` of the box bounds the rounding errors.
 inline bool may_touch_within(const Barrier& barrier, const BarrierMotion<double>& m, double time,
                              double size) {
     const auto way = [&](double v, double a) {
@@ -43,7 +43,7 @@ inline bool may_touch_within(const Barrier& barrier, const BarrierMotion<double>
     return !(std::abs(dot(n, m.x)) > reach);
 }
 
-/// Bound on the rounding error of r . (v2 - v1) of numbers with so many bits, as
+/// Bound on the rounding error of r . (v2 - v1) for numbers with this precision, as
 /// approach_round_off() gives it for doubles; `fast`: |v1| + |v2| along each axis.
 inline double approach_error(double x, double y, double fast_x, double fast_y, int bits) {
     return std::ldexp(8.0 * (std::abs(x) * fast_x + std::abs(y) * fast_y), -bits);
@@ -66,8 +66,8 @@ Scalar plain_contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, 
     }
 }
 
-/// Time until two disks touch, `never` if they do not; `a` is the acceleration of the second as
-/// seen from the first. If `is_let_in` it is in the first, and touches that when it has left it.
+/// Time until two disks touch, or `never`. `a` is the acceleration of the second relative to the
+/// first. With `is_let_in` the second is inside the first, and can touch it only after leaving it.
 template <typename Scalar>
 Scalar falling_contact_time(const RelativeMotion<Scalar>& m, const std::array<Scalar, 2>& a,
                             const Scalar& sigma, double round_off, int bits,
@@ -78,8 +78,9 @@ Scalar falling_contact_time(const RelativeMotion<Scalar>& m, const std::array<Sc
                                             Scalar(round_off), bits, is_let_in);
 }
 
-/// Time until a disk touches a line on either side, `never` if it does not. A disk whose center is
-/// nearer to it than `let_in` is let through: it touches the line when it has left it and returns.
+/// Time until a disk touches a line from either side, or `never`. A disk whose center is nearer to
+/// the line than `let_in` is being let through: it can touch the line only after leaving it and
+/// returning.
 template <typename Scalar>
 Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, double let_in) {
     const auto reaches_it = [&](const Scalar& t) {
@@ -98,7 +99,7 @@ Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, double let
         const Scalar t = fall_time<Scalar>(side * x - m.radius, side * v, side * a);
         if (reaches_it(t)) first = t;
     }
-    // From the other side, after it has gone round an end of the line, or through it.
+    // From the other side, after passing around an end of the line or through it.
     if (!line.is_wall() && (side * a > 0.0 || is_let_in)) {
         const Scalar t = fall_time<Scalar>(-side * x - m.radius, -side * v, -side * a);
         if (t > 0.0 && t < first && reaches_it(t)) first = t;
@@ -106,8 +107,8 @@ Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, double let
     return first;
 }
 
-/// Time until a disk touches a circle, `never` if it does not. One whose center is nearer to the
-/// rim than `let_in` is let through, as by a line.
+/// Time until a disk touches a circle, or `never`. A disk whose center is nearer to the rim than
+/// `let_in` is being let through, as in line_time().
 template <typename Scalar>
 Scalar circle_time(const Barrier& circle, const BarrierMotion<Scalar>& m, double let_in, int bits) {
     const Scalar sigma = as_precise_as(m.x[0], circle.radius) + m.radius;

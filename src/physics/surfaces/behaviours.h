@@ -1,5 +1,5 @@
-// What surfaces do in the course of a run, before it is simulated. Functions may be called from any
-// thread.
+// The behaviours of surfaces in the course of a run, determined without a simulation. All functions
+// may be called from any thread.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,13 @@
 
 namespace carom {
 
-/// Whether such a surface moves.
+/// Whether a surface with this behaviour moves.
 inline bool moves(const Behaviour& behaviour) {
     return std::holds_alternative<Driven>(behaviour) || std::holds_alternative<Piston>(behaviour);
 }
 
-/// What each side and partition does at some time of the run: at the start, and by its events.
+/// All behaviours that each side and partition has in the course of the run: at the start and after
+/// its events.
 inline std::vector<std::vector<Behaviour>> behaviours_in_time(const Surfaces& surfaces,
                                                               const Run& run) {
     std::vector<std::vector<Behaviour>> all;

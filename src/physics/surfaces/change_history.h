@@ -1,5 +1,5 @@
-// What events have changed in a run, so that a reversed run changes it back, and where driven walls
-// stop by themselves.
+// The history of changes made by events of a run, so that a reversed run can undo them, and the
+// times at which driven walls stop by themselves.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace carom {
 
-/// Velocities are multiplied by `factor` about `mean`; of one species, or of all particles.
+/// Velocities, relative to `mean`, are multiplied by `factor`; of one species or of all particles.
 template <typename Scalar>
 struct Scaling {
     std::optional<std::int32_t> species;
@@ -27,8 +27,8 @@ struct Scaling {
     }
 };
 
-/// A surface is changed from one control to another, in one part of it: other events may have
-/// changed the others since this was known.
+/// A surface is changed from one control to another. Only one part of the control is changed,
+/// because other events may have changed the other parts since the change was recorded.
 template <typename Scalar>
 struct SurfaceChange {
     enum class Part {
@@ -39,7 +39,8 @@ struct SurfaceChange {
     std::int32_t surface;
     Part part;
     SurfaceControl<Scalar> before, after;
-    bool is_pending = false;  ///< an end that another motion makes void
+    bool is_pending = false;  ///< an end that has yet to come and becomes void if the motion is
+                              ///< changed
 
     template <class Archive>
     void archive(Archive& archive) {
@@ -76,7 +77,7 @@ void invert(ChangeAction<Scalar>& action) {
     }
 }
 
-/// Local times.
+/// Times in the history are local.
 template <typename Scalar>
 using ChangeHistory = MirroredSchedule<Scalar, ChangeAction<Scalar>>;
 

@@ -10,8 +10,8 @@
 namespace carom {
 namespace {
 
-// Hexagonal packing, the densest of equal disks (problem.h); small ones between large ones may
-// cover more.
+// Packing fraction of the hexagonal packing, the densest of equal disks (problem.h); with small
+// disks between large ones it may be higher.
 constexpr double most_that_disks_cover = std::numbers::pi / (2.0 * std::numbers::sqrt3);
 
 struct Path {
@@ -23,7 +23,7 @@ struct Path {
 
     bool is_known() const { return !is_open && !std::holds_alternative<Piston>(behaviour); }
 
-    // One that is open passes the others, and ends at the walls of the box.
+    // An open partition passes the others; its motion ends at the walls of the box.
     bool ends_at(const Path& other, double time) const {
         return is_open && velocity_at(time) != 0.0 && Surfaces::is_side(other.surface) &&
                other.is_known();
@@ -47,7 +47,7 @@ class Paths {
         }
     }
 
-    // To a time, stopping at the ends of motions on the way.
+    // Advances to a time, stopping at the times at which motions end.
     std::optional<DrivenEnd> advance(double time) {
         while (now_ < time) {
             double next = time;
@@ -103,7 +103,7 @@ class Paths {
         return first;
     }
 
-    // Between the outer walls across an axis; infinite where a piston leaves that open.
+    // Distance of the outer walls along an axis; infinite if one of them is a piston or is moving.
     double height_at(int axis) const {
         double size = box_.length(axis);
         for (const Path& path : paths_) {

@@ -1,5 +1,5 @@
-// Where walls and partitions are that move at given velocities, before anything is simulated: when
-// one of them would reach another, or leave the disks no room.
+// The paths of walls and partitions that move at prescribed velocities, determined without a
+// simulation: whether one of them would reach another, or leave the disks no room.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +13,13 @@ namespace carom {
 struct DrivenEnd {
     double time;
     double room;                        ///< length left between the outer walls
-    std::int32_t surface;               ///< that moves there
-    std::optional<std::int32_t> other;  ///< that it reaches; none: the disks have no room
+    std::int32_t surface;               ///< the surface that moves
+    std::optional<std::int32_t> other;  ///< the surface that it reaches; unset: the disks have no
+                                        ///< room
 };
 
-/// The first such end of a run, up to its first reversal. `area` is that of all disks. Pistons,
-/// which go where they are pushed, are not looked at.
+/// The first such end before the first reversal of a run, if any. `area` is that of all disks.
+/// Pistons are ignored, because their motion depends on the gas.
 std::optional<DrivenEnd> driven_end(const Box& box, const Run& run, double area);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// What has happened in a run and what is known to come, so that a reversed run goes back through
-// it: reversing the run exchanges what is behind the present and what is ahead.
+// A schedule of past and known future changes of a run, so that a reversed run goes back through
+// them: reversing the run exchanges what lies behind the present and what lies ahead.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// invert(What&) makes it what undoes it.
+/// Requires a function invert(What&), which turns a change into the one that undoes it.
 template <typename Time, typename What>
 class MirroredSchedule {
   public:
@@ -29,12 +29,13 @@ class MirroredSchedule {
     }
     void add_behind(Entry entry) { behind_.push_back(std::move(entry)); }
 
-    /// When the next one is due, infinite if there is none.
+    /// Time of the next change; infinite if there is none.
     Time next_time() const {
         return ahead_.empty() ? Time(std::numeric_limits<double>::infinity()) : ahead_[0].time;
     }
 
-    /// Takes the next one away. It is behind the run once it is added there.
+    /// Removes and returns the next change. It counts as past once the caller adds it with
+    /// add_behind().
     Entry take_next() {
         Entry entry = std::move(ahead_.front());
         ahead_.erase(ahead_.begin());
@@ -51,7 +52,7 @@ class MirroredSchedule {
             for (Entry& one : *entries) one.time -= shift;
     }
 
-    /// The run goes back at `now`: what was behind it comes again, the other way round.
+    /// Reverses the run at `now`: past changes become future ones, inverted.
     void reverse(const Time& now) {
         ahead_.swap(behind_);
         for (auto* entries : {&ahead_, &behind_}) {

@@ -1,4 +1,4 @@
-// A surface that moves, or may be made to move, along its normal: where it is.
+// The position of a surface that moves, or may be set in motion, along its normal.
 #pragma once
 
 #include <algorithm>
@@ -12,14 +12,14 @@ namespace carom {
 
 template <typename Scalar>
 struct Mover {
-    bool is_mobile = false;  ///< has ever moved
+    bool is_mobile = false;  ///< whether it has ever moved
     std::size_t axis = 0;
     Scalar place = 0.0, velocity = 0.0;  ///< at its own time
     Scalar acceleration = 0.0;
     Scalar time = 0.0;             ///< local
-    double inverse_mass = 0.0;     ///< 0: nothing that hits it changes its motion
-    Scalar low = 0.0, high = 0.0;  ///< between these it may move without a new registration
-    std::uint32_t changes = 0;     ///< of its motion
+    double inverse_mass = 0.0;     ///< 0: its motion is not changed by collisions
+    Scalar low = 0.0, high = 0.0;  ///< range in which it may move without a new registration
+    std::uint32_t changes = 0;     ///< number of changes of its motion
 
     Scalar place_at(const Scalar& now) const {
         const Scalar t = now - time;
@@ -27,7 +27,7 @@ struct Mover {
     }
     Scalar velocity_at(const Scalar& now) const { return velocity + acceleration * (now - time); }
 
-    /// Moves it on to a time.
+    /// Advances it to a time.
     void advance(const Scalar& now) {
         place = place_at(now);
         velocity = velocity_at(now);
@@ -40,7 +40,7 @@ struct Mover {
                 changes);
     }
 
-    /// When it leaves the part of the box where it is registered.
+    /// The time at which it leaves the range for which it is registered.
     Scalar registered_until() const {
         return time + std::min(fall_time<Scalar>(place - low, velocity, acceleration),
                                fall_time<Scalar>(high - place, -velocity, -acceleration));

@@ -10,10 +10,12 @@
 namespace carom {
 namespace {
 
-// The radius that surfaces see of a point, in units of the box, so that it has a side of a line.
+// The radius that surfaces attribute to a point, in units of the box, so that it lies on a definite
+// side of a line.
 constexpr double side_of_points = 1e-13;
 
-// The end of a barrier along an axis that is met from a place; infinite from within.
+// The end of a barrier along an axis that a mover coming from `place` meets; infinite if `place`
+// lies within the barrier.
 double end_towards(const Barrier& barrier, std::size_t axis, double place) {
     const double low = barrier.low(axis), high = barrier.high(axis);
     return place <= low ? low : place >= high ? high : never<double>;
@@ -93,7 +95,8 @@ void MovingSurfaces<Scalar>::register_mover(Mover<Scalar>& mover) const {
     mover.high = mover.place + registered_[mover.axis];
 }
 
-// When a mover reaches a barrier at rest, -1 - its number, or another mover.
+// The time at which a mover reaches the next barrier at rest or another mover. `other` becomes -1 -
+// the number of the barrier, or the number of the other mover.
 template <typename Scalar>
 Scalar MovingSurfaces<Scalar>::next_obstacle(const Mover<Scalar>& mover,
                                              std::int32_t& other) const {
@@ -108,7 +111,7 @@ Scalar MovingSurfaces<Scalar>::next_obstacle(const Mover<Scalar>& mover,
     for (std::size_t k = 0; k < barriers_.size(); ++k) {
         const Barrier& barrier = barriers_[k];
         if (is_mobile(barrier) || !is_there(barrier)) continue;
-        // It slides along a partition that stands across its way.
+        // It slides along partitions perpendicular to itself.
         const auto its = static_cast<std::size_t>(barrier.surface);
         if (its < movers_.size() && movers_[its].axis != mover.axis) continue;
         const double end = end_towards(barrier, mover.axis, place);
@@ -119,7 +122,7 @@ Scalar MovingSurfaces<Scalar>::next_obstacle(const Mover<Scalar>& mover,
     for (std::size_t k = 0; k < movers_.size(); ++k) {
         const Mover<Scalar>& one = movers_[k];
         if (&one == &mover || !one.is_mobile || one.axis != mover.axis || is_open_[k]) continue;
-        const Scalar& both = std::max(mover.time, one.time);  // their motions are known from then
+        const Scalar& both = std::max(mover.time, one.time);  // both are known from then on
         consider(both, mover.place_at(both) - one.place_at(both),
                  mover.velocity_at(both) - one.velocity_at(both),
                  mover.acceleration - one.acceleration, static_cast<std::int32_t>(k));
@@ -135,7 +138,8 @@ Scalar MovingSurfaces<Scalar>::mover_event(std::size_t k) const {
     return std::min(mover.registered_until(), next_obstacle(mover, other));
 }
 
-// By no more than round-off, without a change of its energy: that would grow with each bounce.
+// Moves it by no more than round-off without changing its energy; otherwise the error would grow
+// with each bounce.
 template <typename Scalar>
 void MovingSurfaces<Scalar>::move_exactly_to(Mover<Scalar>& mover, const Scalar& place) {
     using std::sqrt;
@@ -148,12 +152,12 @@ void MovingSurfaces<Scalar>::move_exactly_to(Mover<Scalar>& mover, const Scalar&
     mover.place = place;
 }
 
-// Elastically.
+// Elastic collision with a barrier or with another mover.
 template <typename Scalar>
 void MovingSurfaces<Scalar>::bounce_off(Mover<Scalar>& mover, std::int32_t other,
                                         const Scalar& now) {
     ++mover.changes;
-    if (other < 0) {  // exactly there: a little beyond, it would not be met again
+    if (other < 0) {  // placed exactly there: slightly beyond, it would not be met again
         const auto place = static_cast<double>(mover.place);
         const Barrier& met = barrier(-1 - other);
         const double low = met.low(mover.axis), high = met.high(mover.axis);
@@ -179,7 +183,8 @@ void MovingSurfaces<Scalar>::bounce_off(Mover<Scalar>& mover, std::int32_t other
     if (!mover_is_driven && partner.inverse_mass > 0.0) return;
     const double after = energy(mover) + energy(partner);
     driven_work_ += after - before;
-    // Between it and something at rest a piston is hit ever faster, without end.
+    // Between a driven surface and an obstacle at rest a piston would be hit ever faster without
+    // end.
     if (after > most_work_)
         throw crushes(mover_is_driven ? static_cast<std::int32_t>(&mover - movers_.data()) : other,
                       "a piston");
@@ -189,8 +194,8 @@ template <typename Scalar>
 std::optional<std::size_t> MovingSurfaces<Scalar>::process_mover(std::size_t k, const Scalar& now) {
     Mover<Scalar>& mover = movers_[k];
     std::int32_t other = 0;
-    // The time has been rounded again since this was predicted. A little beyond what it reaches, it
-    // would not meet that any more.
+    // The time has been rounded again since the prediction. Slightly beyond the surface that it
+    // reaches, the mover would no longer meet it, so a small tolerance is needed.
     const Scalar wait = next_obstacle(mover, other) - now;
     mover.advance(now);
     double speed = std::abs(static_cast<double>(mover.velocity));
@@ -231,7 +236,7 @@ void MovingSurfaces<Scalar>::set_control(std::int32_t surface,
     driven_work_ += energy_of_piston(k) - before;
 }
 
-// Kinetic, and in the constant forces on it.
+// Kinetic energy, and potential energy in the constant forces on the piston.
 template <typename Scalar>
 double MovingSurfaces<Scalar>::energy_of_piston(std::size_t k) const {
     const auto* piston = std::get_if<Piston>(&behaviours_[k]);
@@ -242,7 +247,7 @@ double MovingSurfaces<Scalar>::energy_of_piston(std::size_t k) const {
            piston->potential_energy(static_cast<double>(mover.place), pull);
 }
 
-// As its behaviour has it.
+// Sets mass, acceleration and velocity according to the behaviour of the surface.
 template <typename Scalar>
 void MovingSurfaces<Scalar>::set_motion(std::size_t k, const Scalar& velocity) {
     Mover<Scalar>& mover = movers_[k];

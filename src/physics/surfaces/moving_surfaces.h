@@ -1,5 +1,6 @@
-// The surfaces of a box during a run: what each does at present, where those are that move, and
-// when two of them meet. For doubles and for many bits. Knows no disks.
+// The surfaces of a box during a run: their present behaviour, the positions of those that move,
+// and the times at which two of them meet. For doubles and for multiprecision. Independent of
+// disks.
 #pragma once
 
 #include <array>
@@ -16,7 +17,7 @@
 
 namespace carom {
 
-/// What events change of a surface, at one time.
+/// The part of the state of a surface that events can change, at one time.
 template <typename Scalar>
 struct SurfaceControl {
     Behaviour behaviour = Reflecting{};
@@ -35,39 +36,41 @@ class MovingSurfaces {
   public:
     using Vector = std::array<Scalar, 2>;
 
-    /// Barriers have their images about a periodic box as far as `reach`. A mover is registered
-    /// anew whenever it has moved by `registered` along its axis.
+    /// Barriers have images outside a periodic box up to a distance of `reach`. A mover is
+    /// registered again whenever it has moved by `registered` along its axis.
     MovingSurfaces(const Box& box, double reach, const std::array<double, 2>& registered);
 
-    /// All barriers, those of open partitions too, numbered from 0; the same in the whole run.
+    /// All barriers, including those of open partitions, numbered from 0; the numbering does not
+    /// change during a run.
     const std::vector<Barrier>& barriers() const { return barriers_; }
     const Barrier& barrier(std::int32_t k) const { return barriers_[static_cast<std::size_t>(k)]; }
 
-    /// Whether it is in the box at present, and whether it may move.
+    /// Whether the barrier is present (its partition is not open), and whether it may move.
     bool is_there(const Barrier& barrier) const;
     bool is_mobile(const Barrier& barrier) const { return mover_of(barrier) != nullptr; }
-    /// Along which its surface moves, if it does.
+    /// The axis along which its surface can move.
     std::size_t axis_of(const Barrier& barrier) const {
         return movers_[static_cast<std::size_t>(barrier.surface)].axis;
     }
-    /// Whether it lets all disks of a species through.
+    /// Whether it lets all disks of this species pass.
     bool lets_pass(const Barrier& barrier, std::int32_t species) const;
-    /// How often its motion has changed, as predictions count it.
+    /// Number of changes of its motion, in the form stored in predictions.
     std::uint32_t changes_of(const Barrier& barrier) const;
 
     Vector velocity_of(const Barrier& barrier, const Scalar& now) const;
 
-    /// Sides and partitions may move, numbered as surfaces; obstacles may not.
+    /// Movers are the sides and partitions, with the same numbers as surfaces; obstacles cannot
+    /// move.
     std::size_t mover_count() const { return movers_.size(); }
     const Mover<Scalar>& mover(std::size_t k) const { return movers_[k]; }
 
-    /// When a mover reaches another surface, or must be registered anew.
+    /// The time at which a mover reaches another surface or must be registered again.
     Scalar mover_event(std::size_t k) const;
-    /// Carries that out; returns the other mover that it changed, if any. Throws SurfaceError where
-    /// a driven surface reaches another.
+    /// Processes that event; returns the other mover whose motion it changed, if any. Throws
+    /// SurfaceError if a driven surface reaches another one that does not yield.
     std::optional<std::size_t> process_mover(std::size_t k, const Scalar& now);
 
-    /// What events have set, and sets it from a time on.
+    /// The control of a surface, and a function that sets it from `now` on.
     SurfaceControl<Scalar> control(std::int32_t surface, const Scalar& now) const;
     void set_control(std::int32_t surface, const SurfaceControl<Scalar>& control,
                      const Scalar& now);
@@ -75,7 +78,8 @@ class MovingSurfaces {
     /// Registers all movers at the present.
     void register_all(const Scalar& now);
 
-    /// Moves all on to a time; counts all times from `shift` later on; reverses all motion.
+    /// Operations on all movers: advance them to a time, shift the time origin by `shift`, reverse
+    /// their motion.
     void advance(const Scalar& now);
     void shift_epoch(const Scalar& shift);
     void reverse();
@@ -93,13 +97,16 @@ class MovingSurfaces {
     Vector place_of(const Barrier& barrier, const Scalar& now) const;
 
     Box box_;
-    double least_radius_;                ///< that surfaces see, so that points have a side of them
-    std::vector<Behaviour> behaviours_;  ///< of each surface
+    double least_radius_;  ///< smallest radius that surfaces attribute to a disk, so that points
+                           ///< lie on a definite side of a line
+    std::vector<Behaviour> behaviours_;  ///< behaviour of each surface
     std::vector<bool> is_open_, is_held_;
     std::vector<Barrier> barriers_;
     std::vector<Mover<Scalar>> movers_;
-    double driven_work_ = 0.0;          ///< of driven surfaces, and of events on pistons
-    double most_work_ = never<double>;  ///< that is not done by crushing
+    double driven_work_ = 0.0;  ///< work of driven surfaces on disks and pistons, and of events on
+                                ///< pistons
+    double most_work_ = never<double>;  ///< largest work that is possible without crushing the gas
+                                        ///< or a piston
 
   private:
     double energy_of_piston(std::size_t mover) const;

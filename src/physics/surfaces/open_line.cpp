@@ -22,7 +22,7 @@ void OpenLine<Scalar>::resettle(Bodies& bodies) {
     if (!bodies.empty()) surfaces_.enter(bodies, bodies[0].time);
 }
 
-// A wall is met by the bead beside it.
+// Only the bead next to a wall can reach it.
 template <typename Scalar>
 Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) const {
     Event<Scalar> first;

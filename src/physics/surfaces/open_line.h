@@ -1,5 +1,6 @@
-// The line of line.h with ends that act, and gravity along it: which beads touch, which ends they
-// reach, and when. For doubles and for many bits. Knows no queue and no clock.
+// The line of line.h with active ends and gravity along it: which beads touch, which ends they
+// reach, and when. For doubles and for multiprecision. Independent of the event queue and the
+// clock.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +29,7 @@ class OpenLine : public Line<Scalar, FallingDisk<Scalar>> {
     SurfaceSet<Scalar>& surfaces() { return surfaces_; }
     const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
 
-    // As those of Line and OpenPlane.
+    // As the functions of Line and OpenPlane.
     bool fits_grid(const Scalar&) const { return true; }
     void enter(Bodies& bodies);
     void resettle(Bodies& bodies);

@@ -19,24 +19,25 @@ double size_of(const Scalar& number) {
     return std::abs(static_cast<double>(number));
 }
 
-// The grid is made anew when a wall is so many of its cells beyond it, or the walls enclose less
-// than a share of it; unless the cells would become so much larger, for which barriers have no
-// images. It leaves walls that move a share of its length free.
+// A new grid is made if a wall is this many cells beyond the grid, or if the walls enclose less
+// than this share of it, unless the cells would then grow by more than this factor, because
+// barriers have no images that far away. The new grid leaves a share of its length free for walls
+// that move.
 constexpr double most_cells_beyond_grid = 2.0, least_share_of_grid = 0.6, free_share_of_grid = 0.1,
                  most_growth_of_cells = 2.0;
 
-// When a disk leaves its cell, and by which side. That is no event of physics, and a cell is a
-// little wider than it must be: doubles and their round-off do.
+// When and through which side a disk leaves its cell. This has no physical meaning, and a cell is
+// slightly wider than necessary, so doubles with their round-off are sufficient.
 struct Leaving {
     double time;
     std::uint32_t side;
 };
 
-// The cell of a disk along both axes, and the disk in it. All in lanes and without branches: the
+// The cell of a disk along both axes, and the disk in it. All in lanes and branchless, because the
 // processor cannot predict where the disk goes.
 struct InCell {
     TwoLanes low, high;        ///< the borders
-    TwoMasks no_low, no_high;  ///< where there is none
+    TwoMasks no_low, no_high;  ///< where there is no border
     TwoLanes x, v;
 };
 
@@ -55,7 +56,8 @@ struct InCell {
     return first_of(select_bits(stays, none, select_bits(ahead > zero, ahead, zero)), upwards);
 }
 
-// A coordinate is mirrored if need be, so that it falls down; it may rise first, but not so far.
+// Coordinates are mirrored if necessary so that the disk falls downwards; it may rise first, to the
+// border above or to a turning point below it.
 [[gnu::always_inline]] inline Leaving leaving_in_fall(const InCell& in, const TwoLanes& a) {
     const TwoLanes zero{}, none = both(never<double>);
     const TwoMasks mirrored = a > zero;
@@ -79,8 +81,8 @@ struct InCell {
     return first_of(select_bits(stays, none, time), arrives ^ mirrored);
 }
 
-// Whether two disks that fall alike certainly do not touch within a time: they part, pass each
-// other or are too far away, by far more than doubles round.
+// Whether two disks with the same acceleration certainly do not touch within `time`: they separate,
+// miss each other or are too far apart, by margins far above the rounding errors of doubles.
 bool surely_miss(const DiskView& a, const DiskView& b, const std::array<double, 2>& shift,
                  double sigma, double time) {
     if (a.a != b.a) return false;
@@ -117,7 +119,7 @@ OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
     note_ends_of_grid();
 }
 
-// Beside a wall a cell has no border.
+// A cell next to a wall has no border there.
 template <typename Scalar>
 void OpenPlane<Scalar>::note_ends_of_grid() {
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -127,7 +129,7 @@ void OpenPlane<Scalar>::note_ends_of_grid() {
     }
 }
 
-// Between the walls, which may have moved, along each axis.
+// The interval between the walls, which may have moved, along each axis.
 template <typename Scalar>
 auto OpenPlane<Scalar>::enclosed(const Scalar& now) const -> std::array<Interval, 2> {
     std::array<Interval, 2> between;
@@ -140,8 +142,8 @@ auto OpenPlane<Scalar>::enclosed(const Scalar& now) const -> std::array<Interval
     return between;
 }
 
-// Disks beyond the grid count as in its last cells, which would be crowded; and so would all be if
-// the cells were too wide for a gas that has become denser.
+// Disks beyond the grid are assigned to its outermost cells, which would become crowded; and so
+// would all cells if they were too wide for a gas that has become denser.
 template <typename Scalar>
 bool OpenPlane<Scalar>::fits_grid(const Scalar& now) const {
     const std::array<Interval, 2> between = enclosed(now);
@@ -183,7 +185,7 @@ double OpenPlane<Scalar>::reach_of(std::size_t axis) const {
     return (largest_ + grid_.overhang()[axis]) * (1.0 + 1e-9) + 1e-9 * box_.size.maxCoeff();
 }
 
-// The column or row of cells in which a place lies.
+// The column or row of cells that contains a coordinate.
 template <typename Scalar>
 int OpenPlane<Scalar>::cell_along(std::size_t axis, double place) const {
     return static_cast<int>(
@@ -191,7 +193,7 @@ int OpenPlane<Scalar>::cell_along(std::size_t axis, double place) const {
                    static_cast<double>(grid_.last_cell()[axis])));
 }
 
-// Each cell's list of what a disk in it may touch, one after the other.
+// Stores the lists of barriers that a disk in each cell may touch, one cell after the other.
 template <typename Scalar>
 void OpenPlane<Scalar>::list_barriers() {
     const std::array cells{grid_.last_cell()[0] + 1, grid_.last_cell()[1] + 1};
@@ -268,7 +270,7 @@ Scalar OpenPlane<Scalar>::pair_time(const Body& a, const Body& b,
                                         as_precise_as(r[0], a.radius) + b.radius, round_off, bits_);
 }
 
-// Those that it may touch within a time.
+// Considers the barriers that a disk may touch within a time.
 template <typename Scalar>
 inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
                                                 const DiskView& view, const Scalar& now,
@@ -289,7 +291,8 @@ inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
     }
 }
 
-// Time until a body leaves its cell, and by which side. A cell beside a wall has no border there.
+// Time until a body leaves its cell, and through which side. A cell next to a wall has no border
+// there.
 template <typename Scalar>
 inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& view,
                                              std::uint32_t& side) const {
@@ -309,7 +312,7 @@ inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& v
     return leaving.time;
 }
 
-// Of the disks in some cells: any scalars, falling or at rest.
+// Searches the disks of given cells; for all scalars, falling disks and disks at rest.
 template <typename Scalar>
 auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                      First& first) {
@@ -334,8 +337,9 @@ auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const
     };
 }
 
-// The contact, a hit of a surface, or the border of the cell. With doubles the body keeps a contact
-// that may come after the border; with many bits two times may be one double.
+// The next event: a contact, a hit of a surface, or the cell border. With doubles the body keeps a
+// contact even if it may come after the border; with multiprecision it does not, because two
+// different times may round to the same double.
 template <typename Scalar>
 inline Scalar OpenPlane<Scalar>::next_event(Body& body, double radius, const Scalar& now,
                                             First first) {
@@ -382,7 +386,7 @@ template <typename Scalar>
 Scalar OpenPlane<Scalar>::predict_after_crossing(Bodies& bodies, std::int32_t i, int side,
                                                  const Scalar& now) {
     Body& body = at(bodies, i);
-    // Beyond a periodic side it meets other images of the same barriers.
+    // After crossing a periodic side a disk faces other images of the same barriers.
     if constexpr (of_doubles)
         if (all_fall() && !grid_.is_last(body.cell, side ^ 1))
             return next_event(body, this->radius_of(i), now,

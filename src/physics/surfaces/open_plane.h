@@ -1,7 +1,7 @@
-// The plane of plane.h for boxes with surfaces that act, obstacles or gravity: which disks may
-// touch, which surfaces they reach, and when. Each cell lists the barriers at rest that a disk in
-// it may touch; of each moving one the rows or columns of cells are known from which it may be
-// touched. For doubles and for many bits. Knows no queue and no clock.
+// The plane of plane.h for boxes with active surfaces, obstacles or gravity: which disks may touch,
+// which surfaces they reach, and when. Each cell lists the barriers at rest that a disk in it may
+// touch; for each moving barrier the rows or columns of cells from which it may be touched are
+// known. For doubles and for multiprecision. Independent of the event queue and the clock.
 #pragma once
 
 #include <array>
@@ -20,16 +20,16 @@
 
 namespace carom {
 
-/// What a plane and a line with surfaces are told of the queue of events: how long it is until a
-/// disk's next event, rounded up, and how to put an earlier one in its place; false, and nothing is
-/// done, if it is not earlier.
+/// The access of a geometry with surfaces to the event queue: the time until the next event of a
+/// disk, rounded up, and a function that replaces this event by an earlier one. The latter returns
+/// false and does nothing if the new event is not earlier.
 template <typename Scalar>
 struct Agenda {
     std::function<double(std::int32_t)> time_left;
     std::function<bool(std::int32_t, const Scalar& time)> move_forward;
 };
 
-/// The bodies of these particles, with their species.
+/// Creates the bodies of these particles, with their species.
 template <typename Scalar>
 LargeVector<FallingDisk<Scalar>> falling_bodies_of(const Particles& particles) {
     auto bodies = PlainBodies<FallingDisk<Scalar>>::bodies_of(particles);
@@ -56,36 +56,37 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     SurfaceSet<Scalar>& surfaces() { return surfaces_; }
     const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
 
-    /// Takes the bodies as they are at the present, and the surfaces.
+    /// Enters bodies that have been advanced to the present, and registers the surfaces.
     void enter(Bodies& bodies);
-    /// The same, of bodies that are where they were.
+    /// The same for bodies whose positions have not changed.
     void resettle(Bodies& bodies);
 
-    /// Whether the grid fits the part of the plane that the walls enclose at a time. If not, the
-    /// bodies must be entered again, at that time: the grid is made anew.
+    /// Whether the grid still fits the part of the plane that the walls enclose at a time. If not,
+    /// the bodies must be entered again at that time, which creates a new grid.
     bool fits_grid(const Scalar& now) const;
 
-    /// Moves a body on to a time, as advance_body() does.
+    /// Advances a body to a time, as advance_body().
     void advance(Body& body, const Scalar& now) const {
         if constexpr (of_doubles)
             if (all_fall()) return advance_body(body, now, gravity_);
         advance_body(body, now);
     }
 
-    /// Finds out what happens next to a body, which keeps it, and returns when (local time).
+    /// Predicts the next event of a body, stores it in the body, and returns its local time.
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
-    /// As Plane has it.
+    /// As in Plane.
     bool predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, const Scalar& now,
                       std::array<Scalar, 2>& when);
     /// The same for a body that has just crossed the side of a cell.
     Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
-    /// Changes the velocities of two disks in contact that are at one time, false if they do not
-    /// approach.
+    /// Changes the velocities of two disks in contact that have been advanced to the same time.
+    /// Returns false if they do not approach.
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
 
-    /// After a mover has changed its motion, or was registered anew: gives the disks that it
-    /// reaches before what was predicted that event.
+    /// To be called after a mover has changed its motion or was registered again: for each disk
+    /// that it reaches before the disk's predicted event, the hit becomes the next event of the
+    /// disk.
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
                        const Agenda<Scalar>& agenda);
 
@@ -121,8 +122,8 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
             archive(low, high);
         }
     };
-    /// A barrier that may move, and the columns or rows of cells from which a disk can reach it
-    /// until its mover is registered anew.
+    /// A movable barrier, and the columns or rows of cells from which a disk can reach it before
+    /// its mover is registered again.
     struct Moving {
         std::int32_t barrier;
         std::size_t axis;
@@ -156,16 +157,18 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
 
     int bits_;
     bool screened_;
-    double largest_;                   ///< radius
-    double image_reach_;               ///< as far beyond a periodic side barriers have images
-    std::array<Interval, 2> gridded_;  ///< that the grid was made for
+    double largest_;      ///< largest radius of all disks
+    double image_reach_;  ///< distance up to which barriers have images beyond a periodic side
+    std::array<Interval, 2> gridded_;  ///< the region for which the grid was made
     std::array<double, 2> gravity_;
     SurfaceSet<Scalar> surfaces_;
-    /// Along each axis the cells without a border below and above, -1 where a box is periodic.
+    /// For each axis the cells without a border at the lower and the upper end; -1 if the box is
+    /// periodic along it.
     TwoLanes first_with_end_{}, last_with_end_{};
     std::vector<Moving> moving_;
-    std::vector<std::int32_t> listed_;        ///< barriers at rest, cell by cell
-    std::vector<std::int32_t> first_listed_;  ///< of each cell, and one more
+    std::vector<std::int32_t> listed_;        ///< numbers of the barriers at rest, cell by cell
+    std::vector<std::int32_t> first_listed_;  ///< first index in listed_ for each cell, plus the
+                                              ///< end
 };
 
 extern template class OpenPlane<double>;

@@ -1,4 +1,4 @@
-// What a surface does in a run that cannot be.
+// The error thrown when a surface does something impossible in a run.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@
 
 namespace carom {
 
-/// Says it of the surface, as it follows its name, and from the event loop on with its name, the
-/// time and its place.
+/// what() is first a phrase to follow the name of the surface; the event loop extends it with the
+/// name, the time and the position.
 class SurfaceError : public std::runtime_error {
   public:
-    /// `reason` follows what() where time and place are named.
+    /// `reason` is appended to what() when time and position are added.
     SurfaceError(std::int32_t surface, const std::string& what, std::string reason,
                  std::string hint)
         : std::runtime_error(what),
@@ -22,7 +22,7 @@ class SurfaceError : public std::runtime_error {
 
     std::int32_t surface() const { return surface_; }  ///< its number (surface.h)
     const std::string& reason() const { return reason_; }
-    const std::string& hint() const { return hint_; }  ///< what to change
+    const std::string& hint() const { return hint_; }  ///< suggested change
 
   private:
     std::int32_t surface_;
@@ -33,7 +33,7 @@ class SurfaceError : public std::runtime_error {
 inline constexpr const char* how_to_stop =
     "end its motion earlier, by its `until` or by an event, or shorten the run";
 
-/// What it presses on, the gas or a piston, has nowhere to go.
+/// The error for a surface that crushes the gas or a piston, which has nowhere to go.
 inline SurfaceError crushes(std::int32_t surface, const char* what = "the gas") {
     return {surface, std::string("crushes ") + what, "",
             "stop it earlier, a driven wall by its `until` and others by an event, let it press "

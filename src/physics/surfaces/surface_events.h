@@ -1,4 +1,5 @@
-// What an event of the run does to a surface: the control that it has from then on.
+// Applies an event of the run to a surface: determines the control that the surface has from then
+// on.
 #pragma once
 
 #include <stdexcept>
@@ -28,7 +29,7 @@ inline SurfaceAction surface_action(const decltype(RunEvent::action)& action) {
         action);
 }
 
-/// `time` is the simulated time at which it happens.
+/// The control of a surface after an event at the simulated time `time`.
 template <typename Scalar>
 SurfaceControl<Scalar> control_after(SurfaceControl<Scalar> control, const SurfaceAction& action,
                                      double time) {

@@ -34,7 +34,7 @@ bool is_finite(const Obstacle& obstacle) {
            std::ranges::all_of(corners, [](const auto& one) { return one.isFinite().all(); });
 }
 
-// Of an obstacle, its least and its largest coordinates.
+// The smallest and the largest coordinates of an obstacle.
 std::pair<Eigen::Array2d, Eigen::Array2d> extent_of(const Obstacle& obstacle) {
     if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
         return {disk->center - disk->radius, disk->center + disk->radius};
@@ -66,7 +66,7 @@ class Search {
         for (const Obstacle& obstacle : surfaces_.obstacles) look_at_obstacle(surface++, obstacle);
     }
 
-    // What the events do, one after another; not what a reversal does to them.
+    // Checks the effects of the events, one after another; effects of reversals are not considered.
     void look_at_events(const Run& run) {
         std::vector<Behaviour> behaviours = behaviours_of(box_);
         std::vector<bool> held(behaviours.size());
@@ -105,7 +105,8 @@ class Search {
             add(Kind::open_piston, surface);
     }
 
-    // Why a side or a partition cannot behave so; from the start, or from an event on.
+    // The reason why a side or a partition cannot have this behaviour, at the start or after an
+    // event.
     std::optional<Kind> problem_of(std::int32_t surface, const Behaviour& behaviour,
                                    bool from_start) const {
         if (!is_finite(behaviour)) return Kind::not_finite;
@@ -179,7 +180,7 @@ class Search {
         remember(surface, behaviour);
     }
 
-    // The first that forgets.
+    // Remembers the first surface that acts irreversibly.
     void remember(std::int32_t surface, const Behaviour& behaviour) {
         if (forgetful_ || !loses_memory(behaviour)) return;
         const bool is_bath = std::holds_alternative<Bath>(behaviour);

@@ -14,9 +14,9 @@
 namespace carom {
 namespace {
 
-// More work than this, in units of the energy that a box has without it, only a driven wall does
-// that crushes the gas: in a plane the volume falls as the energy rises. It would hit ever faster,
-// without end.
+// Work above this multiple of the energy that the box has without it is done only by a driven wall
+// that crushes the gas (in a plane the volume falls as the energy rises), which would hit disks
+// ever faster without end.
 constexpr double most_times_energy = 1e5;
 
 template <typename Scalar>
@@ -31,7 +31,7 @@ double square_of(const std::array<Scalar, 2>& v) {
     return x * x + y * y;
 }
 
-// As a disk knows what it passes.
+// The bit of a surface in FallingDisk::passing.
 std::uint64_t bit_of(std::int32_t surface) { return std::uint64_t{1} << (surface % 64); }
 
 }  // namespace
@@ -48,7 +48,7 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
         if (barriers_[k].is_endless()) floors_.push_back(static_cast<std::int32_t>(k));
 }
 
-// As the barrier sees it.
+// The motion of a disk relative to a barrier.
 template <typename Scalar>
 BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barrier& barrier,
                                                     const Scalar& now) const {
@@ -147,7 +147,8 @@ void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
     }
 }
 
-// The velocity of the flux along the normal, away from the wall, and a normal one along the wall.
+// The normal velocity has the distribution of the flux, directed away from the wall; the tangential
+// velocity is normally distributed.
 template <typename Scalar>
 void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double temperature,
                                     std::int64_t hit, const Scalar& now) {
@@ -158,7 +159,7 @@ void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double t
     const Vector from = motion_of(body, barrier, now).x;
     std::array<double, 2> normal = barrier.normal;
     double side = barrier.side_of(dot(normal, from));
-    if (barrier.kind == Barrier::Kind::circle) {  // a corner: away from it
+    if (barrier.kind == Barrier::Kind::circle) {  // a corner: the normal points away from it
         const double distance = std::sqrt(square_of(from));
         for (std::size_t k = 0; k < 2; ++k) normal[k] = static_cast<double>(from[k]) / distance;
         side = 1.0;
@@ -181,7 +182,8 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scala
         for (std::size_t k = 0; k < 2; ++k) body.v[k] += change * normal[k];
         return;
     }
-    // One impulse for both: two with rounding errors of their own would make the energy drift.
+    // The same impulse factor is used for both: two factors with different rounding errors would
+    // make the energy drift.
     const Scalar w = as_precise_as(change, body.inverse_mass),
                  other_w = as_precise_as(change, other);
     const Unrounded<Scalar> factor = quotient_of(change, unrounded_sum(w, other_w));
@@ -193,8 +195,8 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scala
     ++hit.changes;
 }
 
-// A point that is fast has flown through the line within the rounding error of a time. It came from
-// the side that it flies away from; of a wall, from the inside.
+// A fast point may have passed through the line within the rounding error of a time. Puts it back
+// on the side that it came from, which for a wall is the inside.
 template <typename Scalar>
 void SurfaceSet<Scalar>::keep_on_its_side(Body& body, const Barrier& line,
                                           const Scalar& now) const {
@@ -272,8 +274,9 @@ void SurfaceSet<Scalar>::enter(const LargeVector<Body>& bodies, const Scalar& no
     for (const SurfaceTotals& totals : totals_) most_work_ += std::max(0.0, totals.work);
 }
 
-// All that the gas could have without driven walls and baths, but for them: kinetic energies, those
-// of disks as fast as the fastest mover, and what a fall through the box gives.
+// An upper limit of the energy that the gas could have apart from the effects of driven walls and
+// baths: the kinetic energies, those of disks as fast as the fastest mover, and what a fall through
+// the box adds.
 template <typename Scalar>
 double SurfaceSet<Scalar>::energy_of(const LargeVector<Body>& bodies) const {
     const Eigen::Array2d fall = box_.surfaces.gravity.abs() * box_.size;

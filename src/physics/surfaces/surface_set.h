@@ -1,5 +1,6 @@
-// The surfaces of a box during a run, and a disk: when it reaches one, and what that changes. For
-// doubles and for many bits. Knows no cells, no queue and no other disks.
+// The surfaces of a box during a run and their interaction with a single disk: when it reaches one,
+// and how that changes its motion. For doubles and for multiprecision. Independent of cells, the
+// event queue and other disks.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,52 +27,55 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     using Body = FallingDisk<Scalar>;
     using typename Base::Vector;
 
-    /// As for MovingSurfaces; with so many bits.
+    /// As for MovingSurfaces; `bits`: precision of the scalar.
     SurfaceSet(const Box& box, double reach, const std::array<double, 2>& registered, int bits);
 
-    /// Where a disk touches a barrier.
+    /// The point at which a disk touches a barrier.
     Vector contact_point(const Body& body, const Barrier& barrier, const Scalar& now) const;
 
-    /// Whether a disk may touch a barrier from `now` until so much later: false only where it
+    /// Whether a disk may touch a barrier between `now` and `now` + `within`; false only if it
     /// certainly does not.
     bool may_touch(const DiskView& disk, double radius, std::int32_t barrier, const Scalar& now,
                    double within) const;
 
-    /// Time from `now` until a disk touches a barrier, `never` if it does not.
+    /// Time from `now` until a disk touches a barrier, or `never`.
     Scalar time_to(const Body& body, std::int32_t barrier, const Scalar& now) const;
 
-    /// A disk is at a barrier, at the present: what the surface does. False if it lets the disk
-    /// through, or the disk does not approach. Throws std::runtime_error where a driven wall
+    /// Processes a disk that has reached a barrier at the present. Returns false if the surface
+    /// lets the disk through or the disk does not approach. Throws SurfaceError if a driven wall
     /// crushes the gas.
     bool hit(Body& body, std::int32_t barrier, const Scalar& now);
 
     bool has_gravity() const { return has_gravity_; }
 
-    /// Gives a disk its acceleration. One that lies on a wall and does not leave it does not fall:
-    /// the wall carries it.
+    /// Sets the acceleration of a disk. A disk that lies on a wall and does not leave it does not
+    /// fall, because the wall supports it.
     void settle_at_rest(Body& body);
-    /// To be called when a disk has met another or a surface: the same.
+    /// To be called after a disk has collided with another disk or a surface: updates its
+    /// acceleration in the same way.
     void path_has_changed(Body& body) {
         if (has_gravity_ && (at_rest_ > 0 || body.v[0] == 0.0 || body.v[1] == 0.0))
             settle_at_rest(body);
     }
-    /// How many do not fall for that reason.
+    /// The number of disks that do not fall for that reason.
     std::int64_t count_at_rest() const { return at_rest_; }
 
-    /// The surface that a disk overlaps at a time, if any; of `only`, if given.
+    /// The surface that a disk overlaps at a time, if any; with `only`, only that surface is
+    /// tested.
     std::optional<std::int32_t> overlapped(const Body& body, const Scalar& now,
                                            std::optional<std::int32_t> only = {}) const;
 
-    /// Registers all movers at the present and bounds the work that is not a crushed gas.
+    /// Registers all movers at the present and sets the limit on the work above which the gas
+    /// counts as crushed.
     void enter(const LargeVector<Body>& bodies, const Scalar& now);
 
-    /// Of each surface, at a time; with what has been done since the last call of forget().
+    /// The state of each surface at a time, with the totals since the last call of forget().
     std::vector<SurfaceState> states(const Scalar& now) const;
     /// The work of driven surfaces on disks and pistons since then, and of events on pistons.
     double driven_work() const { return driven_work_; }
     void forget();
 
-    /// The surface that has done most work on disks since then, if any has done any.
+    /// The surface that has done the most work on disks since then, if any has done positive work.
     std::optional<std::int32_t> hardest_worker() const;
 
     template <class Archive>
@@ -95,7 +99,7 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
 
     int bits_;
     double size_of_box_;
-    std::vector<std::int32_t> floors_;  ///< lines from wall to wall
+    std::vector<std::int32_t> floors_;  ///< lines from wall to wall, on which disks can rest
     std::vector<SurfaceTotals> totals_;
     bool has_gravity_;
     std::int64_t at_rest_ = 0;

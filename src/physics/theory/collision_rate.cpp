@@ -15,13 +15,13 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-/// Particles that are alike, or nearly.
+/// A group of particles with the same, or nearly the same, radius and mass.
 struct Alike {
     double radius, inverse_mass, count;
 };
 
-// The particles in order of size and mass, parted into groups of one kind. Where there are very
-// many kinds, neighbours in this order are taken together: the sum over pairs of groups stays
+// Sorts the particles by size and mass and divides them into groups of one kind. If there are very
+// many kinds, neighbours in this order are merged, so that the sum over pairs of groups stays
 // short.
 std::vector<Alike> groups_of(const Particles& particles) {
     constexpr std::size_t most_groups = 1000;
@@ -66,8 +66,9 @@ double sum_of_pairs(const std::vector<Alike>& groups, const Function& f) {
     return sum;
 }
 
-// 1 / A for a pair that touches: its centres stay a radius off solid walls, and within s of them
-// not all directions of contact are left (on average the share 1/pi is lost).
+// 1 / A for a touching pair, corrected for solid walls: centres stay a radius away from them, and
+// within a distance s of a wall not all directions of contact are possible (on average a share 1/pi
+// is lost).
 double contact_density(const Box& box, double s) {
     double density = 1.0;
     double lost = 0.0;
@@ -81,7 +82,8 @@ double contact_density(const Box& box, double s) {
     return density * std::max(0.0, 1.0 - lost);
 }
 
-// Of a mixture with the mean radius over the mean square `inverse_size`, at this packing fraction.
+// Contact value of the pair correlation in a mixture at this packing fraction; `inverse_size` is
+// the mean radius divided by the mean squared radius.
 double correlation_at_contact(double packing, double inverse_size, double a, double b) {
     const double free = 1.0 - packing;
     return 1.0 / free + 9.0 / 8.0 * (a * b / (a + b)) * packing * inverse_size / (free * free);

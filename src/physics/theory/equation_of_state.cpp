@@ -21,7 +21,7 @@ double kolafa_rottner(double packing_fraction) {
     return sum - 5.24672938e-9 * std::pow(x, 22) + 5.88054639e-23 * std::pow(x, 57);
 }
 
-// A fluid of disks in units of its temperature and of the diameter.
+// A fluid of disks; lengths are in units of the diameter and energies in units of the temperature.
 struct Fluid {
     EquationOfState equation;
     double density;
@@ -34,7 +34,8 @@ struct Fluid {
         const double free = 1.0 - packing_fraction();
         return -density * density / (3.0 * free * free);
     }
-    // At a wall, beyond what the density makes up to the line that centres reach.
+    // Excess number of particles per length of wall, relative to the fluid density up to the line
+    // that the centres can reach.
     double adsorbed() const {
         constexpr double step = 1e-5;  // relative: derivatives are good to its square
         const Fluid less{equation, density * (1.0 - step)}, more{equation, density * (1.0 + step)};
@@ -42,7 +43,7 @@ struct Fluid {
     }
 };
 
-// The area that centres have, and what bounds it.
+// The area accessible to the centres, in units of the diameter, and its walls.
 struct Room {
     Eigen::Array2d reach{0.0, 0.0};
     std::array<bool, 2> has_walls{};  // at the ends of this axis
@@ -53,7 +54,8 @@ struct Room {
     }
 };
 
-// The fluid that fills the room and its walls with so many disks; nothing if it would freeze.
+// The fluid of which `count` disks fill the accessible area and the walls; nothing if it would
+// freeze.
 std::optional<Fluid> fluid_of(EquationOfState equation, const Room& room, double count) {
     const auto held = [&](double density) {
         const Fluid fluid{equation, density};
@@ -104,7 +106,8 @@ std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box
     const std::optional<Fluid> fluid = fluid_of(equation, room, count);
     if (!fluid) return std::nullopt;
 
-    // The force on the two walls across each axis over their length; of no walls the pressure.
+    // The force on the two walls across each axis divided by their length; without walls the bulk
+    // pressure.
     double force = 0.0, length = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
         const int other = 1 - axis;
@@ -114,7 +117,8 @@ std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box
         length += box.size[other] / diameter;
     }
     const double in_units = length > 0.0 ? force / length : fluid->pressure();
-    // Where momentum is conserved, less moves than N particles at this temperature would.
+    // Where momentum is conserved, the thermal energy is less than that of N particles at this
+    // temperature.
     const double temperature = thermal.temperature();
     const double missing = count * temperature - thermal.energy;
     return temperature * in_units / (diameter * diameter) - missing / (box.size[0] * box.size[1]);

@@ -1,6 +1,5 @@
-// The pressure of a gas in equilibrium, before anything is simulated: equations of state of hard
-// disks and of hard rods. Does not measure anything (stats/). Any function may be called from any
-// thread.
+// The pressure of a gas in equilibrium from theory: equations of state of hard disks and of hard
+// rods. Nothing is measured here (see stats/). All functions may be called from any thread.
 #pragma once
 
 #include <optional>
@@ -23,32 +22,33 @@ enum class EquationOfState {
 /// to 0.716.
 inline constexpr double largest_packing_of_fluid = 0.70;
 
-/// Z by this equation.
+/// The compressibility factor Z by this equation, dimensionless.
 double compressibility_factor(EquationOfState equation, double packing_fraction);
 
-/// d(N T) / d(P A) at constant area and temperature: the isothermal compressibility in units of
-/// that of an ideal gas, and the variance of the number of particles in a part of a large fluid in
-/// units of that of points.
+/// d(N T) / d(P A) at constant area and temperature, dimensionless: the isothermal compressibility
+/// divided by that of an ideal gas, which is also the variance of the number of particles in a part
+/// of a large fluid divided by that of an ideal gas.
 double relative_compressibility(EquationOfState equation, double packing_fraction);
 
-/// The time average of the pressure of a gas with this thermal motion, 1/area times energy, in its
-/// box, as virial_pressure() and wall_pressure() measure it: in a plane by an equation of state;
-/// nothing unless all disks have the same radius, a finite mass each, and are a fluid. Masses do
-/// not matter. Nothing on a line.
+/// The time-averaged pressure, in energy per area, of a gas with this thermal motion in its box, as
+/// virial_pressure() and wall_pressure() measure it. In a plane it follows from an equation of
+/// state; the masses do not matter. Returns nothing on a line, and unless all disks have the same
+/// radius and finite masses and form a fluid.
 ///
-/// Where sides are solid, their effect is that of a surface tension gamma at the line that centres
-/// reach: each such wall adds -d(gamma)/d(P) particles per length to those that fill the area that
-/// centres have with the density of the fluid, and gamma to the force on the walls at its ends. For
-/// gamma / T = -sigma^3 rho^2 / (3 (1 - eta)^2), with the diameter sigma and the number density
-/// rho: exact to second order in the density, with the dependence on the packing eta of
-/// scaled-particle theory (Helfand, Frisch and Lebowitz, J. Chem. Phys. 34, 1037, 1961). The
-/// pressure is within 1 % up to a packing of 0.5 for boxes 20 diameters wide.
+/// The effect of solid sides is that of a surface tension gamma at the line that the centres can
+/// reach. Each such wall adds -rho d(gamma)/d(P) particles per length to the number that fill the
+/// area accessible to the centres at the density of the fluid, and it adds gamma to the force on
+/// the walls at its ends. With the diameter sigma, the number density rho and the packing fraction
+/// eta, gamma / T = -sigma^3 rho^2 / (3 (1 - eta)^2): exact to second order in the density, with
+/// the dependence on eta from scaled-particle theory (Helfand, Frisch and Lebowitz, J. Chem. Phys.
+/// 34, 1037, 1961). The pressure is within 1 % up to a packing fraction of 0.5 for boxes 20
+/// diameters wide.
 std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal);
 
-/// The same of beads on a line, a force: that of points on the length that rods leave free (Tonks,
-/// Phys. Rev. 50, 955, 1936), exactly, for any number of beads. Nothing in a plane, or where they
-/// leave no room.
+/// The pressure of beads on a line, which is a force: that of points on the length that the rods
+/// leave free (Tonks, Phys. Rev. 50, 955, 1936), exact for any number of beads. Returns nothing in
+/// a plane, without particles, for infinite masses, or if the beads leave no free length.
 std::optional<double> pressure_of_rods(const Box& box, const Particles& particles,
                                        const ThermalMotion& thermal);
 

@@ -18,8 +18,8 @@ namespace {
 
 using Why = NoEquilibrium::Why;
 
-// A curve is drawn from a few hundred points; more masses than this are merged with their
-// neighbours, to within a part in a thousand of their logarithm's range.
+// A curve is drawn from a few hundred points. If there are more different masses than this,
+// neighbouring masses are merged, to within a thousandth of the logarithmic range of masses.
 constexpr std::size_t most_groups = 1024;
 
 // Momentum left by round-off carries this part of the energy at most.
@@ -46,7 +46,7 @@ std::vector<MassGroup> group_by_mass(std::vector<double> masses) {
     return merged;
 }
 
-// Whether all beads of finite mass are in one stretch between those that never move.
+// Whether all beads of finite mass lie in a single stretch between beads that never move.
 bool beads_are_together(const Box& box, const Particles& particles, const Sample& sample) {
     const Beads order = beads_along(sample, 0);
     const auto moves = [&](std::size_t k) { return particles.inverse_mass[order[k].second] > 0.0; };
@@ -55,7 +55,7 @@ bool beads_are_together(const Box& box, const Particles& particles, const Sample
     return stretches <= 1;
 }
 
-// What a line forbids beyond what a plane does; `momentum`: whether it is conserved.
+// Additional reasons on a line; `momentum`: whether momentum is conserved.
 std::optional<NoEquilibrium> why_not_on_line(const Box& box, const Particles& particles,
                                              const Sample& sample, bool momentum) {
     const auto finite = particles.inverse_mass > 0.0;
@@ -100,8 +100,8 @@ std::optional<NoEquilibrium> why_not(const Box& box, const Particles& particles,
     return std::nullopt;
 }
 
-// The places of listed particles. Where others are placed later, no bead of infinite mass is taken
-// to part those that move.
+// Sets the positions of listed particles. If other particles are placed later, beads of infinite
+// mass are assumed not to separate those that move.
 void set_known_places(const Gas& gas, const Particles& particles, Sample& sample) {
     for_each_listed(gas, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) {
         sample.position.row(i) = place.head(gas.box.dimension).transpose();

@@ -1,4 +1,5 @@
-// Why theory knows no equilibrium of a gas. What an equilibrium looks like is in theory.h.
+// Reasons why no equilibrium of a gas is known in theory. The equilibrium itself is described in
+// theory.h.
 #pragma once
 
 #include <cstddef>
@@ -9,34 +10,35 @@
 
 namespace carom {
 
-/// Why a gas has no equilibrium that is known.
+/// The reason why no equilibrium of a gas is known.
 struct NoEquilibrium {
     enum class Why {
-        surfaces,              ///< act, or stand in the box, or it has gravity
-        moving_infinite_mass,  ///< of `species`: energy is not conserved
-        momentum_along_x,      ///< is conserved, and not along y
+        surfaces,              ///< sides that act, partitions, obstacles or gravity
+        moving_infinite_mass,  ///< an infinite mass of `species` moves: energy is not conserved
+        momentum_along_x,      ///< momentum is conserved along x but not along y
         momentum_along_y,
         no_finite_mass,
-        alone,             ///< one particle of finite mass
-        pair,              ///< two whose momentum is conserved
+        alone,             ///< a single particle of finite mass
+        pair,              ///< two particles whose momentum is conserved
         at_rest,           ///< no energy
-        drifts,            ///< momentum is conserved, and not zero
-        points,            ///< of a plane never meet
-        equal_masses,      ///< on a line: velocities only change hands
-        few_between_ends,  ///< of a line: two beads between walls or three on a ring move as a
+        drifts,            ///< momentum is conserved and not zero
+        points,            ///< points in a plane never meet
+        equal_masses,      ///< equal masses on a line only exchange velocities
+        few_between_ends,  ///< two beads between walls, or three on a ring, move like a
         few_on_ring,       ///< point in a triangle (Glashow and Mittag 1997), which need not come
                            ///< near all its states
-        parted,            ///< on a line beads that never move part those that do
+        parted,            ///< on a line, beads that never move separate those that do
     };
     Why why{};
     std::size_t species = 0;
 };
 
-/// Why a gas has no equilibrium, before it is placed: its particles are drawn, and places that are
-/// not listed are taken to allow it. Nothing where it has one, and of a gas that cannot be drawn.
+/// Why a gas has no known equilibrium, before its particles are placed: the particles are drawn,
+/// and positions that are not listed are assumed to allow an equilibrium. Returns nothing if there
+/// is one, or if the gas cannot be drawn.
 std::optional<NoEquilibrium> why_no_equilibrium(const Gas& gas);
 
-/// It in words, as the end of a sentence.
+/// The reason in words, as the end of a sentence.
 std::string to_text(const NoEquilibrium& reason, const Gas& gas);
 
 }  // namespace carom

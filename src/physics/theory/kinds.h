@@ -1,5 +1,5 @@
-// Which particles of a gas are alike as mechanics sees them. The names of species say nothing here:
-// a gas stays the same gas however its particles are listed and called.
+// Classification of particles by their mechanical properties. Species and their names play no role:
+// the gas is the same however its particles are listed and named.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@ struct Kinds {
     std::vector<int> members;  ///< how many particles each kind has
 };
 
-/// Particles of equal mass and radius are one kind. Those of finite mass of which there is no
-/// second, as where radii are drawn from a distribution, are one kind together. Kinds are numbered
+/// Particles of equal mass and radius form one kind. All particles of finite mass that have no
+/// equal, as when radii are drawn from a distribution, form one kind together. Kinds are numbered
 /// in the order of their first particles.
 Kinds kinds_of(const Particles& particles);
 

@@ -12,8 +12,8 @@ double log_beta(double alpha, double beta) {
     return std::lgamma(alpha) + std::lgamma(beta) - std::lgamma(alpha + beta);
 }
 
-// Density at y of the root of a share x = y^2 of Beta(alpha, beta): finite where that of the share
-// itself is not.
+// Density of the square root y of a share x = y^2 with the distribution Beta(alpha, beta): it stays
+// finite where the density of x itself does not.
 double root_density(const EquilibriumGas& gas, double y) {
     if (y < 0.0 || y > 1.0) return 0.0;
     const double tail =

@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// The value that a section gives to a key, else the section, else all.
+// Returns the value of a key in a section; without it, the section; without that, the whole scene.
 const Node& place_in(const Node& root, const char* section, const char* key) {
     const Node* its = find(root, section);
     if (its == nullptr) return root;

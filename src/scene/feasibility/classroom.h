@@ -1,5 +1,5 @@
-// Narrower limits than those of the language, for scenes that stand in documents of others: what a
-// few minutes of one machine allow.
+// Narrower limits than those of the language, for scenes embedded in documents of other authors:
+// what one machine can compute in a few minutes.
 #pragma once
 
 #include "scene/scene.h"
@@ -7,13 +7,13 @@
 
 namespace carom {
 
-/// Adds an error for each limit of a classroom (limits.h) that a complete scene is over, where
-/// `root`, its mapping, says so; of its film only if it `has_film`. Lowers its ceiling of
-/// collisions to that of a classroom.
+/// Adds an error for each classroom limit (limits.h) that a complete scene exceeds, placed at the
+/// key in `root`, the scene's mapping. Checks the film only if `has_film`. Also lowers the scene's
+/// limit on collisions to that of a classroom.
 void hold_to_classroom(Scene& scene, const Node& root, bool has_film, Errors& errors);
 
-/// What a run says that had as many collisions as a classroom allows: the limit; empty where the
-/// scene is not held to it, or allows fewer by itself.
+/// Returns the hint for a run that stops at the classroom limit on collisions: the limit; empty if
+/// the scene is not held to classroom limits, or its own limit is lower.
 std::string classroom_hint(const Scene& scene);
 
 }  // namespace carom

@@ -16,8 +16,8 @@ using Kind = Problem::Kind;
 
 constexpr std::string_view region = "`within`";
 
-// What errors left open, or lists of a wrong length, are reported elsewhere: what is found without
-// them holds as well.
+// Returns the species with unknown values, and lists of a wrong length, replaced by harmless ones.
+// Their errors are reported elsewhere; problems found without these values are real in any case.
 Species known_part(const SpeciesDraft& draft) {
     Species species = draft;
     const FittingRules fits = fitting_rules(species);
@@ -30,7 +30,7 @@ Species known_part(const SpeciesDraft& draft) {
     return species;
 }
 
-// Where the place of a particle is written, counted in its species.
+// Returns the node that gives the place of particle `i` of its species.
 const Node& place_of_particle(const SpeciesDraft& draft, int dimension, std::size_t i) {
     const Node& position = at_key(draft, "position");
     const bool each = position.is_list() && (dimension == 1 || position.items.front().is_list());
@@ -83,7 +83,8 @@ const Node& key_or(const Node& item, std::initializer_list<const char*> keys) {
     return item;
 }
 
-// The event that moves a surface until it reaches something, if one does.
+// Returns the node of the last event that sets a surface in motion before it reaches something;
+// null if there is none.
 const Node* last_move(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
     const Node* last = nullptr;
     for (std::size_t k = 0; k < nodes.run.events.size(); ++k) {
@@ -97,7 +98,7 @@ const Node* last_move(const SurfaceProblem& problem, const SurfaceNodes& nodes) 
     return last;
 }
 
-// Within the surface, or the event, that has the problem.
+// Returns the node within the surface or the event that has the problem.
 const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
     using Its = SurfaceProblem::Kind;
     if (problem.event) return *nodes.events.at(*problem.event);

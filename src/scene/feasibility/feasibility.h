@@ -1,5 +1,5 @@
-// What physics finds wrong with a gas, said at the place of the scene where it is written. Decides
-// nothing itself (physics/placement/feasibility.h).
+// Reports what makes a gas physically impossible, at the place in the scene where it is written.
+// The checks themselves are in physics/placement/feasibility.h.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,25 @@
 
 namespace carom {
 
-/// Where surfaces and events are written, by their numbers; null: a side that is not.
+/// The nodes of surfaces and events, indexed by their numbers; null: a side that is not in the
+/// file.
 struct SurfaceNodes {
     const Run& run;
     const std::vector<const Node*>& surfaces;
     const std::vector<const Node*>& events;
 };
 
-/// Reports what no surface can be, and what no event can do to it; of a gas without other errors
-/// also when it would be crushed.
+/// Reports impossible surfaces and events that cannot act on their surface; for a gas without other
+/// errors, also surfaces whose motion would crush it.
 void check_surfaces(const Gas& gas, const SurfaceNodes& nodes, Errors& errors);
 
-/// Reports what keeps the species from being placed in the box, and where there are no other
-/// errors, what would keep them from moving.
+/// Reports what prevents the species from being placed in the box and, if there are no other
+/// errors, what would prevent them from moving.
 void check_feasibility(const Box& box, const std::vector<SpeciesDraft>& drafts, std::uint64_t seed,
                        const Run& run, Errors& errors);
 
-/// A problem that is found when a scene is run, at its species.
+/// Returns the error for a placement problem found when a scene is run, at the place of its
+/// species.
 SceneError scene_error(const Scene& scene, const PlacementError& error);
 
 }  // namespace carom

@@ -16,7 +16,8 @@
 namespace carom {
 namespace {
 
-// By their numbers; those that this box does not have are empty.
+// Returns the names of the surfaces at which panels can measure, indexed by surface number; empty
+// for those that this box does not have.
 std::vector<std::string> measurable(const Box& box) {
     std::vector<std::string> names = box.surfaces.names();
     names.resize(static_cast<std::size_t>(box.surfaces.first_obstacle()));
@@ -48,7 +49,7 @@ std::optional<std::int32_t> surface_called(const std::string& name, const Node& 
     return std::nullopt;
 }
 
-// At some time of the run.
+// Returns whether a surface moves at some time of the run.
 bool may_move(const Reading& reading, std::int32_t surface) {
     const auto all = behaviours_in_time(reading.gas.box.surfaces, reading.run);
     return std::ranges::any_of(all.at(static_cast<std::size_t>(surface)), moves);
@@ -59,7 +60,8 @@ const Node& place_of_surfaces(const Node& node) {
     return written != nullptr ? *written : node;
 }
 
-// Those that a panel can measure at; where the scene names none all that there are.
+// Checks that the panel can measure at the surfaces that the scene names; if it names none, takes
+// all suitable ones of the box.
 template <class Suits>
 void keep_suitable(PanelSpec& panel, const Node& node, Reading& reading, const Suits& suits,
                    const std::string& what, const std::string& hint) {
@@ -92,7 +94,8 @@ void require_one(PanelSpec& panel, const Node& node, Reading& reading) {
         "choose one by `surfaces`: " + listed(names, "or", "`"));
 }
 
-// Whether particles can go through at some time of the run, at one place.
+// Returns whether particles can pass through a surface at some time of the run, while the surface
+// stays in one place.
 bool lets_through(const Reading& reading, std::int32_t surface) {
     const Partition* line = reading.gas.box.surfaces.partition(surface);
     if (line == nullptr || may_move(reading, surface)) return false;
@@ -108,7 +111,7 @@ bool lets_through(const Reading& reading, std::int32_t surface) {
     });
 }
 
-// Which surface an event acts on.
+// Returns the surface on which an event acts.
 std::optional<std::int32_t> surface_of(const RunEvent& event) {
     return std::visit(
         [](const auto& action) -> std::optional<std::int32_t> {
@@ -120,7 +123,8 @@ std::optional<std::int32_t> surface_of(const RunEvent& event) {
         event.action);
 }
 
-// The first event of a run that a word names: a reversal, heat, or a surface that it acts on.
+// Returns the first event of a run that a word stands for: a reversal, heat, or an event that acts
+// on the surface of that name.
 std::optional<WatchStart> event_called(const std::string& word, const Node& node,
                                        Reading& reading) {
     std::vector<std::string> there{"start"};

@@ -1,5 +1,5 @@
-// The surfaces and the parts of the box that panels measure at, and which of them each kind of
-// panel can take.
+// The surfaces and regions of the box at which panels measure, and the checks that each kind of
+// panel can use them.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,15 @@ Notation<std::vector<NamedRegion>> regions_notation();
 /// {x: place} or {y: place}, with `between: [from, to]`.
 Notation<CountingLine> counting_line_notation();
 
-/// A time, or what starts a stopwatch: `start`, `reversal`, `heat`, or the name of a wall or a
-/// partition, whose first event it is.
+/// A time, or the event that starts a stopwatch: `start`, `reversal`, `heat`, or the name of a wall
+/// or a partition, which stands for the first event that acts on it.
 Notation<WatchStart> watch_start_notation();
 
-/// What the kinds of panel need of the box: what moves
-/// at some time of the run for a piston; a wall that moves for a pressure against a volume; a
-/// partition, or regions, for the sides. They name the only one there is where the scene names
-/// none, and report what is wrong. The node is the panel's mapping, or its name alone.
+/// Checks of what the kinds of panel need of the box: a piston, a surface that moves at some time
+/// of the run; a pressure against a volume, a wall that moves; the sides, a partition or regions.
+/// If the scene names no surface, those that fit are filled in; kinds that show one surface require
+/// that only one fits. Errors are reported. The node is the panel's mapping, or the name of its
+/// kind alone.
 void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading);
 void check_piston(PanelSpec& panel, const Node& node, Reading& reading);
 void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading);
@@ -36,9 +37,9 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading);
 void check_pressure(PanelSpec& panel, const Node& node, Reading& reading);
 void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading);
 
-/// A flux needs a partition that lets particles through, or a line; a counter takes these, or
-/// counts hits: without a choice of the scene on all walls, or crossings where there is something
-/// to cross.
+/// A flux needs a partition that lets particles through, or a line. A counter takes these, too, or
+/// counts hits. Unless the scene says what to count, a counter counts crossings if there is
+/// something to cross, and otherwise hits on all walls.
 void check_flux(PanelSpec& panel, const Node& node, Reading& reading);
 void check_counter(PanelSpec& panel, const Node& node, Reading& reading);
 

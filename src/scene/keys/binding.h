@@ -1,13 +1,12 @@
-// Bindings: all that there is to say of a key of the scene language, in one entry. A binding has
-// the key's name, the field that it fills, how its value is written, what it means, and its
-// default.
+// Bindings: each defines a key of the scene language in one entry. A binding has the key's name,
+// the field that it fills, the notation of its value, its meaning, and its default.
 //
 //     bind_key("fps", &Film::fps, whole(1, most_frames_per_second), "Frames in a second.")
 //
-// The default is the value that the field has in a value of its type that nothing was read into;
-// where there is no such value, the binding says it. Reading, the check, the schema, the reference
-// page and the scene to start from are made from tables of bindings. Rules between several keys are
-// functions that a table names.
+// The default is the field's value in a default-constructed object of its type; if there is no such
+// value, the binding gives the default. Reading, the check, the schema, the reference page and the
+// starter scene are all generated from tables of bindings. Rules between several keys are functions
+// that a table names.
 #pragma once
 
 #include <algorithm>
@@ -29,36 +28,36 @@ template <typename T>
 struct Binding {
     Key key;
     SharedFunction<void(T&, const Node&, Reading&)> read;
-    bool reads_default = false;  ///< whether the default is read where the key is not given
+    bool reads_default = false;  ///< whether the default is read if the key is not given
 
-    /// The same field in what is derived from T.
+    /// Converts to a binding of the same field in a type derived from T.
     template <std::derived_from<T> Derived>
     operator Binding<Derived>() && {
         return {std::move(key), std::move(read), reads_default};
     }
 
-    /// A key that must be there.
+    /// Makes the key required.
     Binding required() && {
         key.required = true;
         key.default_value.clear();
         return std::move(*this);
     }
 
-    /// A default that the field does not have of itself, as it would be written.
+    /// Sets a default, as a scene would write it, that differs from the field's initial value.
     Binding default_value(std::string written) && {
         key.default_value = std::move(written);
         reads_default = true;
         return std::move(*this);
     }
 
-    /// A default that is no fixed value, in words.
+    /// Sets a default that is not a fixed value, described in words.
     Binding default_text(std::string words) && {
         key.default_value.clear();
         key.default_text = std::move(words);
         return std::move(*this);
     }
 
-    /// A key that only some kinds of panel take.
+    /// Restricts the key to some kinds of panel.
     Binding only_with(std::vector<std::string> kinds) && {
         key.kinds = std::move(kinds);
         return std::move(*this);
@@ -67,7 +66,7 @@ struct Binding {
 
 namespace binding {
 
-// What the field holds where nothing was read, as it would be written.
+// Returns the field's initial value as a scene would write it.
 template <typename V, typename Field>
 std::string initial_text(const Notation<V>& notation, const Field& initial) {
     if constexpr (std::is_same_v<V, Field>)
@@ -115,7 +114,7 @@ Binding<T> bind_with(std::string name, Fill fill, const Notation<V>& notation,
             }};
 }
 
-/// Bindings of a T and of its bases, one after another.
+/// Returns the bindings of a T and of its bases in one list.
 template <typename T, typename... Bases>
 std::vector<Binding<T>> joined(std::vector<Binding<Bases>>... parts) {
     std::vector<Binding<T>> all;
@@ -127,10 +126,10 @@ std::vector<Binding<T>> joined(std::vector<Binding<Bases>>... parts) {
     return all;
 }
 
-/// A default as a node.
+/// Returns a default as a node.
 Node default_node(const std::string& written);
 
-/// The keys of one mapping, which are read into a T.
+/// The keys of one mapping that is read into a T.
 template <typename T>
 struct KeyTable {
     std::string name;  ///< as in "an item of `gas`"
@@ -138,11 +137,11 @@ struct KeyTable {
     std::vector<Choice> choices = {};
     std::vector<Refused> refused = {};
 
-    /// Rules between several keys, after all have been read.
+    /// Rules between several keys; called after all keys have been read.
     std::function<void(T&, const Node&, Reading&)> rule = {};
 };
 
-/// A table that no key is added to, as a section and what reads its keys. Copies share both.
+/// A complete table of keys, as a section and the functions that read its keys. Copies share both.
 template <typename T>
 class FixedTable {
   public:
@@ -162,14 +161,15 @@ class FixedTable {
 
     const Section& section() const { return contents_->section; }
 
-    /// The form of a mapping with these keys; `phrase` is how a message calls it.
+    /// Returns the form of a mapping with these keys; `phrase` is what messages call it.
     Form form(std::string phrase) const {
         return {.shape = Shape::mapping,
                 .section = {contents_, &contents_->section},
                 .phrase = std::move(phrase)};
     }
 
-    /// Reads a checked mapping into `value`; what is wrong or not there keeps its default.
+    /// Reads a checked mapping into `value`. Fields whose keys are invalid or not given keep their
+    /// defaults.
     void read(const Node& mapping, T& value, Reading& reading) const {
         for (std::size_t k = 0; k < contents_->readers.size(); ++k) {
             const Key& key = section().keys[k];
@@ -182,7 +182,7 @@ class FixedTable {
         if (contents_->rule) contents_->rule(value, mapping, reading);
     }
 
-    /// Whether all required keys have valid values.
+    /// Returns whether all required keys have valid values.
     bool is_complete(const Node& mapping) const {
         return std::ranges::all_of(section().keys, [&](const Key& key) {
             return !key.required || given(mapping, key.name) != nullptr;
@@ -203,7 +203,7 @@ class FixedTable {
     std::shared_ptr<const Contents> contents_;
 };
 
-/// A mapping as a value: of a table's keys.
+/// A notation for a mapping with the keys of a table.
 template <typename T>
 Notation<T> mapping(const FixedTable<T>& table, std::string phrase = "a mapping") {
     return {{table.form(std::move(phrase))},
@@ -219,7 +219,7 @@ Notation<T> mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
     return mapping(FixedTable<T>(std::move(keys)), std::move(phrase));
 }
 
-/// The same, but nothing where a required key has no valid value.
+/// The same notation, but it reads as nothing if a required key has no valid value.
 template <typename T>
 Notation<T> complete_mapping(KeyTable<T> keys, std::string phrase = "a mapping") {
     const FixedTable<T> table(std::move(keys));

@@ -14,8 +14,8 @@
 namespace carom {
 namespace {
 
-/// A value on its way through the check: what it is for, the section of the whole file, and where
-/// to report.
+/// What the check of a value needs: the name of the value for messages, the section of the whole
+/// file, and the list of errors.
 struct Context {
     const std::string& what;
     const Section& whole;
@@ -32,7 +32,7 @@ Node::Kind kind_of(const Form& form) {
     return form.shape == Shape::mapping ? Node::Kind::mapping : Node::Kind::scalar;
 }
 
-// Of words each by itself, so that all can stand in one list.
+// Returns the phrases of a form; each word separately, so that all can be in one list.
 std::vector<std::string> phrases(const Form& form) {
     std::vector<std::string> words = form.words;
     if (form.shape == Shape::flag) words = {"true", "false"};
@@ -42,7 +42,8 @@ std::vector<std::string> phrases(const Form& form) {
     return words;
 }
 
-// The forms that the value seems to be meant for: those of its kind; all where there are none.
+// Returns the forms that the value was probably meant to have: those of its kind of node, or all if
+// there are none.
 std::string expected(const Node& node, const std::vector<Form>& forms) {
     std::vector<std::string> near, all;
     for (const Form& form : forms)
@@ -84,7 +85,7 @@ void check_number(Node& node, double value, const Form& form, const std::vector<
     mismatch(node, forms, hint, context);
 }
 
-// Whether a comment follows where the value of a key should stand.
+// Returns whether a comment follows where a key's value is expected.
 bool is_comment_behind(const Node& nothing) {
     constexpr std::size_t far_enough = 200;
     std::string_view line =
@@ -130,7 +131,7 @@ std::string keys_hint(const Section& section, const std::string& of = "") {
            " " + listed(names, "and");
 }
 
-// Whether a name has a word of `text`; words of names stand between dashes.
+// Returns whether a name contains a word of `text`; hyphens separate the words of a name.
 bool has_word_of(std::string_view text, std::string_view name) {
     constexpr std::size_t shortest = 4;
     for (std::size_t at = 0; at < text.size();) {
@@ -252,7 +253,8 @@ void check_value(Node& node, const std::vector<Form>& forms, Context context) {
     }
 }
 
-// The names of the sections that have a key, of those least deep in this one.
+// Returns the names of the sections that have a key, searching inside `whole` and stopping at the
+// outermost level that has any.
 std::vector<std::string> owners_of(const std::string& key, const Section& whole) {
     std::vector<const Section*> level{&whole};
     std::vector<std::string> owners;
@@ -269,7 +271,7 @@ std::vector<std::string> owners_of(const std::string& key, const Section& whole)
     return owners;
 }
 
-// Where a key belongs, if it does in at most a few places: inside this section, at the top level of
+// Returns where a key belongs, if only in a few places: inside this section, at the top level of
 // the file, or elsewhere in it.
 std::string place_of_key(const std::string& key, const Section& section, const Section& whole) {
     constexpr std::size_t few = 3;
@@ -308,7 +310,7 @@ bool knows_all(const Section& section, const Node& mapping) {
     });
 }
 
-// Those of the names that a mapping has, in its order.
+// Returns those of the names that a mapping has, in the order of the mapping.
 std::vector<std::string> given_in(const Node& node, const std::vector<std::string>& names) {
     std::vector<std::string> given;
     for (const Node& key : node.keys)
@@ -316,7 +318,8 @@ std::vector<std::string> given_in(const Node& node, const std::vector<std::strin
     return given;
 }
 
-// Where several are given, those of the latest origin count; two of these are one too many.
+// If several of the keys are given, those of the latest origin win; two or more of the same origin
+// are an error.
 void check_choice(Node& node, const Choice& choice, const Section& section, Errors& errors) {
     Node* kept = nullptr;
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
@@ -337,7 +340,7 @@ void check_choice(Node& node, const Choice& choice, const Section& section, Erro
         errors.add(node, fmt::format("{} needs {}", section.name, listed(choice.names, "or", "`")));
 }
 
-// A key that seems to be meant by an unknown one, which has been reported.
+// Returns whether an unknown key, which has been reported, was probably meant as the key `name`.
 bool is_meant(const Node& node, const Section& section, const std::string& name) {
     const std::vector<std::string> names = key_names(section);
     return std::ranges::any_of(node.keys, [&](const Node& key) {
@@ -357,7 +360,7 @@ void check_presence(const Node& node, const Section& section, Errors& errors) {
     }
 }
 
-// A key that only some kinds of panel have.
+// Reports keys that the panel's kind does not take.
 void check_kind(Node& node, const Section& section, Errors& errors) {
     const Node* kind = find(node, "kind");
     if (kind == nullptr || !kind->valid) return;

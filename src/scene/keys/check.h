@@ -1,5 +1,5 @@
-// Whether values have the forms that their keys allow. What they mean is for those who read them
-// (reading/).
+// Checks that values have the forms that their keys allow. Their meaning is checked by the
+// functions that read them (reading/).
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace carom {
 
-/// Checks a mapping against its section, marks what is wrong in it as invalid and reports all of
-/// it.
+/// Checks a mapping against its section, reports all errors in it and marks the values concerned as
+/// invalid.
 void check_mapping(Node& node, const Section& section, Errors& errors);
 
-/// Reports at `place` that keys exclude each other.
+/// Reports at `place` that these keys cannot be combined.
 void refuse_together(Errors& errors, const Node& place, const std::vector<std::string>& keys);
 
 }  // namespace carom

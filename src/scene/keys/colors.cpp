@@ -22,7 +22,7 @@ bool is_hex_digit(char c) { return std::isxdigit(static_cast<unsigned char>(c)) 
 
 std::string hex_text(std::uint32_t color) { return fmt::format("#{:06x}", color); }
 
-// The words of a text, in small letters: those of "Light-Blue" are "light" and "blue".
+// Returns the words of a text in lower case: "light" and "blue" for "Light-Blue".
 std::vector<std::string> small_words(const std::string& text) {
     std::vector<std::string> words(1);
     for (const char c : text) {
@@ -36,8 +36,8 @@ std::vector<std::string> small_words(const std::string& text) {
     return words;
 }
 
-// "#fb0" is short for "#ffbb00" in CSS; other texts that begin so have too few digits, or other
-// signs.
+// Returns a hint for a text after "#". "#fb0" is short for "#ffbb00" in CSS; other such texts have
+// the wrong number of digits, or other characters.
 std::string digits_hint(std::string_view digits) {
     if (digits.size() == 3 && std::ranges::all_of(digits, is_hex_digit))
         return fmt::format("write it with six digits: \"#{0}{0}{1}{1}{2}{2}\"", digits[0],
@@ -45,7 +45,7 @@ std::string digits_hint(std::string_view digits) {
     return "after `#` stand six digits, 0 to 9 or a to f, for instance \"#ffa500\"";
 }
 
-// Names that begin with the same letters, the most alike first.
+// Returns names that begin with the same letters, most similar first.
 std::vector<std::string> names_that_begin_so(std::string_view word) {
     std::vector<std::pair<int, std::string>> ranked;
     for (const std::string& name : color_names()) {
@@ -60,7 +60,7 @@ std::vector<std::string> names_that_begin_so(std::string_view word) {
     return names;
 }
 
-// Names that stand in the text, the longest first; then those that have a word of it.
+// Returns names contained in the text, the longest first; then names that share a word with it.
 std::vector<std::string> names_in_common(const std::vector<std::string>& words) {
     constexpr std::size_t shortest = 3;
     std::vector<std::string> inside, around;
@@ -90,7 +90,7 @@ Channels channels(std::uint32_t color) {
     return {byte(16), byte(8), byte(0)};
 }
 
-// The hue of a colour that is no grey, in degrees from 0, red, over 120, green, and 240, blue.
+// Returns the hue of a colour that is not grey, in degrees: 0 is red, 120 green, 240 blue.
 double hue(const Channels& of) {
     const double range = of.most() - of.least();
     if (of.most() == of.red) {
@@ -101,7 +101,7 @@ double hue(const Channels& of) {
                                  : 240.0 + 60.0 * (of.red - of.green) / range;
 }
 
-// What decides how light a colour seems, by the weights of ITU-R BT.709.
+// Returns a measure of the perceived lightness of a colour, with the weights of ITU-R BT.709.
 double lightness(std::uint32_t color) {
     const Channels of = channels(color);
     return 0.2126 * of.red + 0.7152 * of.green + 0.0722 * of.blue;

@@ -1,5 +1,5 @@
-// The colours that scenes can name: those of CSS, in groups, and what to write instead of
-// others. A single one: color_hex() in keys.h.
+// The colours that scenes can name: those of CSS, in groups; and hints for texts that name no
+// colour. For a single colour see color_hex() in keys.h.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace carom {
 
-/// What to write instead of a text that is no colour.
+/// Returns a hint on what to write instead of a text that names no colour.
 std::string color_hint(const std::string& text);
 
 /// A colour and all its names: #808080 is `gray` and `grey`.
@@ -22,7 +22,7 @@ struct ColorGroup {
     std::vector<NamedColor> colors;
 };
 
-/// All named colours, each in one group.
+/// Returns all named colours, each in one group.
 std::vector<ColorGroup> color_groups();
 
 }  // namespace carom

@@ -9,7 +9,7 @@ namespace {
 
 std::string example(const Form& form);
 
-// 1 where it is allowed, else the least.
+// Returns 1 if that is allowed, otherwise the smallest number allowed.
 std::string example_number(const Range& range) {
     return number_text(range.low <= 1.0 && range.most.value >= 1.0 ? 1.0 : range.low);
 }

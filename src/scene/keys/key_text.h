@@ -1,5 +1,5 @@
-// Keys in words: what values a key takes, and an example. For pages and files made from the
-// bindings.
+// Descriptions of keys: the values that a key takes, and an example. For pages and files generated
+// from the bindings.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@
 
 namespace carom {
 
-/// All forms of a key: "a positive number; or a list of numbers".
+/// Returns all forms of a key in words: "a positive number; or a list of numbers".
 std::string forms_text(const Key& key);
 
-/// A value as it could be written: the default where it is fixed, else a short one that fits the
-/// first form.
+/// Returns an example value as it could be written: the default if it is a fixed value, otherwise a
+/// short one of the first form.
 std::string example_text(const Key& key);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
 // The scene language as data: sections of keys with their forms, ranges, defaults and meanings.
-// Made from the bindings (binding.h), which say each key once; the check, the schema, the reference
-// page and the scene to start from know keys only like this.
+// Made from the bindings (binding.h), which define each key once. The check, the schema, the
+// reference page and the starter scene see the keys only in this form.
 #pragma once
 
 #include <cstddef>
@@ -27,22 +27,23 @@ inline constexpr Range positive{smallest_quantity.value};
 
 struct Section;
 
-/// A word that is not among those of a form, and what to do instead.
+/// A word that a form does not take, though users are likely to try it, and a hint on what to do
+/// instead.
 struct Elsewhere {
     std::string word, hint;
 };
 
-/// One form that a value may take. Which members count depends on the shape.
+/// One form that a value may take. The shape determines which of the members are used.
 struct Form {
     Shape shape = Shape::text;
     Range range = {};                             ///< number, integer
-    std::vector<std::string> words = {};          ///< word; text: one for an example
-    std::vector<Elsewhere> elsewhere = {};        ///< word: others that are likely to be tried
-    bool lines = false;                           ///< text: may it have line breaks
+    std::vector<std::string> words = {};          ///< word: those allowed; text: one as an example
+    std::vector<Elsewhere> elsewhere = {};        ///< word: others that users are likely to try
+    bool lines = false;                           ///< text: whether it may have line breaks
     std::vector<Form> items = {};                 ///< list: what each item may be
     std::size_t shortest = 1;                     ///< list, text: least length
     Limit most = {0};                             ///< list, text: greatest length
-    std::string instead_of_list = {};             ///< no list: what to do where one is given
+    std::string instead_of_list = {};             ///< no list: hint if a list is given
     std::shared_ptr<const Section> section = {};  ///< mapping
     std::string phrase = {};                      ///< how a message calls it; empty: by the shape
 };
@@ -52,8 +53,8 @@ struct Key {
     std::string meaning;  ///< one sentence, as in a reference
     std::vector<Form> forms;
     bool required = false;
-    std::string default_value = {};       ///< as it would be written; empty: none
-    std::string default_text = {};        ///< the default in words, where it is no fixed value
+    std::string default_value = {};       ///< as written in a scene; empty: none
+    std::string default_text = {};        ///< the default in words, if it is not a fixed value
     std::vector<std::string> kinds = {};  ///< of panels that take it; empty: all
 };
 
@@ -63,7 +64,7 @@ struct Choice {
     bool required = false;  ///< one of them must be there
 };
 
-/// A key that other scenes may have and this program refuses, and why.
+/// A key that scenes from elsewhere may have and this program refuses, and the reason.
 struct Refused {
     std::string name, reason, hint;
 };
@@ -75,26 +76,28 @@ struct Section {
     std::vector<Choice> choices = {};
     std::vector<Refused> refused = {};
 
-    /// The index of a key; the number of keys if there is none of that name.
+    /// Returns the index of a key; the number of keys if none has that name.
     std::size_t index(std::string_view name) const;
 };
 
-/// The sections inside one another by the name of their key: section_of(scene, "film").
+/// Returns the section of the mapping that is the value of `key`: section_of(scene, "film").
 const Section& section_of(const Section& parent, std::string_view key);
 
-/// The section of a mapping among these forms, or of one in their lists; null if there is none.
+/// Returns the section of the mapping among these forms, or among the items of their lists; null if
+/// there is none.
 const Section* section_in(const std::vector<Form>& forms);
 
-/// All of these sections, each as it comes.
+/// Returns all sections of mappings among these forms, in order.
 std::vector<const Section*> sections_in(const std::vector<Form>& forms);
 
-/// How a message calls a form: "a positive number", "`light`, `dark` or `print`".
+/// Returns the name of a form in messages: "a positive number", "`light`, `dark` or `print`".
 std::string phrase(const Form& form);
 
-/// The colour names of CSS that color_hex() knows.
+/// Returns the colour names of CSS that color_hex() knows.
 std::vector<std::string> color_names();
 
-/// The colour of a name as #rrggbb; `name` itself if it is #rrggbb; empty otherwise.
+/// Returns the colour of a name as #rrggbb; `name` itself if it has the form #rrggbb; empty
+/// otherwise.
 std::string color_hex(std::string_view name);
 
 }  // namespace carom

@@ -1,6 +1,6 @@
-// What the scene language is read by and depends on nothing but the kinds of panel: tables of keys
-// and notations. Each is put together from thousands of small parts, which takes several times as
-// long as to read a scene by it; so it is made once, and kept to the end of the program.
+// Tables of keys and notations, which depend on nothing but the kinds of panel. Each is put
+// together from thousands of small parts, which takes several times as long as reading a scene with
+// it. It is therefore made once and kept until the program ends.
 #pragma once
 
 #include <map>
@@ -12,12 +12,12 @@
 
 namespace carom {
 
-/// Values for lists of kinds. They are not destroyed at the end of the program, as their thousands
-/// of small parts would be for nothing. May be used by several threads.
+/// One value for each list of kinds of panel. The values are never destroyed: destroying their
+/// thousands of small parts at the end of the program would be wasted time. Thread-safe.
 template <typename Value>
 class MadeOnce {
   public:
-    /// The value for `kinds`: what `make()` gives, which is called at the first time.
+    /// Returns the value for `kinds`; the first call for these kinds makes it by `make()`.
     template <typename Make>
     const Value& of(PanelKinds kinds, const Make& make) {
         const std::lock_guard lock(mutex_);

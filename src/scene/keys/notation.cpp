@@ -30,8 +30,8 @@ Notation<std::string> text_form(bool lines, std::size_t shortest, Limit most) {
             [](const std::string& text) { return text; }};
 }
 
-// The byte of the source at which a byte of a node's text stands: that of the node where the text
-// is written in other letters there.
+// Returns the byte of the source that corresponds to a byte of a node's text; the beginning of the
+// node if the source spells the text differently there.
 std::size_t place_in_source(const Node& node, std::size_t at) {
     const std::string& text = node.text;
     const std::size_t from = text[std::min(at, text.size() - 1)] == '$' ? at : text.rfind('$', at);
@@ -42,7 +42,7 @@ std::size_t place_in_source(const Node& node, std::size_t at) {
     return found != std::string::npos && is_near && at <= end ? found + (at - from) : node.offset;
 }
 
-/// A distribution, as far as it is given.
+/// A distribution, as far as its keys are given.
 struct Distribution {
     std::optional<Quantity> value;
 };

@@ -1,6 +1,6 @@
-// How values are written in a scene. A notation says it once for all: the forms that a value may
-// take (for messages, schema and reference), how a checked node becomes the value, and how a value
-// is written again (for defaults). Larger notations are put together from smaller ones.
+// How values are written in a scene. A notation defines this in one place: the forms that a value
+// may take (for messages, schema and reference), how a checked node is converted to the value, and
+// how a value is written again (for defaults). Larger notations are composed of smaller ones.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,15 +23,16 @@
 
 namespace carom {
 
-/// What reading a value may look at beside its node: where mistakes are reported, and what has been
-/// read of the scene so far.
+/// What reading a value may use besides its node: where errors are reported, and the gas and the
+/// run as far as they have been read.
 struct Reading {
     Errors& errors;
     const Gas& gas;
     const Run& run;
 };
 
-/// What copies share. Nothing of it is inline: notations are compiled to a third less code so.
+/// A reference-counted object of erased type. None of its functions is inline, which makes the
+/// compiled code of notations a third smaller.
 class Held {
   public:
     Held(const void* what, void (*destroy)(const void*));
@@ -44,8 +45,8 @@ class Held {
     std::shared_ptr<const void> what_;
 };
 
-/// A function whose copies share what it holds: notations are put together from many. Little is
-/// compiled for each, as there are hundreds.
+/// A function object whose copies share their state, because notations are composed of many. It
+/// generates little code for each function, of which there are hundreds.
 template <typename Signature>
 class SharedFunction;
 template <typename Result, typename... Arguments>
@@ -73,14 +74,15 @@ template <typename V>
 struct Notation {
     std::vector<Form> forms;
 
-    /// The value of a node that has one of the forms; nothing if it has none of them, or if the
-    /// value is wrong in itself, which is reported.
+    /// Returns the value of a node that has one of the forms; nothing if it has none of them, or if
+    /// the value is wrong in itself, which is reported.
     SharedFunction<std::optional<V>(const Node&, Reading&)> read;
 
-    /// A value as a scene would write it; empty if it would be written as no single word or number.
+    /// Returns a value as a scene would write it; empty if that would not be a single word or
+    /// number.
     SharedFunction<std::string(const V&)> write = [](const V&) { return std::string{}; };
 
-    /// The same where messages call its first form by a phrase.
+    /// Returns this notation with a phrase by which messages call its first form.
     Notation called(std::string phrase) const {
         Notation notation = *this;
         notation.forms.front().phrase = std::move(phrase);
@@ -98,13 +100,13 @@ Notation<bool> flag();
 /// A colour as #rrggbb.
 Notation<std::string> color();
 
-/// One line, of at least `shortest` characters, without space at its end.
+/// One line of at least `shortest` characters, without spaces at its end.
 Notation<std::string> text(std::size_t shortest, Limit most);
 
-/// The same with line breaks.
+/// A text of at least `shortest` characters that may have line breaks.
 Notation<std::string> lines(std::size_t shortest, Limit most);
 
-/// The same where spans between `$` signs are formulae (util/formula/).
+/// A text notation in which spans between `$` signs are formulae (util/formula/).
 Notation<std::string> with_formulas(Notation<std::string> text);
 
 /// Words, each of which stands for a value.
@@ -139,7 +141,7 @@ Notation<E> one_of() {
 /// Words that stand for themselves.
 Notation<std::string> word(const std::vector<std::string>& words);
 
-/// The value of a notation turned into another by `convert(value)`.
+/// A notation whose value is converted to another by `convert(value)`.
 template <typename V, typename Convert>
 auto mapped(Notation<V> from, Convert convert) {
     using W = std::invoke_result_t<Convert, V>;
@@ -152,8 +154,8 @@ auto mapped(Notation<V> from, Convert convert) {
         }};
 }
 
-/// The value as another type that is made from it: an alternative of a variant, its only member, a
-/// base.
+/// A notation whose value is converted to another type constructed from it: a variant that has it
+/// as an alternative, a struct that has it as its only member, or a base class.
 template <typename W, typename V>
 Notation<W> as(Notation<V> notation) {
     Notation<W> other = mapped(notation, [](V value) { return W{std::move(value)}; });
@@ -165,8 +167,8 @@ Notation<W> as(Notation<V> notation) {
     return other;
 }
 
-/// The same where `parse(value, node, reading)` may find a mistake, which it reports: it gives an
-/// optional.
+/// A notation whose value is converted by `parse(value, node, reading)`, which returns an optional:
+/// nothing after it has reported an error.
 template <typename V, typename Parse>
 auto parsed(Notation<V> from, Parse parse) {
     using Result = std::invoke_result_t<Parse, V, const Node&, Reading&>;
@@ -178,7 +180,8 @@ auto parsed(Notation<V> from, Parse parse) {
         }};
 }
 
-/// The same value after `check(value, node, reading)`, which reports what is wrong with it.
+/// A notation with the same value, on which `check(value, node, reading)` is called to report
+/// errors.
 template <typename V, typename Check>
 Notation<V> checked(Notation<V> notation, Check check) {
     const auto read = notation.read;
@@ -190,7 +193,7 @@ Notation<V> checked(Notation<V> notation, Check check) {
     return notation;
 }
 
-/// Either of two notations; which, the forms tell.
+/// Either of two notations; the form of the node decides which.
 template <typename V>
 Notation<V> either(Notation<V> first, Notation<V> second) {
     std::vector<Form> forms = first.forms;
@@ -206,8 +209,8 @@ Notation<V> either(Notation<V> first, Notation<V> second) {
             }};
 }
 
-/// A list of at least `shortest` items, at most so many; `phrase` is how a message calls it. Items
-/// with mistakes, which are reported, are left out.
+/// A list of at least `shortest` and at most `most` items; `phrase` is what messages call it. Items
+/// with errors are reported and left out.
 template <typename V>
 Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, Limit most,
                                  std::string phrase) {
@@ -238,18 +241,18 @@ Notation<std::vector<V>> one_or_list(Notation<V> one, Limit most, std::string ph
 /// A list of two numbers.
 Notation<Eigen::Array2d> pair_of(Range range, std::string phrase);
 
-/// One place or velocity, or a list of one for each particle: [x, y] in two dimensions, a number in
-/// one.
+/// One place or velocity, or a list with one for each particle: [x, y] in two dimensions, a number
+/// in one.
 Notation<std::vector<Eigen::Array2d>> points(int dimension);
 
-/// Whether a checked node lists several points, and is not one itself.
+/// Returns whether a checked node is a list of several points rather than a single point.
 bool lists_points(const Node& node, int dimension);
 
-/// NUMBER of the scene language: a number for all, a list of one for each particle, or a
+/// NUMBER of the scene language: one number for all particles, a list with one for each, or a
 /// distribution to draw from.
 Notation<Quantity> quantity(Range range);
 
-/// A value together with its node, for what is checked later. Nodes outlive the reading.
+/// A value together with its node, for checks that come later. The nodes must outlive the reading.
 template <typename V>
 struct Placed {
     V value;
@@ -263,7 +266,7 @@ Notation<Placed<V>> placed(Notation<V> notation) {
     });
 }
 
-/// The values without their nodes.
+/// Returns the values without their nodes.
 template <typename V>
 std::vector<V> values_of(const std::vector<Placed<V>>& placed) {
     std::vector<V> values;
@@ -271,13 +274,13 @@ std::vector<V> values_of(const std::vector<Placed<V>>& placed) {
     return values;
 }
 
-/// The node alone, to be read later.
+/// A notation whose value is the node itself, to be read later.
 template <typename V>
 Notation<const Node*> kept(const Notation<V>& notation) {
     return {notation.forms, [](const Node& node, Reading&) { return std::optional(&node); }};
 }
 
-/// The value of a key as written, if it is valid; null if it is not there, or wrong.
+/// Returns the node of a key's value if it is given and valid; otherwise null.
 const Node* given(const Node& mapping, std::string_view key);
 
 }  // namespace carom

@@ -64,7 +64,7 @@ constexpr std::array letters{
     Letter{"☺", {"..###..", ".#...#.", "#.#.#.#", "#.....#", "#.#.#.#", ".#.#.#.", "..###.."}},
 };
 
-// The next letter of UTF-8.
+// Returns the first UTF-8 character of a text.
 std::string_view next_of(std::string_view text) { return text.substr(0, next_code_point(text, 0)); }
 
 const Letter* letter_of(std::string_view name) {

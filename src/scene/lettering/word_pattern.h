@@ -1,5 +1,5 @@
-// Words as patterns of dots: letters on a grid of cells, five across and seven up, as on a dot
-// matrix. Knows no species and no YAML.
+// Words as patterns of dots: most letters fill a grid of cells five wide and seven high, as on a
+// dot-matrix display. Independent of species and YAML.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,22 +16,23 @@ struct WordShape {
     int columns = 0, rows = 0;
     std::vector<Eigen::Array2i> cells;  ///< column from the left, row from the bottom
 
-    /// The largest side of a cell with which the word fits into a region.
+    /// Returns the largest side of a cell for which the word fits into a region.
     double cell_in(const Region& region) const;
 };
 
-/// The shape of a word, small letters as capitals. Letters that have none are left out.
+/// Returns the shape of a word; small letters are drawn as capitals. Characters without a pattern
+/// are left out.
 WordShape word_shape(const std::string& words);
 
-/// Those letters, each once, in UTF-8.
+/// Returns the characters without a pattern, each once, in UTF-8.
 std::vector<std::string> letters_without_shape(const std::string& words);
 
-/// What has a shape, in words.
+/// The characters that have a pattern, in words.
 extern const char* const letters_with_shape;
 
-/// `count` places in the middle of a region: each cell holds `across` by `across` dots, evenly
-/// spaced over the whole word, from the top left; where that is more than `count`, every so many is
-/// left out. There are as many dots as `count` at least.
+/// Returns `count` places for a word centred in a region. Each filled cell holds `across` by
+/// `across` dots. If that gives more than `count` dots, dots are left out at regular intervals over
+/// the whole word, counted row by row from the top left. There must be at least `count` dots.
 std::vector<Eigen::Array2d> places_of(const WordShape& shape, const Region& region, int across,
                                       std::int64_t count);
 

@@ -12,7 +12,7 @@
 namespace carom {
 namespace {
 
-// Nothing for a normal distribution, which has no largest value.
+// Returns nothing for a normal distribution, which has no largest value.
 std::optional<double> largest_of(const Quantity& quantity) {
     if (const auto* number = std::get_if<double>(&quantity)) return *number;
     if (const auto* uniform = std::get_if<UniformDistribution>(&quantity)) return uniform->high;
@@ -20,7 +20,7 @@ std::optional<double> largest_of(const Quantity& quantity) {
     return list != nullptr ? std::optional(std::ranges::max(*list)) : std::nullopt;
 }
 
-// Of disks that touch: the most of them across a cell of a word.
+// Returns the largest number of disks that fit side by side across a cell of a word.
 int most_across(double cell, double radius) {
     const double most = cell / (2.0 * radius) * (1.0 + 1e-12);
     return static_cast<int>(std::min(most, std::sqrt(most_particles.value)));
@@ -36,7 +36,8 @@ bool check_word(const Node& word, const WordShape& shape, Errors& errors) {
     return without.empty() && !shape.cells.empty();
 }
 
-// `cells` of a word are filled cells as wide as `cell`, with room for `most` disks across.
+// Reports that the letters are too narrow: their strokes are as wide as `cell`, and have room for
+// `room` disks in all.
 void report_narrow(const Node& word, double count, double radius, double cell, double room,
                    Errors& errors) {
     if (room == 0.0)

@@ -1,4 +1,4 @@
-// The places of disks that write a word in a part of the box.
+// Places of disks that spell a word in a part of the box.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace carom {
 
-/// So many disks across a stroke of the letters that there are `count`, or, where that is 0, as
-/// many as leave a quarter of their diameter between them. Nothing where the letters have no room
-/// for them, which is reported.
+/// Returns places for `count` disks, with as many disks across a stroke of the letters as that
+/// takes. If `count` is 0, there are as many across as leave a gap of a quarter of their diameter.
+/// Reports it and returns nothing if the disks do not fit into the letters.
 std::optional<Places> places_of_word(const Node& word, const Region& region, const Quantity& radius,
                                      std::int64_t count, Errors& errors);
 

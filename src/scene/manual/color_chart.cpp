@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-// Of the picture, in its own units.
+// Lengths in the picture, in its own units.
 constexpr int columns = 3, column_width = 240, margin = 12, line = 20, head = 34;
 constexpr int swatch_width = 36, swatch_height = 15;
 
@@ -19,7 +19,7 @@ int height_of(const ColorGroup& group) {
     return head + line * static_cast<int>(group.colors.size());
 }
 
-// So high that no column with its groups is higher: groups stay whole, and in order.
+// Returns the smallest height at which the groups fit into the columns, unbroken and in order.
 int height_of(const std::vector<ColorGroup>& groups) {
     const auto columns_at = [&](int most) {
         int used = 1, height = 0;

@@ -1,14 +1,15 @@
-// The colours that scenes can name, as a part of the reference page and as its picture.
+// The colours that scenes can name, as a section of the reference page and as a chart.
 #pragma once
 
 #include <string>
 
 namespace carom {
 
-/// The section "Colours" of docs/scene-reference.md: a picture, docs/colors.svg, and all names.
+/// Returns the section "Colours" of docs/scene-reference.md: the picture docs/colors.svg and all
+/// names.
 std::string color_section();
 
-/// docs/colors.svg, whole: every colour with its names beside it.
+/// Returns the content of docs/colors.svg: every colour with all its names.
 std::string color_chart();
 
 }  // namespace carom

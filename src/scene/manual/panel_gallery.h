@@ -1,4 +1,5 @@
-// Every kind of panel with a picture and the lines that make it, as a part of the reference page.
+// The gallery of panels in the reference page: each kind with a picture and the lines that produce
+// it.
 #pragma once
 
 #include <map>
@@ -8,17 +9,18 @@
 
 namespace carom {
 
-/// A scene that shows a panel of one kind, docs/panels/KIND.yaml, and what carom says of its
-/// picture, docs/panels/KIND.png, to those who cannot see it.
+/// A scene that shows a panel of one kind, docs/panels/KIND.yaml, and the alternative text of its
+/// picture, docs/panels/KIND.png, for readers who cannot see it.
 struct PanelExample {
     std::string scene;
     std::string alt;
 };
 
-/// The figure set docs/panels/panels.yaml: the scenes of all kinds, in their order.
+/// Returns the figure set docs/panels/panels.yaml: the scenes of all kinds, in their order.
 std::string panel_set(PanelKinds kinds);
 
-/// The section "Panels" of docs/scene-reference.md. Each kind has an example.
+/// Returns the section "Panels" of docs/scene-reference.md. `examples` must have an entry for each
+/// kind.
 std::string panel_gallery(PanelKinds kinds, const std::map<std::string, PanelExample>& examples);
 
 }  // namespace carom

@@ -88,7 +88,8 @@ std::string choices(const Section& section) {
     return text;
 }
 
-// The keys that a wire has otherwise, and those that it has not.
+// Returns rows about a section on a wire: keys that are new or differ there, and keys that do not
+// exist there.
 std::string on_wire(const Section& plane, const Section& wire) {
     std::string rows;
     std::vector<std::string> missing;
@@ -110,7 +111,8 @@ class Page {
   public:
     explicit Page(std::string text) : text_(std::move(text)) {}
 
-    // A section of the plane beside that of the wire, then those inside it; each name once.
+    // Adds a section of the plane together with that of the wire, then the sections inside it; each
+    // name once.
     void add(const Section& plane, const Section& wire) {
         if (!shown_.insert(plane.name).second) return;
         std::string rows;

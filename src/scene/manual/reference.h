@@ -10,12 +10,12 @@
 
 namespace carom {
 
-/// docs/scene-reference.md, whole: Markdown, UTF-8. Figures have these formats; there is an example
-/// of each kind of panel.
+/// Returns the content of docs/scene-reference.md in Markdown, UTF-8. `formats` are the file
+/// formats of figures; `panels` must have an example for each kind of panel.
 std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& formats,
                             const std::map<std::string, PanelExample>& panels);
 
-/// The scene that the page shows.
+/// Returns the example scene on the page.
 std::string reference_example();
 
 }  // namespace carom

@@ -22,7 +22,7 @@ std::string first_line(const std::string& schema) {
 /// Keys that the scene gives, with their values.
 using Given = std::map<std::string, std::string>;
 
-// Words in lines of comment, at most so wide.
+// Returns words as comment lines of limited width.
 std::string comment(const std::string& words, const std::string& indent) {
     constexpr std::size_t width = 96;
     std::string text, line;
@@ -45,7 +45,8 @@ std::string words_of(const Key& key) {
     return words + " Values: " + forms_text(key) + ".";
 }
 
-// A value that begins with # is an example of a key that is not given.
+// Returns the lines of a key. A value that begins with # is an example for a key that the scene
+// does not give.
 std::string lines_of(const Key& key, const Given& given, const std::string& indent) {
     const auto found = given.find(key.name);
     std::string value = found != given.end() ? found->second : "#" + example_text(key);
@@ -66,7 +67,7 @@ std::string heading(const Section& scene, const std::string& name) {
     return "\n" + comment(key.meaning, "") + name + ":\n";
 }
 
-// The keys of the top level that hold no others.
+// Returns the lines of the top-level keys that contain no other keys.
 std::string top_lines(const Section& scene) {
     const Given given{{"title", "Light and heavy disks share energy, not speed"}, {"seed", "1"}};
     std::string text;
@@ -75,7 +76,7 @@ std::string top_lines(const Section& scene) {
     return text;
 }
 
-// A key of the top level that the scene does not give.
+// Returns the commented-out line of a top-level key that the scene does not give.
 std::string hidden_line(const Section& scene, const std::string& name, const std::string& value) {
     const Key& key = scene.keys.at(scene.index(name));
     return "\n" + comment(words_of(key), "") + fmt::format("# {}: {}\n", name, value);

@@ -7,13 +7,13 @@
 
 namespace carom {
 
-/// A valid scene that makes a film, with what every key means; the keys that need not be there
-/// stand behind a `#` with their defaults. `schema` is where its first line tells editors to find
-/// the JSON Schema, `name` how the comments call the file.
+/// Returns a valid scene that makes a film, with comments that explain every key. Optional keys are
+/// commented out (`#`) and show their defaults. `schema` is the address of the JSON Schema in the
+/// first line, for editors; `name` is what the comments call the file.
 std::string starter_scene(PanelKinds kinds, const std::string& schema, const std::string& name);
 
-/// The text of another scene behind a first line that names the schema, in place of one that it may
-/// have.
+/// Returns the text of another scene with a first line that names the schema; it replaces such a
+/// line of the scene.
 std::string starter_from(const std::string& scene, const std::string& schema);
 
 }  // namespace carom

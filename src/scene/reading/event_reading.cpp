@@ -15,9 +15,9 @@
 namespace carom {
 namespace {
 
-constexpr std::int32_t no_surface = -1;  // as long as its name is not resolved
+constexpr std::int32_t no_surface = -1;  // until its name is resolved
 
-// What is moved is kept as it is written: no double has all its digits.
+// The displacement is kept as the text in the file, because a double cannot hold all of its digits.
 Notation<std::array<std::string, 2>> digits(int dimension) {
     using Digits = std::array<std::string, 2>;
     if (dimension == 1)
@@ -152,7 +152,7 @@ void check_time(const EventDraft& event, const Node& place, double until, Errors
                    "at time 0 there is nothing to reverse");
 }
 
-// The one of these keys that is given, with its value.
+// Returns the one of these keys that is given, and its value.
 std::pair<const char*, const Node*> given_of(const Node& node,
                                              std::initializer_list<const char*> keys) {
     for (const char* key : keys)
@@ -160,7 +160,8 @@ std::pair<const char*, const Node*> given_of(const Node& node,
     return {nullptr, nullptr};
 }
 
-// Keys of what surfaces do stand only beside the events that make them do so.
+// Refuses keys in events to which they do not apply: most of them describe the behaviour of a
+// surface, which only some events set.
 void check_beside(const EventDraft& event, const Node& node, Errors& errors) {
     const auto refuse = [&](const char* key, const char* applies) {
         if (const Node* its = given(node, key))
@@ -180,7 +181,7 @@ void check_beside(const EventDraft& event, const Node& node, Errors& errors) {
         errors.add(*given(node, "for"), "`for` applies only to `caption`");
 }
 
-// What a wall becomes; nothing if there is a mistake.
+// Returns the new behaviour of a wall; nothing if there is a mistake.
 std::optional<Behaviour> change_of(const EventDraft& event, const Node& node, Errors& errors) {
     const auto behaviour = behaviour_of(event, node, errors);
     if (event.until && *event.until <= event.at) {
@@ -231,7 +232,7 @@ void add_event(const EventDraft& event, const Node& node, RunDraft& run, Errors&
 
 namespace {
 
-// The surface that an event names, where it says it; nothing for one that has none.
+// Returns a pointer to the surface number in an event; null if the event concerns no surface.
 std::int32_t* surface_in(RunEvent& event) {
     return std::visit(
         [](auto& action) -> std::int32_t* {
@@ -241,7 +242,7 @@ std::int32_t* surface_in(RunEvent& event) {
         event.action);
 }
 
-// False where nothing is found.
+// Returns false if a name is not found.
 bool resolve(RunEvent& event, const Node& node, const PlacedSurfaces& surfaces,
              const std::vector<std::string>& species, int dimension, Errors& errors) {
     if (auto* heat = std::get_if<Heat>(&event.action)) {
@@ -297,7 +298,7 @@ void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
         const double y = parse_number(nudge->by[1]).value_or(0.0);
         const double length = std::hypot(x, y);
         const Node& by = *find(node, "by");
-        // Ten bits of the nudge itself, at least, are to be seen.
+        // At least ten bits of the displacement itself must be resolved.
         const double bits = 10.0 + std::log2(size) - std::log2(length);
         if (length == 0.0)
             errors.add(by, "a nudge of 0 moves nothing");

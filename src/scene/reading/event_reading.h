@@ -1,4 +1,4 @@
-// The items of `run.events`, and what they mean together with the gas and its box.
+// The items of `run.events`, and their checks against the gas and its box.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@ struct EventDraft : ActingDraft {
     bool reverses = false;
     std::optional<Perturbation> nudge;
     const Node *open = nullptr, *close = nullptr, *move = nullptr, *hold = nullptr,
-               *release = nullptr, *wall = nullptr;  ///< names of surfaces
-    bool solid = false;                              ///< what a wall becomes
+               *release = nullptr, *wall = nullptr;  ///< nodes with names of surfaces
+    bool solid = false;                              ///< whether a wall becomes solid
     std::optional<Heat> heat;
     bool is_mirrored = true;
     std::optional<std::string> mark, caption;
@@ -28,16 +28,17 @@ struct EventDraft : ActingDraft {
 
 Notation<EventDraft> event_notation(int dimension);
 
-/// Adds one event at its time to the run: what happens to the gas, or what the film shows. Surfaces
-/// and species that it names are found later (resolve_names()).
+/// Adds one event to the run, at its time: an action on the gas, or something that the film shows.
+/// The surfaces and species that it names are resolved later, by resolve_names().
 void add_event(const EventDraft& event, const Node& node, RunDraft& run, Errors& errors);
 
-/// Fills in the numbers of the surfaces and species that events name; reports those that are not
-/// there. Without a gas that is complete, events that no name is found for are left out.
+/// Replaces the names of surfaces and species in events by their numbers. Events with unknown names
+/// are removed and reported, unless the surface of that name was left out because of a mistake.
 void resolve_names(RunDraft& run, const PlacedSurfaces& surfaces,
                    const std::vector<std::string>& species, int dimension, Errors& errors);
 
-/// Whether nudges have their particles, and numbers of so few bits room for them.
+/// Reports nudges of particles that do not exist, and nudges that move nothing, lead out of the
+/// box, or are too small for the run's number of bits.
 void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors);
 
 }  // namespace carom

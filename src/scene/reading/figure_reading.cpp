@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-/// A figure with what only the rules between its keys need.
+/// A figure with the intermediate values that the rules between its keys need.
 struct FigureReading : FigureSpec, PanelSpec {
     std::optional<double> one_time;
     std::vector<double> interval;  ///< from and to, of `over`; empty: not given
@@ -108,7 +108,7 @@ void check_time(const Node& node, double time, Reading& reading) {
                            fmt::format("the run ends at {}", until));
 }
 
-// The times that a figure shows: one, the end of an interval, or several.
+// Sets the times that a figure shows: one, the end of an interval, or several.
 void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
     figure.times = {figure.one_time.value_or(reading.run.until)};
     if (figure.one_time) check_time(*given(node, "at"), *figure.one_time, reading);
@@ -135,7 +135,8 @@ void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
     figure.at = figure.times.back();
 }
 
-// A name that is a file's on every system, and part of a label in every kind of document.
+// Checks that a name is a valid file name on every system, and valid in a label of every kind of
+// document.
 void check_name(const std::string& name, const Node& node, Reading& reading) {
     const bool plain =
         name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") == std::string::npos;
@@ -155,7 +156,7 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
                                "each figure writes its own files: give one of them another name");
 }
 
-// Of what the test supposes, as much as is known before the run.
+// Checks the assumptions of the test, as far as they are known before the run.
 void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
     if (asked == nullptr || !panel.test) return;
@@ -176,7 +177,8 @@ void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
             "leave out `test`");
 }
 
-// The figure's key names runs, not what is drawn of each.
+// Checks that a comparison draws one line for each run: its legend names the runs, not several
+// things drawn for each.
 void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) {
     const auto refuse = [&](bool has_several, const char* key, const char* takes,
                             const char* hint = "make a figure for each") {
@@ -205,7 +207,7 @@ void check_is_inside(const std::string& written, const Node& node, Reading& read
                            "figures.NAME.seeds.from=FOLDER");
 }
 
-// How many runs, or the folder of a sweep in which they were done.
+// The number of runs, or the folder of a sweep that has already run them.
 Binding<PanelSpec> seeds_key() {
     struct Joined {
         std::string from;
@@ -242,7 +244,7 @@ std::vector<Binding<PanelSpec>> keys_of_runs(PanelKinds kinds) {
             seeds_key().only_with(kinds_that_can(kinds, Ability::means))};
 }
 
-// As panels have it, or the interval itself.
+// The values of `over` for panels, or an interval.
 Binding<FigureReading> over_key() {
     using Interval = std::vector<double>;
     using Times = std::variant<Over, Interval>;
@@ -320,7 +322,8 @@ KeyTable<FigureReading> figure_table(PanelKinds kinds) {
         }};
 }
 
-// A key that only some kinds take is there if one of these can be compared.
+// Returns whether a key applies to comparisons: for a key of only some kinds, whether one of these
+// can be compared. Removes the other kinds from the key.
 bool is_for_comparison(Binding<FigureReading>& key, const std::vector<std::string>& compared) {
     if (key.key.name == "seeds" || key.key.name == "test" || key.key.name == "compare")
         return false;

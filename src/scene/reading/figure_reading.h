@@ -1,4 +1,5 @@
-// The keys of a scene's `figures`, and of the comparisons of a set, and what they mean together.
+// The keys of a scene's `figures` and of the comparisons of a figure set, with the rules between
+// them.
 #pragma once
 
 #include <vector>
@@ -9,19 +10,19 @@
 
 namespace carom {
 
-/// The figures that a scene lists. Names are files of their own, times lie in the run. `kinds` as
-/// MadeOnce takes them.
+/// The notation of a scene's list of figures. Reports names that are used twice, since each figure
+/// writes its own files, and times outside the run. For `kinds` see MadeOnce.
 const Notation<std::vector<FigureSpec>>& figures_notation(PanelKinds kinds);
 
-/// A comparison of a set, as a figure of one of its scenes: the keys of a figure that shows several
-/// runs, with `scenes`, which are kept for others to read.
+/// The notation of a comparison of a figure set, read as a figure of one of its scenes: the keys of
+/// a figure that shows several runs, and `scenes`, whose node is kept unread.
 Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const Node*>& scenes);
 
-/// The keys of a compared run: its name, and what is laid over its scene.
+/// The keys of a compared run: its label, and the values that it changes in its scene.
 Binding<ComparedRun> label_key();
 Binding<ComparedRun> changes_key();
 
-/// Notes where a compared run is written.
+/// Stores in `run` its place in the file, for errors that are found later.
 void place_run(ComparedRun& run, const Node& node, Reading& reading);
 
 }  // namespace carom

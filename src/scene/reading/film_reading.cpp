@@ -111,7 +111,7 @@ Binding<Film> sound_key() {
         .default_value("none");
 }
 
-// How long the film is, and of what pictures.
+// Keys for the length and the pictures of the film.
 std::vector<Binding<FilmDraft>> picture_keys() {
     return {
         bind_key("seconds", &FilmDraft::given_seconds, number({0.01, most_seconds}),
@@ -131,7 +131,7 @@ std::vector<Binding<FilmDraft>> picture_keys() {
                  "theme that suits the slide.")};
 }
 
-// What is drawn of the gas.
+// Keys for the drawing of the gas.
 std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
     const PanelKind* gas = kind_of(kinds, "gas");
     const auto palettes = word(gas != nullptr ? gas->palettes : std::vector<std::string>{});
@@ -150,7 +150,7 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
                  "or a wall that acts, at most three a second.")};
 }
 
-// What is shown beside the gas, and when.
+// Keys for what is shown next to the gas, and when.
 std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
     const auto slow =
         list_of(placed(slow_notation()), 0, most_slow_spans, "a list of {from, to, factor}");
@@ -197,7 +197,8 @@ std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
 
 const std::vector<Choice> film_choices{{{"seconds", "pace"}}};
 
-// A template laid over a scene by the command line shows the first of the scene's panels.
+// Returns whether the command line chose the template while the scene lists the panels: then only
+// as many of the panels are shown as the template has places for.
 bool is_laid_over(const Node& film, const Node& panels) {
     const Node* asked = given(film, "template");
     return asked != nullptr && asked->source->origin == Origin::command_line &&
@@ -247,7 +248,7 @@ void check_spans(const Spans& spans, const Run& run, Errors& errors) {
     }
 }
 
-// In order of time; a span without an end lasts until that of the run.
+// Returns the spans in order of time; a span without an end lasts until the end of the run.
 Spans spans_of(Spans spans, Reading& reading) {
     const double until = reading.run.until;
     if (until <= 0.0) return {};  // there is a mistake in it
@@ -290,7 +291,8 @@ void check_easing(const Film& film, const Run& run, const Spans& drafts, const N
             : lengthen + ", or put the spans farther apart");
 }
 
-// The place to mend a length: where it is given, or where the run's end is.
+// Returns the node where the user can change the length: that of the key that gives it, or else the
+// end of the run.
 const Node& place_of_length(const Node& film, const Node& root) {
     for (const char* key : {"seconds", "pace"})
         if (const Node* node = given(film, key)) return *node;
@@ -299,8 +301,9 @@ const Node& place_of_length(const Node& film, const Node& root) {
     return film;
 }
 
-// A length that was given and could not be read has its own message. One that another origin has
-// replaced has none, but then the other is there.
+// Returns whether all given lengths are invalid; their errors have already been reported. A length
+// that one of a later origin has replaced is invalid without an error, but then the other one is
+// valid.
 bool has_length_in_error(const Node& film) {
     const std::array keys{"seconds", "pace"};
     return std::ranges::any_of(keys, [&](const char* key) { return find(film, key) != nullptr; }) &&
@@ -321,14 +324,15 @@ bool check_frames(const Film& film, const Node& node, const Node& root, Errors& 
     return false;
 }
 
-// A film that the command line makes shorter shows what it can.
+// If the command line sets the length of the film, nothing is reported: the film then shows its
+// pauses as well as it can.
 void check_pauses(const Film& film, const std::vector<Placed<Pause>>& pauses, const Node& node,
                   Errors& errors) {
     const Node* length = given(node, "seconds");
     const double asked = pause_seconds(film), most = most_pause_seconds(film);
     if (asked <= most || (length != nullptr && length->source->origin == Origin::command_line))
         return;
-    // Without `seconds` shorter pauses make the film shorter, too.
+    // Without `seconds`, shortening the pauses also shortens the film.
     const double enough = length != nullptr ? most : film.seconds - card_seconds(film) - asked;
     errors.add(*pauses.back().node,
                fmt::format("pauses of {:.3g} seconds in all, in a film of {:.3g} seconds{}", asked,
@@ -370,8 +374,8 @@ void check_legs(const Film& film, const Run& run, const Node& film_node, const N
 
 Notation<std::int64_t> usual_panels_notation() { return whole(0, most_panels); }
 
-// Of a film that names no panels: from the template's list, so many of those that have something to
-// show of this gas. The first of the list where there are none.
+// For a film that lists no panels, chooses from the template's list the first `places` panels that
+// have something to show for this gas; if there are none, the first panels of the list.
 void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Reading& reading) {
     Node* panels = find(film, "panels");
     const bool is_beside = find(film, "beside") != nullptr;

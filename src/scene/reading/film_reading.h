@@ -1,5 +1,5 @@
-// The keys of `film` and of its templates, and what they mean together: frames, panels for the
-// slots there are.
+// The keys of `film` and of its templates, and the rules between them: the number of frames, and
+// enough places in the layout for the panels.
 #pragma once
 
 #include <filesystem>
@@ -14,36 +14,39 @@
 
 namespace carom {
 
-/// A film as it is written. Refers to its nodes.
+/// A film as read from the file. Holds pointers to its nodes, which must outlive it.
 struct FilmDraft : Film {
     std::optional<double> given_seconds;
     double pace = 1.0;
     std::vector<Placed<SlowSpan>> spans;
     std::vector<CalloutDraft> written_callouts;
-    const Node* layout_node = nullptr;         ///< of a template
-    std::optional<std::int64_t> usual_panels;  ///< of a template
+    const Node* layout_node = nullptr;         ///< in a template only
+    std::optional<std::int64_t> usual_panels;  ///< in a template only
 };
 
-/// The keys of `film`. `kinds` as MadeOnce takes them, here and below.
+/// The table of keys of `film`. For `kinds`, here and below, see MadeOnce.
 const FixedTable<FilmDraft>& film_table(PanelKinds kinds);
 
-/// The keys of `film` but `template`, and `layout`.
+/// The table of keys of a template: those of `film` except `template`, and in addition `layout` and
+/// `usual_panels`.
 const FixedTable<FilmDraft>& template_table(PanelKinds kinds);
 
-/// What a film is read from: mappings, checked for form.
+/// The mappings that a film is read from. Their form has been checked.
 struct FilmNodes {
-    const Node& film;  ///< the scene's, laid over the template's
+    const Node& film;  ///< the scene's `film`, completed by its template
     const Node& template_file;
     const Node& root;  ///< the scene
 };
 
-/// What makes a film longer, for messages: `seconds`, or where `film` has a `pace` a smaller one.
+/// Returns what the user changes to make a film longer, for messages: `film.seconds`, or, if `film`
+/// gives a `pace`, a smaller one.
 std::string key_of_length(const Node& film);
 
-/// The film of a scene, of which the gas and the run are known, with the pauses that the run asks
-/// for. Its run gives the length where the film does not. A scene's panels may be more than the
-/// places of a template that the command line asks for: the first are shown. Where they are too
-/// many, the message names those of `templates` that have places for them.
+/// Reads the film of a scene whose gas and run are known. `pauses` come from the run's events. If
+/// the film does not give its length, it follows from the run's. A film may list more panels than
+/// the template has places: if the command line chose the template, the surplus panels are left
+/// out; otherwise they are an error, whose message names the templates in the folder `templates`
+/// that have enough places.
 Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKinds kinds,
                const std::filesystem::path& templates, const std::vector<Placed<Pause>>& pauses,
                Reading& reading);

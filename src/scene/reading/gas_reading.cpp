@@ -29,16 +29,16 @@ KeyTable<BoxDraft> box_table(int dimension) {
         .refused = inelastic_keys()};
 }
 
-/// Where the particles of a species begin, as it is written.
+/// The initial positions of the particles of a species, as read from the file.
 struct PositionDraft {
     PositionRule rule;
-    const Node* letters = nullptr;  ///< of a word that is written with disks in `within`
-    const Node *side = nullptr, *of = nullptr;  ///< instead of `within`, of a partition
+    const Node* letters = nullptr;              ///< the text that the disks spell in `within`
+    const Node *side = nullptr, *of = nullptr;  ///< instead of `within`: a partition's side
 };
 
-/// A species with what only the rules between its keys need.
+/// A species with the intermediate values that the rules between its keys need.
 struct SpeciesReading : SpeciesDraft {
-    std::optional<Quantity> written_radius;  ///< none: there is a mistake in it
+    std::optional<Quantity> written_radius;  ///< none: it contains a mistake
     PositionDraft written_position;
 };
 
@@ -176,10 +176,10 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
     return keys;
 }
 
-// Whether these are places, and not a word or a part of the box.
+// Returns whether a position is one place or a list of places, not a word or a region.
 bool is_places(const Node& position) { return position.is_list() || number_in(position); }
 
-// Lists give one value for each particle.
+// Checks that lists have one value for each particle.
 void check_list_length(const Node& item, std::string_view key, std::int64_t count, int dimension,
                        Errors& errors) {
     const Node* list = given(item, key);
@@ -201,7 +201,8 @@ void check_list_length(const Node& item, std::string_view key, std::int64_t coun
                    "give one for each particle");
 }
 
-// Of a gas that does not say it: as many as there are places; 0 where an error leaves it open.
+// Returns the number of particles of a species without `count`: that of its places; 0 if an error
+// leaves it unknown.
 std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Errors& errors) {
     if (const auto* places = std::get_if<Places>(&draft.position))
         return static_cast<std::int64_t>(places->values.size());
@@ -212,7 +213,7 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Error
     return 0;
 }
 
-// What the keys of a species mean together.
+// Applies the rules between the keys of a species.
 void complete_species(SpeciesReading& draft, const Node& item, int dimension, Errors& errors) {
     draft.node = &item;
     if (draft.written_radius) draft.radius = *draft.written_radius;

@@ -1,5 +1,5 @@
-// The keys of `box` and `gas`, and what their values mean together: lengths of lists, names,
-// places, room.
+// The keys of `box` and `gas`, and the rules between their values: lengths of lists, names,
+// positions, and room for the particles.
 #pragma once
 
 #include <cstddef>
@@ -15,45 +15,49 @@
 
 namespace carom {
 
-/// A box and what its sides do.
+/// A box and the behaviour of its sides.
 struct BoxDraft : Box {
     SidesDraft sides;
     const Node* node = nullptr;
 };
 
-/// The box of one or two dimensions; nothing when an error leaves its size open.
+/// The notation of a box of one or two dimensions. It reads as nothing if an error leaves the size
+/// undetermined.
 Notation<BoxDraft> box_notation(int dimension);
 
 /// A species and how it is drawn.
 struct SpeciesDraft : Species, SpeciesLook {
     const Node* node = nullptr;                      ///< the item of `gas`
-    bool radius_known = true;                        ///< false: an error left the radius open
-    const Node *side = nullptr, *side_of = nullptr;  ///< where its position says so
+    bool radius_known = true;                        ///< false: an error leaves the radius unknown
+    const Node *side = nullptr, *side_of = nullptr;  ///< side and partition in its position
 };
 
-/// The species in the order of the list, for a box of one or two dimensions.
+/// The notation of the list of species, in its order, for a box of one or two dimensions.
 Notation<std::vector<SpeciesDraft>> gas_notation(int dimension);
 
-/// Keys that would make collisions lose energy: they are refused wherever they are likely to be
-/// tried.
+/// Returns keys that would make collisions inelastic. They are refused, with an explanation, in
+/// every section where users are likely to try them.
 std::vector<Refused> inelastic_keys();
 
-/// How many there are in all; nothing while an error leaves the count of a species open.
+/// Returns the number of particles of the gas; nothing if an error leaves the count of a species
+/// unknown.
 std::optional<std::int64_t> particles_in(const Gas& gas);
 
-/// The same of those that a panel or a view chooses.
+/// Returns the number of particles that a panel or a view chooses; nothing if an error leaves it
+/// unknown.
 std::optional<std::int64_t> count_of(const Chosen& chosen, const Gas& gas);
 
-/// Reports a particle of this number, as it is written, where there are only `count`.
+/// Reports at `place` that there is no particle `number` (as written in the scene), because there
+/// are only `count` particles.
 void report_no_particle(const Node& place, const std::string& number, std::int64_t count,
                         Errors& errors);
 
-/// Puts those on the side of a partition into that part of the box. `others` are the names of
-/// partitions with mistakes.
+/// Sets the region of each species whose position is given as a side of a partition to that part of
+/// the box. `others` are the names of partitions with mistakes, which are not reported again.
 void place_beside_partitions(std::vector<SpeciesDraft>& drafts, const Box& box,
                              const std::vector<std::string>& others, Errors& errors);
 
-/// Where a key of the species is written; the species if it is not.
+/// Returns the node of a key of the species, or that of the species if the key is not given.
 const Node& at_key(const SpeciesDraft& draft, std::string_view key);
 
 }  // namespace carom

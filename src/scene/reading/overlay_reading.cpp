@@ -19,7 +19,7 @@ bool holds(const TimeSpan& span, double time) {
     return span.from <= time && (!span.until || time < *span.until);
 }
 
-// What begins at the end of the run or later is never seen.
+// Reports something that begins at or after the end of the run: it would never be visible.
 void check_begin(const Node& place, const char* key, double time, Reading& reading) {
     const double until = reading.run.until;
     if (until > 0.0 && time >= until)
@@ -30,7 +30,7 @@ void check_begin(const Node& place, const char* key, double time, Reading& readi
                            "times are simulated time, as those of `run.events`");
 }
 
-// The keys of a span of time, the second of them by this name.
+// The keys of a span of time; `until` is the name of the second one.
 std::vector<Binding<TimeSpan>> span_keys(const char* until) {
     return {bind_key("from", &TimeSpan::from, number(not_negative),
                      "The simulated time at which it appears."),
@@ -66,7 +66,7 @@ Notation<Spotlight> spotlight_notation() {
                   });
 }
 
-// One particle: by its number, or the only one of a species.
+// Returns the particle chosen by its number, or the only particle of a species.
 std::optional<std::int64_t> only_one(const Chosen& chosen, const Gas& gas) {
     if (chosen.particle || !chosen.species) return chosen.particle;
     if (gas.species[*chosen.species].count != 1) return std::nullopt;
@@ -90,7 +90,7 @@ std::optional<CalloutDraft> callout_on_particle(const std::vector<Chosen>& chose
     return std::nullopt;
 }
 
-// What a callout points to, as a draft without its words.
+// The target of a callout, read into a draft without text.
 Notation<CalloutDraft> target_notation() {
     struct Target {
         const Node* panel = nullptr;
@@ -127,7 +127,8 @@ struct CameraDraft {
     double seconds = CameraMove{}.seconds;
 };
 
-// The centre of mass of several has no meaning where they go round.
+// In a periodic box, the centre of mass of several particles is not defined, so that the camera
+// cannot follow it.
 void check_followed(const CameraDraft& draft, const Node& node, Reading& reading) {
     const Node* follow = given(node, "follow");
     if (follow == nullptr || draft.follow.empty()) return;
@@ -188,8 +189,8 @@ Notation<std::vector<CameraMove>> camera_notation() {
     });
 }
 
-// The box with all places that its sides may reach: at the most, as reversals are not looked at.
-// Pistons may go anywhere.
+// Returns the region that the sides of the box may reach during the run. It is an upper bound,
+// because reversals are ignored. A piston may go any distance.
 Region reach_of(const Box& box, const Run& run) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     Region reach{{0.0, 0.0}, box.size};

@@ -1,5 +1,6 @@
-// The keys of what a film shows for a while or lays over the gas: when panels are there,
-// spotlights, callouts, the camera, a field; and the run that it shows beside its own.
+// The keys of what a film shows for a while or draws over the gas: panels that appear and
+// disappear, spotlights, callouts, camera moves, a field; and of the second run that it shows side
+// by side with its own.
 #pragma once
 
 #include <optional>
@@ -13,39 +14,43 @@
 
 namespace carom {
 
-/// When a panel is there.
+/// The span of time in which a panel is shown.
 Notation<TimeSpan> show_notation();
 
-/// A part of the box, as the value of a key: [x0, y0, x1, y1], on a wire [x0, x1]. `instead`: what
-/// the key may have otherwise, for messages.
+/// A part of the box, as the value of a key: [x0, y0, x1, y1], on a wire [x0, x1]. `instead` names,
+/// for messages, what else the key may take.
 Notation<Region> region_notation(const std::string& key, const std::string& instead = "");
 
-/// What is seen of the box: all of it or a part.
+/// The view of the box: all of it or a part.
 Notation<View> view_notation();
 
-/// A callout as it is written; the panel that it points to is found later.
+/// A callout as read from the file. The panel that it points to is resolved later, by
+/// resolve_callouts().
 struct CalloutDraft : Callout {
-    const Node* panel = nullptr;  ///< the name of a panel
+    const Node* panel = nullptr;  ///< the node with the name of a panel
     const Node* on_node = nullptr;
 };
 
-/// What a field or a profile shows; a profile knows no shares of species.
+/// The quantity of a field or a profile. The share of a species (a concentration) is available only
+/// if `with_shares`, for fields.
 Notation<FieldOf> quantity_notation(bool with_shares);
 
 /// The key of a film's field.
 Binding<Film> field_key();
 
-/// The keys of a film that lay something over the gas, but for callouts.
+/// The keys of a film that draw something over the gas, except callouts, whose notation follows.
 std::vector<Binding<Film>> overlay_keys();
 Notation<std::vector<CalloutDraft>> callouts_notation();
 
-/// The run that a film shows beside its own. Its scene is loaded later.
+/// The key `beside`: the run that a film shows side by side with its own. The scene of that run is
+/// loaded later.
 Binding<Film> beside_key();
 
 /// Reports panels that cannot show two runs.
 void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& errors);
 
-/// The callouts of a film whose panels are known; reports those that point to no plot.
+/// Returns the callouts of a film, given its panels. Reports and omits those that do not point to a
+/// plot.
 std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
                                       const std::vector<PanelSpec>& panels, PanelKinds kinds,
                                       Errors& errors);

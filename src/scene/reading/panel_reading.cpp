@@ -76,7 +76,7 @@ std::vector<Binding<PanelSpec>> bar_keys(PanelKinds kinds) {
     return keys;
 }
 
-// Keys of single kinds; several may take a key of one name.
+// Keys that are specific to certain kinds; several kinds may have keys of the same name.
 std::vector<Binding<PanelSpec>> own_keys(PanelKinds kinds) {
     std::vector<Binding<PanelSpec>> keys;
     for (const PanelKind& kind : kinds)
@@ -132,7 +132,7 @@ void check_range(const PanelSpec& panel, const Node& node, const PanelKind& kind
                        "speeds and energies are never negative");
 }
 
-// Of species the masses of which are infinite; `particle` is one of theirs.
+// Returns whether the particle belongs to a species with infinite masses.
 bool is_infinite(const Gas& gas, std::int64_t particle) {
     for (const Species& species : gas.species) {
         if (particle < species.count) return std::holds_alternative<Infinite>(species.mass);
@@ -154,7 +154,8 @@ void check_pair(const Node& place, const PanelSpec& panel, Reading& reading) {
             "give a pair with at least one finite mass");
 }
 
-// One particle's position is shown against another's, or how two particles meet.
+// Checks that `of` has two particles, for kinds that show one particle's position against
+// another's, or how two particles collide.
 void check_two_particles(const PanelSpec& panel, const Node& node, const PanelKind& kind,
                          Reading& reading) {
     const bool is_pair = kind.can(Ability::pair);
@@ -177,7 +178,8 @@ void check_two_particles(const PanelSpec& panel, const Node& node, const PanelKi
         check_pair(place, panel, reading);
 }
 
-// A curve that is asked for is missed; where it is only the default, it is left out.
+// Reports a missing equilibrium curve only if the scene asks for it; if it is merely the default,
+// it is left out silently.
 void check_equilibrium(const PanelSpec& panel, const Node& node, const PanelKind& kind,
                        Reading& reading) {
     const Node* asked = given(node, "theory");
@@ -198,7 +200,7 @@ std::vector<std::string> kinds_that_can(PanelKinds kinds, Ability ability) {
     return names;
 }
 
-// A text, since a species may be called anything.
+// Read as a text, because the name of a species may be any text.
 Notation<std::vector<Chosen>> chosen_notation() {
     auto name = text(1, most_name_letters).called("`all`, a species or the number of a particle");
     name.forms.front().words = {"0"};
@@ -275,7 +277,8 @@ void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Readin
     if (kind->rule) kind->rule(panel, node, reading);
 }
 
-// A few particles now are a few bars of one; since the start they make a distribution.
+// A histogram of a few particles at one time would consist of a few bars of height one. Counted
+// since the start, they form a distribution, so that this is the default for few particles.
 void complete_over(PanelSpec& panel, PanelKinds kinds, const Gas& gas) {
     constexpr std::int64_t few = 10;
     const PanelKind* kind = kind_of(kinds, panel.kind);

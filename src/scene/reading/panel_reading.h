@@ -1,5 +1,5 @@
-// The keys of panels, which of them each kind takes, and what their values mean for the gas:
-// whether there are the particles that they choose, and the components.
+// The keys of panels, which of them each kind of panel takes, and the checks against the gas: that
+// the particles and components that a panel names exist.
 #pragma once
 
 #include <string>
@@ -11,23 +11,25 @@
 
 namespace carom {
 
-/// Particles: all, a species, a number, or a list of these.
+/// A choice of particles: all, a species, a particle's number, or a list of these.
 Notation<std::vector<Chosen>> chosen_notation();
 
-/// A list of numbers to show.
+/// The quantities in a row of monitors, as a list.
 Notation<std::vector<Monitor>> monitors_notation();
 
-/// Which values are counted: those at present, all since time 0, those of a time before.
+/// The values that are counted: those at present, all since time 0, or those in a window of time
+/// before the present.
 Notation<Over> over_notation();
 
 /// The panels of a film.
 Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds);
 
-/// The keys that panels and figures share; `kind` and `over` are each one's own.
+/// The keys that the panels of films and figures share. `kind` and `over`, which differ between the
+/// two, are given by the caller.
 std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<PanelSpec>& kind,
                                            const std::vector<Binding<PanelSpec>>& over);
 
-/// The key `kind` that takes these words.
+/// The key `kind`, whose values are these words.
 Binding<PanelSpec> kind_key(const Notation<std::string>& words);
 
 /// The key `theme` of films and figures.
@@ -38,14 +40,15 @@ Binding<T> theme_key(ThemeName T::*theme) {
                     "for colours that the scene gives.");
 }
 
-/// The rules between the keys of a panel, which is a mapping or the name of a kind alone.
+/// Applies the rules between the keys of a panel. `node` is the panel's mapping, or the name of its
+/// kind alone.
 void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading);
 
-/// The kinds that can do something, by name.
+/// Returns the names of the kinds that have an ability.
 std::vector<std::string> kinds_that_can(PanelKinds kinds, Ability ability);
 
-/// Reports what is wrong with return distances of this gas: that there is no reversal to measure
-/// them from, or that they would take too much memory.
+/// Reports at `place` why return distances cannot be shown for this gas and run: there is no
+/// reversal to measure them from, or they would take too much memory.
 void check_reversal(const Node& place, Reading& reading);
 
 }  // namespace carom

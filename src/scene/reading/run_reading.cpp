@@ -17,7 +17,7 @@
 namespace carom {
 namespace {
 
-/// A run with what only the rules between its keys need.
+/// A run with the intermediate values that the rules between its keys need.
 struct RunReading : RunDraft {
     std::vector<Placed<EventDraft>> written_events;
 };
@@ -68,13 +68,13 @@ bool is_overridden(const Node& root, const char* section, const char* key) {
     return node != nullptr && node->source->origin == Origin::command_line;
 }
 
-// A gas that turns round must have the time to come home. Of several reversals each ends the way
-// back of the one before it.
+// Checks that the run is long enough for the gas to return after a reversal. With several reversals
+// nothing is checked, because each ends the way back of the one before it.
 void check_way_home(const RunDraft& run, Errors& errors) {
     const std::vector<WayBack> ways = ways_back(run.events);
     if (ways.size() != 1) return;
     const double home = std::min(2.0 * ways.front().begin, ways.front().end);
-    if (home <= run.until || run.until <= 0.0) return;  // there is another mistake
+    if (home <= run.until || run.until <= 0.0) return;  // another error is reported
     const auto reversal = std::ranges::find_if(run.events, [](const RunEvent& event) {
         return std::holds_alternative<ReverseVelocities>(event.action);
     });

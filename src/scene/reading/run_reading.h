@@ -1,5 +1,5 @@
-// The keys of `run`: its times, what happens to the gas, and what is said and marked in the film on
-// the way.
+// The keys of `run`: its times, the events that act on the gas, and the captions, marks and pauses
+// that the film shows during the run.
 #pragma once
 
 #include <vector>
@@ -9,23 +9,23 @@
 
 namespace carom {
 
-/// All that `run` says. Refers to the scene's nodes.
+/// Everything that `run` gives. Holds pointers to nodes of the scene, which must outlive it.
 struct RunDraft : Run {
-    std::vector<const Node*> event_nodes;   ///< of each of its events
-    const Node* precision = nullptr;        ///< where it is given
-    const Node* ceiling = nullptr;          ///< `most_collisions`, or the run where it is not given
-    const Node* step = nullptr;             ///< where `time_step` is given
-    std::vector<Mark> marks;                ///< in order of time; equal times in the order listed
+    std::vector<const Node*> event_nodes;  ///< one for each of its events
+    const Node* precision = nullptr;       ///< the value of `precision`; null: not given
+    const Node* ceiling = nullptr;  ///< the value of `most_collisions`, or `run` if it is not given
+    const Node* step = nullptr;     ///< the value of `time_step`; null: not given
+    std::vector<Mark> marks;        ///< in order of time; equal times in the order listed
     std::vector<Placed<Pause>> pauses;      ///< in order of time
     std::vector<Placed<Caption>> captions;  ///< in order of time; equal times in the order listed
 };
 
-/// The run of a box of one or two dimensions.
+/// The notation of the run of a gas in a box of one or two dimensions.
 Notation<RunDraft> run_notation(int dimension);
 
-/// Whether each of the captions stays long enough to be read, in a complete scene, of which `root`
-/// is the mapping, with a film that is as long as its file says: one that the command line makes
-/// shorter shows what it can.
+/// Reports each caption that is not on the screen long enough to be read. The scene is complete;
+/// `root` is its mapping. Checks nothing if the command line sets the length of the film or of the
+/// run: a film shortened that way shows the captions as well as it can.
 void check_captions(const Scene& scene, const std::vector<Placed<Caption>>& drafts,
                     const Node& root, Errors& errors);
 

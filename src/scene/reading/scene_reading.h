@@ -1,4 +1,4 @@
-// The keys of a whole scene: the notations of its parts put together.
+// The keys of a whole scene, put together from the notations of its parts.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,18 @@ namespace carom {
 /// The version of the scene format that this program reads.
 inline constexpr int scene_format = 1;
 
-/// A scene as it is written. Refers to its nodes.
+/// A scene as read from the file. Holds pointers to its nodes, which must outlive it.
 struct SceneDraft : Scene, SurfacesDraft {
     int format = scene_format;
     std::optional<BoxDraft> box;
     std::vector<SpeciesDraft> species;
     RunDraft written_run;
-    std::vector<const Node*> surface_nodes;  ///< by the numbers of surfaces; null: not written
-    const Node* film_node = nullptr;         ///< to be read over its template
-    const Node* figures_node = nullptr;      ///< to be read when the gas and the run are known
+    std::vector<const Node*> surface_nodes;  ///< indexed by surface number; null: not in the file
+    const Node* film_node = nullptr;         ///< read later, combined with its template
+    const Node* figures_node = nullptr;      ///< read later, when the gas and the run are known
 };
 
-/// A scene with a box of one dimension or of two. `kinds` as MadeOnce takes them.
+/// The table of keys of a scene with a box of one or two dimensions. For `kinds` see MadeOnce.
 const FixedTable<SceneDraft>& scene_table(PanelKinds kinds, int dimension);
 
 }  // namespace carom

@@ -25,7 +25,8 @@ bool is_inside(const fs::path& file, const fs::path& folder) {
     return end == folder.end() && rest != file.end();
 }
 
-// Of a scene that is not there: the one beside its place that is meant.
+// Returns a hint for a scene that does not exist: the file in the same folder that is probably
+// meant.
 std::string hint_of_missing(const fs::path& path) {
     std::vector<std::string> names;
     std::error_code failed;
@@ -45,7 +46,8 @@ void check_is_there(const Node& written, const fs::path& path, Errors& errors) {
                is_there ? "" : hint_of_missing(path));
 }
 
-// A set and its scenes may be moved together, and lead nowhere else.
+// Scenes must be in the set's folder or in the one above it, so that a set and its scenes can be
+// moved together and refer to nothing else.
 fs::path scene_path(const Node& written, const fs::path& set, Errors& errors) {
     const fs::path path = folder_of(set) / written.text;
     std::error_code failed;
@@ -119,13 +121,13 @@ Notation<std::vector<SetRun>> runs_notation(const fs::path& set) {
     return list_of(run, 2, most_compared, "a list of scenes");
 }
 
-// Its scenes are kept.
+// The notation of a comparison as a figure; the node of `scenes` is kept unread.
 const Notation<FigureSpec>& figure_notation(PanelKinds kinds) {
     static MadeOnce<Notation<FigureSpec>> notations;
     return notations.of(kinds, [&] { return comparison_notation(kinds, kept(runs_notation({}))); });
 }
 
-// Only its scenes are read: what else it says is read as a figure of each of them.
+// Reads only the scenes; the other keys are read later as those of a figure of each scene.
 Notation<SetComparison> set_comparison_notation(PanelKinds kinds, const fs::path& set) {
     const auto runs = runs_notation(set);
     return parsed(kept(figure_notation(kinds)),
@@ -197,8 +199,8 @@ bool is_figure_set(const fs::path& path) {
     Errors errors;
     Source source{.name = path.string()};
     const auto text = file_text(path, source, errors);
-    // To look for the key takes much less time than to read the file as YAML. Only an escape in
-    // double quotes would hide it.
+    // Searching for the key is much faster than parsing the file as YAML. Only an escape in double
+    // quotes could hide the key.
     const auto holds = [&](std::string_view what) { return text->find(what) != text->npos; };
     if (!text || !(holds("scenes") || holds("\\"))) return false;
     source.text = *text;

@@ -16,22 +16,23 @@
 
 namespace carom {
 
-/// A scene of a set. Places are diagnostics with empty messages, for errors that are found later.
+/// A scene of a set. Each `Diagnostic` is a place in the file with an empty message, for errors
+/// that are found later.
 struct SetScene {
     std::filesystem::path path;  ///< from the working folder
     Diagnostic place;
-    std::optional<std::string> title = {}, description = {};       ///< none: the scene's
-    std::vector<std::pair<std::string, Diagnostic>> figures = {};  ///< names; none: all
+    std::optional<std::string> title = {}, description = {};       ///< none: those of the scene
+    std::vector<std::pair<std::string, Diagnostic>> figures = {};  ///< by name; empty: all
 };
 
-/// A scene whose run a comparison shows. Without a label it has the scene's title.
+/// A scene whose run a comparison shows. Its label defaults to the scene's title.
 struct SetRun : ComparedRun {
     std::filesystem::path path;  ///< from the working folder
 };
 
-/// A figure of several scenes; what else it says is read with each of them.
+/// A figure that compares several scenes. Its other keys are read later, once with each scene.
 struct SetComparison {
-    std::shared_ptr<const Source> source;  ///< that the node points to
+    std::shared_ptr<const Source> source;  ///< the text that the node points into
     Node node;
     std::vector<SetRun> runs;
 };
@@ -43,24 +44,26 @@ struct SetFile {
     std::vector<SetComparison> comparisons;
     std::string text;                    ///< the whole file, as read
     std::vector<std::string> templates;  ///< names, or paths from the working folder
-    std::vector<std::string> formats;    ///< none: all
+    std::vector<std::string> formats;    ///< file formats of the figures; empty: all
 };
 
-/// The key `scenes` of a figure set, which no scene has; null in a scene.
+/// Returns the value of `scenes`, the key that tells a figure set from a scene; null for a scene.
 const Node* key_of_set(const Node& root);
 
-/// Whether a file is a figure set. False when it cannot be read.
+/// Returns whether a file is a figure set; false if it cannot be read.
 bool is_figure_set(const std::filesystem::path& path);
 
-/// Loads and validates a set, with comparisons of these kinds of panel and figures in these
-/// formats. Throws SceneError with every diagnostic of the file.
+/// Loads and validates a figure set. Comparisons may use the given kinds of panel, and figures the
+/// given file formats. Throws SceneError with all diagnostics of the file.
 SetFile load_figure_set(const std::filesystem::path& path, PanelKinds kinds,
                         const std::vector<std::string>& formats);
 
-/// A comparison as a figure of one of its scenes. Throws SceneError.
+/// Returns a comparison as a figure of one of its scenes. Throws SceneError if a key of the
+/// comparison does not fit that scene.
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds);
 
-/// The keys of the set that lies at `path`.
+/// The table of keys of the figure set in the file `path`, to which the paths of its scenes are
+/// relative.
 FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
                               const std::filesystem::path& path = {});
 

@@ -49,7 +49,7 @@ Notation<Membrane::Speeds> speeds_notation() {
                   });
 }
 
-/// A demon by the sides to which it lets particles through.
+/// The speeds of a demon, for each side to which it lets particles through.
 struct DemonDraft {
     std::optional<Membrane::Speeds> to_right, to_left, to_top, to_bottom;
 };
@@ -88,7 +88,7 @@ Notation<PassesDraft> passes_notation() {
     return either(names, demon);
 }
 
-// A demon stands across one axis.
+// Particles pass a demon only across its partition: reports directions along it.
 void check_directions(const PartitionDraft& draft, Errors& errors) {
     const Node* passes = draft.passes.node;
     if (passes == nullptr || !passes->is_mapping()) return;
@@ -216,7 +216,8 @@ class Names {
   public:
     explicit Names(Errors& errors) : errors_(errors) {}
 
-    // A name that none before has, or the usual one of the kind.
+    // Returns the name that is written, or the default name for its kind; reports a name that is
+    // already taken.
     std::string of(const std::string& written, const char* kind, std::size_t index,
                    const Node& item) {
         std::string name = written.empty() ? fmt::format("{} {}", kind, index + 1) : written;

@@ -1,4 +1,4 @@
-// The keys of partitions, obstacles and gravity, and all surfaces of a box put together.
+// The keys of partitions, obstacles and gravity, and the list of all surfaces of a box.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace carom {
 
-/// What a partition lets through.
+/// The particles that a partition lets through.
 struct PassesDraft {
     std::vector<Placed<std::string>> species = {};  ///< names
     Membrane::Speeds upward = {}, downward = {};
@@ -24,7 +24,7 @@ struct PartitionDraft : Partition, ActingDraft {
     std::optional<double> x, y;
     PassesDraft passes;
     const Node* node = nullptr;
-    bool is_known = true;  ///< false: there is a mistake in it
+    bool is_known = true;  ///< false: it contains a mistake
 };
 
 Notation<std::vector<PartitionDraft>> partitions_notation();
@@ -40,28 +40,30 @@ struct ObstacleDraft : Obstacle {
 
 Notation<std::vector<ObstacleDraft>> obstacles_notation();
 
-/// The acceleration of all that can move: [x, y], or a number on a wire.
+/// The acceleration of everything that can move: [x, y], or a number on a wire.
 Notation<Eigen::Array2d> gravity_notation(int dimension);
 
-/// The surfaces of a scene as they are written, but for the sides.
+/// Gravity and the surfaces of a scene as read from the file, without the sides of the box.
 struct SurfacesDraft {
     Placed<Eigen::Array2d> gravity{{0.0, 0.0}, nullptr};
     std::vector<PartitionDraft> partitions;
     std::vector<ObstacleDraft> obstacles;
 };
 
-/// Surfaces and where they are written.
+/// The surfaces of a box and their places in the file.
 struct PlacedSurfaces {
     Surfaces surfaces;
-    std::vector<const Node*> nodes;   ///< by their numbers; null: a side that is not written
-    std::vector<std::string> others;  ///< names of those that a mistake leaves out
+    std::vector<const Node*> nodes;   ///< indexed by surface number; null: a side not in the file
+    std::vector<std::string> others;  ///< names of surfaces left out because of a mistake
 };
 
-/// All that are written without mistakes. Species are found by their names.
+/// Returns all surfaces that are written without mistakes. `species` are the names of the species,
+/// to which partitions refer.
 PlacedSurfaces surfaces_of(const SidesDraft& sides, const SurfacesDraft& draft,
                            const std::vector<std::string>& species, Errors& errors);
 
-/// Where among species this name is; reported at its node if it is nowhere.
+/// Returns the index of the species with this name; if there is none, reports it at `name` and
+/// returns nothing.
 std::optional<std::int32_t> species_named(const Node& name, const std::vector<std::string>& species,
                                           Errors& errors);
 

@@ -50,7 +50,8 @@ void report_unknown(const Node& asked, const fs::path& scenes, const fs::path& f
     errors.add(asked, fmt::format("there is no template {}", in_quotes(name)), hint);
 }
 
-// None where it cannot be read: it is not the template that was asked for.
+// Returns 0 if the file cannot be read: it is not the template that the user asked for, so no error
+// is reported.
 std::size_t panel_places(const fs::path& file) {
     Source source{.origin = Origin::template_file};
     Errors errors;
@@ -88,13 +89,13 @@ struct NamedPlace {
     Placed<Slot> place;
 };
 
-/// A layout with its places where they are written.
+/// A layout with the nodes of its places.
 struct LayoutDraft : LayoutSpec {
     std::optional<Eigen::Array2d> grid;
     std::vector<NamedPlace> places;
 };
 
-// A place in the grid, which is looked at when the grid is known.
+// The key of a place in the grid; complete_layout() checks it when the grid is known.
 template <typename Field>
 Binding<LayoutDraft> slot_key(std::string name, Field LayoutSpec::*field,
                               const Notation<Placed<Slot>>& slot, std::string meaning) {
@@ -125,7 +126,8 @@ bool overlap(const Slot& a, const Slot& b) {
            std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y) > rounding;
 }
 
-// Captions take their room from the others.
+// Reports places that overlap. The place of captions may overlap others, which are then made
+// smaller.
 void check_overlaps(const LayoutDraft& layout, Errors& errors) {
     std::vector<const NamedPlace*> seen;
     for (const NamedPlace& one : layout.places) {
@@ -156,7 +158,7 @@ void complete_layout(LayoutDraft& layout, const Node& node, Reading& reading) {
             return is_inside(one.place.value, layout);
         }))
         check_overlaps(layout, reading.errors);
-    const bool is_whole =  // what is not has its own message
+    const bool is_whole =  // missing or empty places have their own messages
         given(node, "title") && given(node, "gas") && given(node, "color_bar") &&
         std::ranges::all_of(layout.places, [](const NamedPlace& one) {
             return one.place.value.width > 0.0 && one.place.value.height > 0.0;

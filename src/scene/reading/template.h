@@ -1,4 +1,5 @@
-// Templates of films: where they are found, their layout, and how they lie under a scene's `film`.
+// Templates of films: how their files are found, their layout, and how their keys are combined with
+// those of a scene's `film`.
 #pragma once
 
 #include <cstddef>
@@ -19,24 +20,26 @@ struct TemplateFile {
     std::filesystem::path path;
 };
 
-/// Looks for a template: in the scene's folder, then in `templates`/films. `asked` is where its
-/// name is written. Reports an unknown one with those there are; nothing then.
+/// Finds a template: first in the folder of the scene file `scene`, then in `templates`/films.
+/// `asked` is the node that gives its name. Reports an unknown template, with the names of those
+/// available, and returns nothing.
 std::optional<TemplateFile> find_template(const Node& asked, const std::filesystem::path& scene,
                                           const std::filesystem::path& templates, Errors& errors);
 
-/// Whether what a file is, or what a link of its name leads to, lies in a folder.
+/// Returns whether a file lies directly in a folder after symbolic links are followed.
 bool stays_inside(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// Where things stand in a frame; nothing when an error leaves it open.
+/// The notation of a layout, the places of everything in a frame. It reads as nothing if an error
+/// leaves the layout undetermined.
 Notation<LayoutSpec> layout_notation();
 
-/// The names of the templates in `templates`/films with places for at least `panels` panels, those
-/// with the fewest first.
+/// Returns the names of the templates in `templates`/films that have places for at least `panels`
+/// panels, in order of increasing number of places.
 std::vector<std::string> templates_with_places(const std::filesystem::path& templates,
                                                std::size_t panels);
 
-/// `film` with what only the template says added to it, but its layout and what one of `choices`
-/// excludes.
+/// Returns `film` with the keys added that only the template gives, except `layout` and keys that
+/// cannot be combined (`choices`) with a key that `film` gives.
 Node lay_over(const Node& film, const Node& template_file, const std::vector<Choice>& choices);
 
 }  // namespace carom

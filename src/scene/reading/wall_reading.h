@@ -1,4 +1,4 @@
-// The keys of the sides of a box, and of all that a side or a partition may do.
+// The keys of the sides of a box, and those for the behaviour of a side or a partition.
 #pragma once
 
 #include <array>
@@ -10,31 +10,31 @@
 
 namespace carom {
 
-/// What a side or a partition does, as it is written.
+/// The behaviour of a side or a partition, as read from the file.
 struct ActingDraft {
     std::optional<double> temperature, mass, force, velocity, until;
 };
 
 std::vector<Binding<ActingDraft>> acting_keys();
 
-/// Which of these keys cannot be combined.
+/// Returns the groups of these keys that cannot be combined.
 std::vector<Choice> acting_choices();
 
-/// What a surface does of which `node` is written; nothing if there is a mistake, which is
-/// reported. One of which nothing is said reflects.
+/// Returns the behaviour of the surface that is written at `node`: reflecting, if none of the keys
+/// is given. Reports mistakes, and then returns nothing.
 std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node, Errors& errors);
 
 /// A side of the box.
 struct SideDraft {
     Wall wall = Wall::solid;
     Behaviour behaviour = Reflecting{};
-    const Node* node = nullptr;  ///< null: it is not written
+    const Node* node = nullptr;  ///< null: the scene does not give it
 };
 
-/// Those of a box: left, right, bottom, top.
+/// The sides of a box: left, right, bottom, top.
 using SidesDraft = std::array<SideDraft, 4>;
 
-/// `walls`: one word for all, or each by itself.
+/// The notation of `walls`: one word for all sides, or a value for each side.
 Notation<SidesDraft> sides_notation(int dimension);
 
 }  // namespace carom

@@ -30,8 +30,8 @@ Slot around(const std::vector<Slot>& slots) {
     return all;
 }
 
-// What begins above the line ends there, anything else begins under it. Several places keep the
-// shares that they have of their common height.
+// Makes room for the line: a place that begins above the line then ends at its top, any other
+// begins below it. Several places keep their shares of their common height.
 void make_room(std::vector<Slot*> slots, const Slot& line) {
     std::vector<Slot> places;
     for (const Slot* slot : slots) places.push_back(*slot);

@@ -1,5 +1,6 @@
-// When captions are on the screen, a function of the scene alone: for the frames, and for files
-// that carry the same words beside the film. And the room that their line takes in a layout.
+// The times at which captions are on the screen, computed from the scene alone: for the frames, and
+// for files with the same words that accompany the film. Also the room for the line of captions in
+// a layout.
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@
 
 namespace carom {
 
-/// Below, a caption cannot be read.
+/// A caption on the screen for less time than this cannot be read.
 constexpr double least_caption_seconds = 2.5;
 
 /// A caption on the screen.
@@ -20,15 +21,16 @@ struct CaptionSpan : Showing {
     double end = 0.0;    ///< seconds of film
 };
 
-/// One for each of the scene's captions, in order: each from the first frame at its time or after
-/// it, until the next one, the end of its own seconds or that of the film. Empty words, and
-/// captions that no frame is left for (`last` < `first`), are among them.
+/// Returns one span for each caption of the scene, in order. It begins at the first frame at or
+/// after the caption's time, and ends at the next caption, after the caption's own seconds, or at
+/// the end of the film. Includes captions without words, and those for which no frame is left
+/// (`last` < `first`).
 std::vector<CaptionSpan> caption_schedule(const Scene& scene);
 
-/// How long a caption takes to come and to go.
+/// The duration of a caption's fade-in and of its fade-out.
 constexpr double caption_fade_seconds = 0.2;
 
-/// The layout with room for the line of captions.
+/// Returns the layout with room made for the line of captions.
 LayoutSpec with_caption_line(LayoutSpec layout);
 
 }  // namespace carom

@@ -14,7 +14,8 @@ double eases(const SlowSpan& span, double until) {
     return (span.from > 0.0 ? 1.0 : 0.0) + (span.to < until ? 1.0 : 0.0);
 }
 
-// How often as long as itself the easing takes beside what its simulated time takes without it.
+// Returns the film time that all easing adds, in units of one easing's duration. Each easing covers
+// (1 + factor)/2 times the simulated time of normal pace, and so adds (1 - factor)/2.
 double cost_of_easing(const std::vector<SlowSpan>& spans, double until) {
     double cost = 0.0;
     for (const SlowSpan& span : spans) cost += eases(span, until) * (1.0 - span.factor) / 2.0;
@@ -27,13 +28,13 @@ double stretched_length(const std::vector<SlowSpan>& spans, double until) {
     return length;
 }
 
-// Units of simulated time in a second of film where it is not slow.
+// Returns the units of simulated time in a second of film outside slow motion.
 double usual_pace(const std::vector<SlowSpan>& spans, double until, double seconds) {
     const double eased = easing_seconds(seconds) * cost_of_easing(spans, until);
     return stretched_length(spans, until) / (seconds - eased);
 }
 
-// Simulated time that passes while the film slows down or speeds up.
+// Returns the simulated time that passes while the film slows down or speeds up.
 double eased_time(const SlowSpan& span, double easing, double pace) {
     return easing * pace * (1.0 + span.factor) / 2.0;
 }

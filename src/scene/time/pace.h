@@ -1,5 +1,5 @@
-// How fast simulated time passes in a film with slow motion: evenly, but for the spans that are
-// shown slower and the easing before and after them.
+// The rate at which simulated time passes in a film with slow motion: constant, except in the spans
+// that are shown slower and during the easing before and after each of them.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,27 @@
 
 namespace carom {
 
-/// Seconds in which the gas moves: in shorter films easing takes a share of these.
+/// A film is short if the gas moves for fewer seconds than this: easing then takes a fixed share of
+/// them.
 inline constexpr double short_film = 5.0;
 
-/// How long a film in which the gas moves for `seconds` takes from one pace to another: half a
-/// second, in films of less than five a tenth of them.
+/// Returns the seconds of film that a change from one pace to another takes, in a film in which the
+/// gas moves for `seconds`: half a second, or a tenth of `seconds` if these are fewer than five.
 double easing_seconds(double seconds);
 
-/// How slowly a film runs at some time.
+/// How slowly a film runs at a given time.
 struct Slowness {
-    double factor = 1.0;  ///< of the slow motion that is there or near; 1: none
-    double share = 0.0;   ///< how far it has been eased into, from 0 to 1
+    double factor = 1.0;  ///< of the current or adjacent slow motion; 1: none
+    double share = 0.0;   ///< progress of the easing, from 0 (normal pace) to 1 (slow)
 };
 
-/// Simulated time against the film's own, which is stretched where the film is slow: a stretched
-/// unit takes the same film everywhere. A whole span is shown at its factor, the easing lies before
-/// and after it; there is none where the run begins or ends.
+/// Maps simulated time to stretched time and back. Stretched time is proportional to film time: it
+/// is longer than simulated time where the film is slow. All of a span is shown at its factor;
+/// easing lies before and after the span, except where the run begins or ends.
 class Pace {
   public:
-    /// Of a run to `until`, with `seconds` of film in which the gas moves. `spans` are in order and
-    /// apart, and there is room for the easing (easing_shortage() finds none).
+    /// For a run up to time `until`, with `seconds` of film in which the gas moves. `spans` are in
+    /// order and do not overlap, and there is room for their easing (easing_shortage() finds none).
     Pace(const std::vector<SlowSpan>& spans, double until, double seconds);
 
     double stretched(double time) const;
@@ -37,7 +38,7 @@ class Pace {
     Slowness slowness(double time) const;
 
   private:
-    // From one speed to another, as simulated for stretched time.
+    // A change from one speed to another; speed is simulated time per stretched time.
     struct Piece {
         double begin, end;  // simulated
         double stretched_begin, stretched_end;
@@ -56,19 +57,20 @@ class Pace {
     std::vector<Piece> pieces_;
 };
 
-/// The film in which the gas moves, in seconds, at `pace` units of simulated time a second where it
-/// is not slow.
+/// Returns the seconds of film in which the gas moves, if simulated time passes at `pace` units per
+/// second outside slow motion.
 double seconds_at_pace(const std::vector<SlowSpan>& spans, double until, double pace);
 
 /// A span that has too little simulated time before or after it for the easing.
 struct EasingShortage {
     std::size_t span = 0;
-    bool before = false;  ///< or after it
+    bool before = false;  ///< whether the shortage is before the span; otherwise after it
     double room = 0.0;    ///< simulated time that there is, up to the next span's easing
-    double needed = 0.0;  ///< infinite where the whole film is too short for all easing
+    double needed = 0.0;  ///< infinite if the whole film is too short for all easing
 };
 
-/// The first span without room for its easing in a film in which the gas moves for `seconds`.
+/// Returns the first span without enough room for its easing, in a film in which the gas moves for
+/// `seconds`; nothing if all have enough.
 std::optional<EasingShortage> easing_shortage(const std::vector<SlowSpan>& spans, double until,
                                               double seconds);
 

@@ -22,7 +22,7 @@ Showing showing(const std::vector<Tick>& ticks, const Film& film, const TimeSpan
                               shown.first - 1 + static_cast<int>(std::lround(*seconds * film.fps)));
     if (span.until) shown.until = *span.until;
     if (shown.last < shown.first) return shown;
-    // Where it comes and goes in one pause, until the gas moves again.
+    // If it appears and disappears within one pause, it is shown until the gas moves again.
     const double begin = ticks[static_cast<std::size_t>(shown.first)].time;
     const auto next = std::find_if(ticks.begin() + shown.last + 1, ticks.begin() + end,
                                    [&](const Tick& tick) { return tick.time > begin; });

@@ -31,14 +31,15 @@ int frames_without_cards(const Film& film) {
     return frame_count(film) - cards.title - cards.end;
 }
 
-// Those that show the gas in the run's own time.
+// Returns the number of frames without cards and without the scene's own pauses.
 int gas_frames(const Film& film) {
     const std::vector<int> pauses = pause_frames(film);
     return frames_without_cards(film) - std::accumulate(pauses.begin(), pauses.end(), 0);
 }
 
-// The film between two reversals: equal steps from its start; its end is always a frame. A whole
-// number, but of any size: a step of 1e-12 may be asked about a leg of 1e12.
+// Returns the number of frame steps in a leg, the part of a run between two reversals. Steps are
+// equal and at most `step` long, and the leg's end is always a frame. The result is a whole number,
+// but may exceed any integer type: a step of 1e-12 may be tried for a leg of 1e12.
 double steps_of_leg(double length, double step) {
     constexpr double rounding =
         1e-9;  // a leg of exactly k steps must not get a sliver as step k + 1
@@ -55,24 +56,25 @@ double steps_of_all(const std::vector<double>& ends, double step) {
     return steps;
 }
 
-// The smallest step that divides the first leg evenly and spends at most `most` steps in all, if
-// there is one.
+// Returns the smallest step that divides the first leg evenly and takes at most `most` steps in
+// all, if there is one; otherwise the length of the first leg.
 double step_of_first_leg(const std::vector<double>& ends, int most) {
     int first = std::max(1, static_cast<int>(most * (ends.front() / ends.back())));
     while (first > 1 && steps_of_all(ends, ends.front() / first) > most) --first;
     return ends.front() / first;
 }
 
-// The smallest step that divides the whole run evenly and spends at most `most` steps in all.
-// Rounding up adds less than one step to each leg, so that the search ends at most - legs + 1.
+// Returns the smallest step that divides the whole run evenly and takes at most `most` steps in
+// all. Rounding up adds less than one step to each leg, so that the search ends at most - legs + 1
+// at the latest.
 double step_of_run(const std::vector<double>& ends, int most) {
     int whole = most;
     while (whole > 1 && steps_of_all(ends, ends.back() / whole) > most) --whole;
     return ends.back() / whole;
 }
 
-// One step for all legs. The first leg's is the smoothest, but a short first leg has none that
-// fits, or only a coarse one.
+// Returns one step for all legs. Dividing the first leg evenly gives the smoothest motion, but if
+// that leg is short, no such step fits, or only a coarse one.
 double common_step(const std::vector<double>& ends, int most) {
     constexpr double well_used = 0.8;
     const double step = step_of_first_leg(ends, most);
@@ -112,12 +114,12 @@ class Reel {
     std::vector<Tick> ticks_;
 };
 
-// The pauses of a scene as its film goes on.
+// Inserts the pauses of a scene while its film is assembled.
 class Pauses {
   public:
     explicit Pauses(const Film& film) : pauses_(film.pauses), frames_(pause_frames(film)) {}
 
-    /// Those before `time` that are still to come.
+    /// Adds the remaining pauses before `time`.
     void add_before(double time, int reversals, Reel& reel) {
         for (; next_ < pauses_.size() && pauses_[next_].at < time; ++next_)
             reel.pause(frames_[next_], pauses_[next_].at, reversals);
@@ -246,8 +248,8 @@ std::vector<int> segment_starts(int frames, std::int64_t particles) {
     const auto by_memory = frame_data_bytes / (12 * std::max<std::int64_t>(particles, 1));
     const int longest = static_cast<int>(std::clamp<std::int64_t>(by_memory, 30, 150));
     int segments = (frames + longest - 1) / longest;
-    // A segment begins with a picture of its own, which takes as many bytes as ten others: in films
-    // too short for that, some cores may rest.
+    // A segment begins with a picture that does not refer to others, which takes as many bytes as
+    // ten others. In films too short for that, some cores stay idle.
     if (frames >= 120)
         segments = (segments + 3) / 4 * 4;
     else if (frames >= 40)

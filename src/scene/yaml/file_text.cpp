@@ -23,7 +23,7 @@ std::string cause(int error) { return std::generic_category().message(error); }
 
 }  // namespace
 
-// Up to one byte over the limit, which the reader then refuses.
+// Reads up to one byte over the limit, so that the reader then refuses the text.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
     constexpr std::size_t block = 65'536;
     const std::size_t most = most_file_bytes.count() + 1;
@@ -43,7 +43,7 @@ std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& 
     return std::nullopt;
 }
 
-// Devices and pipes that are named are no scenes: they may never end.
+// Refuses devices and pipes that are given as paths: their text may never end.
 std::optional<std::string> file_text(const fs::path& path, const Source& name, Errors& errors) {
     std::error_code failed;
     const fs::file_status status = fs::status(path, failed);

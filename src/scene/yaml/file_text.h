@@ -1,4 +1,4 @@
-// The text of a scene, a template or a set, as it lies in a file.
+// Reading the text of a scene, a template or a figure set from a file.
 #pragma once
 
 #include <cstdio>
@@ -10,16 +10,18 @@
 
 namespace carom {
 
-/// All of a stream up to one byte over the limit of a file, which the reader then refuses;
-/// nothing, with an error, if it cannot be read. Throws Interrupted.
+/// Returns the text of a stream, up to one byte more than a file may have, so that the reader then
+/// refuses it as too long. Reports an error and returns nothing if the stream cannot be read.
+/// Throws Interrupted.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors);
 
-/// The same of the file at `path`, if it is an ordinary one. No output takes its place from then
-/// on: throws UsageError where one is about to (util/files/one_use_paths.h).
+/// Returns the text of the regular file at `path` in the same way; other files are refused. From
+/// then on no output may replace that file: throws UsageError if an output to it has already been
+/// opened (util/files/one_use_paths.h).
 std::optional<std::string> file_text(const std::filesystem::path& path, const Source& name,
                                      Errors& errors);
 
-/// Whether a name is that of a file in some folder, and no path; not of a hidden file.
+/// Returns whether a text is a bare file name, without a folder, and not that of a hidden file.
 bool is_plain_name(const std::string& name);
 
 }  // namespace carom

@@ -14,7 +14,8 @@
 namespace carom {
 namespace {
 
-// More are counted, not kept: a list of a hundred thousand wrong numbers is one mistake.
+// Further errors are counted but not kept: a list of a hundred thousand wrong numbers is one
+// mistake.
 constexpr std::size_t most_listed = 1000;
 
 std::size_t end_of_line(std::string_view text, std::size_t offset) {
@@ -26,7 +27,8 @@ std::size_t start_of_line(std::string_view text, std::size_t offset) {
     return offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;  // npos + 1 is 0
 }
 
-// A bracketed or quoted piece of one line, brackets and quotes included.
+// Returns the length of the bracketed or quoted text at the beginning of a line, including brackets
+// and quotes.
 std::size_t enclosed_bytes(std::string_view line) {
     int depth = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -54,7 +56,8 @@ std::size_t marked_bytes(const Node& node) {
     return std::max<std::size_t>(1, std::min(line.find_first_of(":,]}# \t"), line.size()));
 }
 
-// `offset` npos is the whole source. A text from the command line has no lines.
+// Returns a place in a source. An `offset` of npos stands for the whole source. A text from the
+// command line has no lines.
 Diagnostic place_in(const Source& source, std::size_t offset, std::size_t bytes) {
     Diagnostic place;
     place.span.file = source.name;
@@ -72,7 +75,8 @@ Diagnostic place_in(const Source& source, std::size_t offset, std::size_t bytes)
     return place;
 }
 
-// The scene's own errors first, then the template's, then the command line's.
+// Order of errors by origin: first the scene's own, then the template's, then those of the command
+// line.
 int rank(Origin origin) {
     return origin == Origin::scene ? 0 : origin == Origin::template_file ? 1 : 2;
 }

@@ -1,5 +1,5 @@
-// A YAML document as a small tree that remembers where each value stands in its source. Knows no
-// YAML syntax (yaml.h) and no scene (keys.h).
+// A YAML document as a small tree that remembers the place of each value in its source. Independent
+// of YAML syntax (yaml.h) and of the keys of scenes (keys.h).
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,18 @@
 
 namespace carom {
 
-/// Where a value was written; where two cannot be combined, the later origin wins.
+/// Where a value was written. Of two values that cannot be combined, the one of the later origin
+/// wins.
 enum class Origin { preset, template_file, scene, command_line };
 
-/// A text that values stand in. Nodes point to it: it outlives them.
+/// A text that nodes are read from. Nodes point to it, so it must outlive them.
 struct Source {
     std::string name = {};  ///< as messages call it
     std::string text = {};
     Origin origin = Origin::scene;
 };
 
-/// A deque, so that sources keep their address.
+/// A deque, so that the addresses of its sources stay valid as it grows.
 using Sources = std::deque<Source>;
 
 struct Node {
@@ -30,60 +31,63 @@ struct Node {
 
     Kind kind = Kind::null;
     bool quoted = false;  ///< a scalar in quotes, or a block of text: never a number or a flag
-    bool valid = true;    ///< set false by the check; readers take an invalid value as absent
+    bool valid = true;    ///< the check sets it to false; readers treat an invalid value as absent
     const Source* source = nullptr;
-    std::size_t offset = 0;        ///< byte in the source's text; of an empty value: its key's
-    std::string text = {};         ///< of a scalar
-    std::vector<Node> items = {};  ///< of a list; the values of a mapping
-    std::vector<Node> keys = {};   ///< of a mapping: scalars, as many as items
+    std::size_t offset = 0;  ///< byte in the source's text; for an empty value, that of its key
+    std::string text = {};   ///< for a scalar
+    std::vector<Node> items = {};  ///< for a list, its items; for a mapping, its values
+    std::vector<Node> keys = {};   ///< for a mapping: scalars, one for each of `items`
 
     bool is_scalar() const { return kind == Kind::scalar; }
     bool is_list() const { return kind == Kind::list; }
     bool is_mapping() const { return kind == Kind::mapping; }
 };
 
-/// The value of `key` in a mapping as written, valid or not; null if there is none.
+/// Returns the value of `key` in a mapping, valid or not; null if the key is not given.
 const Node* find(const Node& mapping, std::string_view key);
 Node* find(Node& mapping, std::string_view key);
 
-/// What a node is, for messages: `abc`, a list of 3, a mapping, nothing.
+/// Returns a description of a node for messages: `abc`, a list of 3, a mapping, nothing.
 std::string described(const Node& node);
 
-/// `text` in backquotes, cut to 40 characters, printable (util/text.h).
+/// Returns `text` in backquotes, cut to 40 characters and made printable (util/text.h).
 std::string in_quotes(std::string_view text);
 
-/// The errors of a scene as they are found, in any order.
+/// Collects the errors of a scene, found in any order.
 class Errors {
   public:
-    /// An error at `node`.
+    /// Adds an error at `node`.
     void add(const Node& node, std::string message, std::string hint = {});
 
-    /// An error at a byte of a source that is no node, or at the whole source.
+    /// Adds an error at a byte of a source where there is no node, or for the whole source.
     void add(const Source& source, std::size_t offset, std::string message, std::string hint = {});
     void add(const Source& source, std::string message, std::string hint = {});
 
     bool empty() const { return found_.empty(); }
 
-    /// Whether more errors are counted only, so that their words need not be made.
+    /// Returns whether so many errors have been kept that further ones are only counted: their
+    /// messages need not be composed.
     bool is_full() const;
 
-    /// Throws a SceneError with all errors in the order of the sources' text, if there are any.
+    /// Throws a SceneError with all errors, in the order of their places in the sources, if there
+    /// are any.
     void throw_if_any() const;
 
   private:
     struct Found {
         const Source* source;
         std::size_t offset;  ///< npos: the whole source
-        std::size_t bytes;   ///< of the marked text
+        std::size_t bytes;   ///< length of the marked text
         std::string message, hint;
     };
     void add(Found found);
 
     std::vector<Found> found_;
-    std::size_t unlisted_ = 0;  ///< found beyond those kept
+    std::size_t unlisted_ = 0;  ///< number of errors beyond those kept
 };
 
-/// The place of a node with an empty message, for errors that are found later.
+/// Returns the place of a node as a Diagnostic with an empty message, for errors that are found
+/// later.
 Diagnostic place_of(const Node& node);
 
 }  // namespace carom

@@ -50,7 +50,8 @@ std::string without(std::string text, std::string_view letters) {
     return text;
 }
 
-// Whether what follows a number goes on with an operation, or pi: "2*3", "2 pi", not "30/s".
+// Returns whether the text after a number continues an expression with an operator or pi: "2*3", "2
+// pi", not "30/s".
 bool begins_expression(const std::string& rest) {
     const auto is_letter = [](char c) { return lower({c})[0] >= 'a' && lower({c})[0] <= 'z'; };
     if (rest.starts_with("π")) return true;
@@ -59,8 +60,8 @@ bool begins_expression(const std::string& rest) {
     return rest[0] == '*' || rest[0] == '^';
 }
 
-// The number of a quantity such as "5mm" or "2.5 m/s"; empty if there is no number or no unit, as
-// in "2*pi".
+// Returns the number of a quantity with a unit, such as "5mm" or "2.5 m/s"; empty if there is no
+// number or no unit, as in "2*pi".
 std::string before_unit(const std::string& text) {
     const std::size_t end = text.find_last_of("0123456789.");
     std::size_t unit = text.find_first_not_of("0123456789.+-");

@@ -1,5 +1,5 @@
-// What the text of a scalar says: numbers as the scene language reads them, more narrowly than
-// YAML does.
+// Values of scalars: numbers and flags in the spellings of the scene language, which are fewer than
+// those of YAML.
 #pragma once
 
 #include <optional>
@@ -10,20 +10,22 @@
 
 namespace carom {
 
-/// A decimal number: digits, at most one point, an exponent; finite, no leading zeros, no other
-/// base. Nothing if `text` is not that, or too large or too small for a double.
+/// Parses a finite decimal number: digits, at most one point, an optional exponent; no leading
+/// zeros and no other base. Returns nothing for any other text, or if the number overflows or
+/// underflows a double.
 std::optional<double> parse_number(std::string_view text);
 
-/// The number that a scalar gives; nothing if it is quoted or no number.
+/// Returns the number that a scalar gives; nothing if the scalar is quoted or not a number.
 std::optional<double> number_in(const Node& node);
 
-/// `true` or `false`; nothing for anything else, quoted or in another spelling.
+/// Returns the value of `true` or `false`; nothing for anything else, including quoted text and
+/// other spellings.
 std::optional<bool> flag_in(const Node& node);
 
-/// How to mend a scalar that should have been a number; may be empty.
+/// Returns a hint on how to correct a scalar that should be a number; may be empty.
 std::string number_hint(const Node& node);
 
-/// How to mend a scalar that should have been `true` or `false`; may be empty.
+/// Returns a hint on how to correct a scalar that should be `true` or `false`; may be empty.
 std::string flag_hint(const Node& node);
 
 }  // namespace carom

@@ -19,7 +19,7 @@
 namespace carom {
 namespace {
 
-// Ends the reading at the first error that leaves no tree to go on with.
+// Thrown to end the parsing at the first error after which no tree is left.
 struct Stop {
     std::size_t offset;
     std::string message;
@@ -137,7 +137,7 @@ class TreeBuilder : public YAML::EventHandler {
         if (values_ > most_values.count()) throw too_many_values(offset);
     }
 
-    // An empty value has no place of its own: it takes its key's, or that of its dash.
+    // An empty value has no place of its own: it gets that of its key, or of its dash in a list.
     std::size_t place_of_nothing(std::size_t offset) const {
         if (open_.empty()) return offset;
         const Node& parent = open_.back().node;
@@ -146,7 +146,7 @@ class TreeBuilder : public YAML::EventHandler {
         return before == std::string::npos ? parent.offset : before;
     }
 
-    // yaml-cpp takes the end of the file for the end of a quotation.
+    // yaml-cpp accepts the end of the file as the end of a quotation; refuses that.
     void refuse_open_quote(const Node& node) const {
         const std::string_view text = source_.text;
         const char quote = node.offset < text.size() ? text[node.offset] : ' ';
@@ -192,7 +192,7 @@ class TreeBuilder : public YAML::EventHandler {
         (is_key ? parent.keys : parent.items).push_back(std::move(node));
     }
 
-    // The first of its name stays.
+    // Reports keys that occur more than once; the first occurrence is kept.
     void refuse_duplicates(Node& mapping) {
         std::map<std::string_view, const Node*> first;
         std::vector<bool> doubled;
@@ -237,7 +237,8 @@ class TreeBuilder : public YAML::EventHandler {
     Node root_;
 };
 
-// Bytes that no text holds: broken UTF-8 and control characters but tab and line ends.
+// Finds bytes that no text may contain: invalid UTF-8, and control characters except tab and line
+// ends.
 std::optional<Stop> unreadable_byte(std::string_view text, std::size_t begin) {
     for (std::size_t i = begin; i < text.size();) {
         i += plain_length(text.substr(i));
@@ -278,7 +279,7 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
     return "";
 }
 
-// From yaml-cpp 0.8 on the name of an anchor stands behind these words.
+// From yaml-cpp 0.8 on, the name of an anchor follows these words.
 std::string problem_of(const YAML::Exception& error) {
     using namespace YAML::ErrorMsg;
     if (error.msg.starts_with(UNKNOWN_ANCHOR)) return "this anchor is not defined";

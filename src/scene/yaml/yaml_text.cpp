@@ -40,7 +40,7 @@ std::size_t open_mark(std::string_view text) {
 
 std::size_t place_beyond(std::string_view text, std::size_t begin, std::size_t most) {
     bool is_line_empty = true;                           // so far
-    bool is_after_comma = false, is_after_mark = false;  // that a value may follow
+    bool is_after_comma = false, is_after_mark = false;  // whether a value may follow
     std::size_t values = 0;
     for (std::size_t i = begin; i < text.size(); ++i) {
         const char c = text[i];

@@ -1,5 +1,5 @@
-// YAML text looked at before and beside the parser: what it accepts silently, and where a mistake
-// began that it reports elsewhere.
+// Scans of YAML text that complement the parser: they find what it accepts silently, and the place
+// where a mistake begins that the parser reports elsewhere.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +7,21 @@
 
 namespace carom {
 
-/// Where the quotation that begins at `start` ends; npos if it does not.
+/// Returns the index of the quotation mark that closes the quotation opened at `start`; npos if it
+/// is not closed.
 std::size_t end_of_quotation(std::string_view text, std::size_t start);
 
-/// The quotation mark or else the innermost bracket that is open at the end of `text`; npos if
-/// there is none.
+/// Returns the index of the quotation mark, or else of the innermost bracket, that is still open at
+/// the end of `text`; npos if nothing is open.
 std::size_t open_mark(std::string_view text);
 
-/// The place of the value after `most` values, if brackets, commas and colons part so many: those
-/// in texts count, too, those in lines that are comments do not. npos if there are fewer. For what
-/// is too much for the parser, which takes memory for all of a bracket before it tells of it.
+/// Returns the place of the first value after `most` values, counted from `begin` by brackets,
+/// commas and colons; npos if there are no more than `most`. Separators within quoted texts count,
+/// too; lines that are comments do not. Called before the parser, which allocates memory for a
+/// whole bracketed list before it reports anything.
 std::size_t place_beyond(std::string_view text, std::size_t begin, std::size_t most);
 
-/// Whether a colour stands in `text` without quotes, so that YAML takes it for a comment.
+/// Returns whether `text` contains an unquoted colour as a value, which YAML takes for a comment.
 bool has_bare_color(std::string_view text);
 
 }  // namespace carom

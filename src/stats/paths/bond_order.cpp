@@ -17,7 +17,7 @@ Eigen::ArrayXcd bond_order(const Box& box, const Particles& particles,
         const double contact = particles.radius[i] + particles.radius[j];
         const double distance = apart.matrix().norm();
         if (!(distance < neighbour_distance * contact)) return;
-        // The sixth power, the same from either end.
+        // The sixth power is the same for the opposite direction, seen from the other disk.
         const std::complex<double> direction(apart[0] / distance, apart[1] / distance);
         const std::complex<double> third = direction * direction * direction;
         for (const Eigen::Index k : {i, j}) {

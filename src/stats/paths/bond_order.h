@@ -1,5 +1,5 @@
-// How hexagonal the order of disks is: the mean of e^(6 i phi) over the directions phi to the
-// neighbours of a disk (Halperin and Nelson 1978).
+// The hexagonal bond-orientational order of disks: the mean of e^(6 i phi) over the directions phi
+// from a disk to its neighbours (Halperin and Nelson 1978).
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +11,12 @@
 
 namespace carom {
 
-/// Neighbours are disks whose centres are nearer than this in units of the sum of their radii.
+/// Disks are neighbours if the distance of their centres is less than this many times the sum of
+/// their radii.
 inline constexpr double neighbour_distance = 1.4;
 
-/// Of each disk of a plane the mean over its neighbours; 0 of one without any.
+/// For each disk of a two-dimensional gas, the mean over its neighbours (dimensionless); 0 for a
+/// disk without neighbours. `positions` are N x 2.
 Eigen::ArrayXcd bond_order(const Box& box, const Particles& particles,
                            const Eigen::ArrayXXd& positions);
 

@@ -44,8 +44,8 @@ const std::vector<FreeFlight>& FreeFlights::see(const Sample& sample,
 
 namespace {
 
-// Whether no two of the disks, as the centre of another meets them, touch each other, one of their
-// own images or a solid wall.
+// Whether the fixed disks, enlarged by the radius of the moving disk, touch neither each other nor
+// their own images nor a solid wall.
 bool are_apart(const Box& box, const std::vector<Obstacle::Disk>& disks, double radius) {
     for (std::size_t i = 0; i < disks.size(); ++i) {
         const double reach = disks[i].radius + radius;

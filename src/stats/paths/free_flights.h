@@ -20,28 +20,28 @@ struct FreeFlight {
     void archive(auto& archive) { archive(particle, ended, length, duration); }
 };
 
-/// What particles have done in a time, whether or not it ended with a collision.
+/// Totals of a particle over a time, including flights that have not ended with a collision.
 struct FlightTotals {
-    double collisions = 0.0;  ///< that end flights
+    double collisions = 0.0;  ///< number of collisions that end flights
     double way = 0.0;         ///< of all together
     double time = 0.0;        ///< of all together
 };
 
-/// A flight ends at a collision with another particle or an obstacle. Walls and partitions turn it
-/// without ending it, unless they count too.
+/// A flight ends at a collision with another particle or an obstacle. Walls and partitions change
+/// its direction without ending it, unless `ends_at_walls`.
 class FreeFlights {
   public:
     FreeFlights(const Box& box, bool ends_at_walls, std::vector<double> velocity_changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before. Gives the
-    /// flights that have ended since then, but for the first one of each particle, whose beginning
-    /// nobody saw.
+    /// Takes the next sample. Samples must come in order of time, each with all collisions since
+    /// the previous one. Returns the flights that have ended since then, except the first one of
+    /// each particle, whose beginning is unknown.
     const std::vector<FreeFlight>& see(const Sample& sample, std::span<const Collision> collisions);
 
-    /// Since the sample before, of each particle.
+    /// The totals of each particle since the previous sample.
     const std::vector<FlightTotals>& totals() const { return totals_; }
 
-    /// Writes or reads the present flights.
+    /// Writes or reads the flights in progress.
     void archive(auto& archive) { archive(paths_, now_, is_begun_); }
 
   private:
@@ -50,15 +50,16 @@ class FreeFlights {
     Paths paths_;
     std::int32_t first_obstacle_;
     bool ends_at_walls_;
-    std::vector<FreeFlight> now_;  ///< of each particle: the present flight
+    std::vector<FreeFlight> now_;  ///< the flight in progress of each particle
     std::vector<bool> is_begun_;   ///< whether it began at a collision
     std::vector<FreeFlight> ended_;
     std::vector<FlightTotals> totals_;
 };
 
-/// The exact mean free path of a single disk between fixed disks, from hit to hit: pi times the
-/// area that its centre has over its perimeter. None where that does not hold: among other
-/// obstacles, disks that it cannot pass between, partitions, gravity, walls that act or that do not
+/// The exact mean free path of a single disk among fixed disks, from hit to hit: pi times the area
+/// accessible to its centre, divided by the perimeter of that area. None if the formula does not
+/// hold: with obstacles of other shapes, disks too close for the moving disk to pass between,
+/// partitions, gravity, walls that act on particles other than by reflection, or walls that do not
 /// end a flight.
 std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool ends_at_walls);
 

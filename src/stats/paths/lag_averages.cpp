@@ -49,8 +49,9 @@ void LagAverages::add(Track& track, PathPiece piece) {
     }
 }
 
-// Over the times of the last piece, as far as the earlier end lies behind the start: by Simpson's
-// rule, which is exact for products of velocities and squares of ways that change at a steady rate.
+// Integrates over the times of the last piece for which the earlier end lies after the start.
+// Simpson's rule is exact here: the integrand is a product of two velocities, or the square
+// of a displacement, each of which changes at a steady rate.
 void LagAverages::add_lag(Track& track, int k) {
     const PathPiece& late = track.pieces.back();
     double time = std::max(late.from, from_ + lag(k));

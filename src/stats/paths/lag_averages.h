@@ -1,6 +1,6 @@
-// Averages of what a particle does at two times that are a lag apart, over all such times since a
-// start: the velocity autocorrelation, and the mean squared displacement. Exact integrals over
-// free flights; nothing is sampled.
+// Averages over pairs of times that are a given lag apart, since a start time: the velocity
+// autocorrelation and the mean squared displacement. The integrals over free flights are exact, not
+// computed from samples.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,31 +18,33 @@ class LagAverages {
   public:
     enum class Of {
         velocities,    ///< v(t) . v(t + lag)
-        displacements  ///< (r(t + lag) - r(t))^2, on through periodic sides
+        displacements  ///< (r(t + lag) - r(t))^2, continued through periodic sides
     };
 
-    /// At `count` lags from 0 to `longest`, of each list of particles.
+    /// Averages at `count` equidistant lags from 0 to `longest`, for each list of particles in
+    /// `members`, over times from `from` on.
     LagAverages(const Box& box, Of of, std::vector<std::vector<Eigen::Index>> members, double from,
                 double longest, int count, std::vector<double> velocity_changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before.
+    /// Takes the next sample. Samples must come in order of time, each with all collisions since
+    /// the previous one.
     void see(const Sample& sample, std::span<const Collision> collisions);
 
     double lag(int k) const { return longest_ * k / (count_ - 1); }
 
-    /// The mean at each lag over all particles of a list and all times from the start on at which
-    /// the run has come to both ends; NaN where there are none yet.
+    /// The mean at each lag over all particles of a list and all pairs of times between the start
+    /// and the last sample; NaN for lags longer than the time so far.
     Eigen::ArrayXd means(std::size_t list) const;
 
-    /// Writes or reads all that was seen; lists and lags are not part of it.
+    /// Writes or reads the accumulated state; lists and lags are not part of it.
     void archive(auto& archive) { archive(paths_, tracks_, sums_, times_); }
 
   private:
     struct Track {
         Eigen::Index list = 0;
-        std::deque<PathPiece> pieces = {};  ///< within the longest lag; places go on through sides
-        std::size_t dropped = 0;            ///< before these
-        std::vector<std::size_t> older = {};  ///< for each lag, the piece where its earlier end is
+        std::deque<PathPiece> pieces = {};    ///< within the longest lag, unwrapped positions
+        std::size_t dropped = 0;              ///< number of earlier pieces, already discarded
+        std::vector<std::size_t> older = {};  ///< by lag: the piece with its earlier end
         void archive(auto& archive) { archive(list, pieces, dropped, older); }
     };
     void add(Track& track, PathPiece piece);
@@ -60,8 +62,8 @@ class LagAverages {
     double from_, longest_;
     int count_;
     Paths paths_;
-    std::vector<Track> tracks_;                        ///< of each particle in each list
-    std::vector<std::vector<std::size_t>> tracks_of_;  ///< numbers of these, of each particle
+    std::vector<Track> tracks_;                        ///< one for each particle of each list
+    std::vector<std::vector<std::size_t>> tracks_of_;  ///< indices in `tracks_`, for each particle
     Eigen::ArrayXXd sums_, times_;                     ///< list x lag
 };
 

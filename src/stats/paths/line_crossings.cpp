@@ -24,15 +24,16 @@ const CrossingTotals& LineCrossings::see(const Sample& sample,
     return totals_;
 }
 
-// Which of the lines (in a periodic box, of the images of the line) is the last at or below a
-// place.
+// The number of the line (in a periodic box, of the image of the line) that is the last one at or
+// below a position.
 double LineCrossings::level(double place) const {
     const double above = (place - line_.at) / box_.length(line_.axis);
     if (!box_.is_periodic(line_.axis)) return above >= 0.0 ? 0.0 : -1.0;
     return std::floor(above);
 }
 
-// Pieces join but for round-off: one that ends at the line does not begin on its other side, or a
+// Consecutive pieces join only up to round-off. The level is therefore taken over from the previous
+// piece: if a piece that ends at the line were followed by one that begins on the other side, the
 // crossing would be lost.
 double LineCrossings::level_at_start(const PathPiece& piece) const {
     const std::optional<End>& end = ends_[static_cast<std::size_t>(piece.particle)];
@@ -42,8 +43,9 @@ double LineCrossings::level_at_start(const PathPiece& piece) const {
     return end->level + std::round((place - end->place) / box_.length(line_.axis));
 }
 
-// The crossings of a part of a flight on which it does not turn along the axis; it begins at this
-// time of the piece, and on this level. Gives the level where it ends.
+// Counts the crossings of a part of a flight on which the velocity along the axis does not change
+// sign. The part begins at the time `begin` of the piece, on level `first`. Returns the level at
+// its end.
 double LineCrossings::add_monotone(const PathPiece& piece, double begin, const Point& from,
                                    const Point& to, double first) {
     const double way = from.velocity + to.velocity;

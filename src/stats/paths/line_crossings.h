@@ -1,4 +1,5 @@
-// What crosses a straight line, each way, by exact flights between collisions: nothing is sampled.
+// The particles and the energy that cross a straight line in each direction, found exactly from the
+// free flights between collisions, not from samples.
 #pragma once
 
 #include <array>
@@ -18,32 +19,33 @@ namespace carom {
 struct CrossedLine {
     int axis = 0;
     double at = 0.0;
-    std::optional<std::pair<double, double>> between = {};  ///< along the other axis; none: all
+    std::optional<std::pair<double, double>> between = {};  ///< on the other axis; none: all
 };
 
-/// Sums since the first sample: toward larger x or y, and toward smaller.
+/// Totals since the first sample: [0] toward larger x or y, [1] toward smaller.
 struct CrossingTotals {
     std::array<std::int64_t, 2> count{};
-    std::array<double, 2> energy{};  ///< kinetic, of those of finite mass
+    std::array<double, 2> energy{};  ///< kinetic energy of the crossing particles of finite mass
 };
 
 class LineCrossings {
   public:
-    /// `members`: which particles are counted.
+    /// `members`: the indices of the particles that are counted.
     LineCrossings(const Box& box, const Particles& particles, const CrossedLine& line,
                   const std::vector<Eigen::Index>& members, std::vector<double> velocity_changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before.
+    /// Takes the next sample. Samples must come in order of time, each with all collisions since
+    /// the previous one. Returns the totals up to this sample.
     const CrossingTotals& see(const Sample& sample, std::span<const Collision> collisions);
 
   private:
-    /// A point of a path along the axis.
+    /// Position and velocity along the axis.
     struct Point {
         double place, velocity;
     };
     void fly(const PathPiece& piece);
-    /// Where a particle is at the end of a piece: its next one begins there but for round-off, or a
-    /// box length away.
+    /// The position of a particle at the end of a piece, and its level(). The next piece begins at
+    /// the same position up to round-off, or a box length away.
     struct End {
         double place, level;
     };

@@ -5,8 +5,8 @@
 
 namespace carom {
 
-// Cells are no smaller than the distance. Positions beyond the box, as sides that move let them be,
-// are in the cells at its ends.
+// Cells are at least as wide as the distance. Positions outside the box, which are possible with
+// moving sides, are in the cells at its ends.
 NearPairs::NearPairs(const Box& box, const Eigen::ArrayXXd& positions, double distance) {
     const Eigen::Index particles = positions.rows();
     Eigen::Array2d low{0.0, 0.0}, size{1.0, 1.0};
@@ -41,7 +41,7 @@ NearPairs::NearPairs(const Box& box, const Eigen::ArrayXXd& positions, double di
         order_[next[static_cast<std::size_t>(cells[static_cast<std::size_t>(i)])]++] = i;
 }
 
-// With itself, each once.
+// The neighbours of a cell and the cell itself, each once.
 std::vector<int> NearPairs::around(int cell) const {
     std::vector<int> all;
     const Eigen::Array2i at{cell % count_[0], cell / count_[0]};

@@ -1,4 +1,4 @@
-// The pairs of particles that are near each other.
+// Finds the pairs of particles that are near each other.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,15 +11,15 @@
 
 namespace carom {
 
-/// The particles of a box in cells, so that pairs nearer than a distance are found among
-/// neighbours.
+/// A cell list of the particles of a box: pairs nearer than a distance are found among neighbouring
+/// cells.
 class NearPairs {
   public:
     /// `positions` are N x dimension.
     NearPairs(const Box& box, const Eigen::ArrayXXd& positions, double distance);
 
-    /// Calls `see(i, j)` once for each pair i < j whose nearest images may be no farther apart than
-    /// the distance: for all that are, and for some that are not.
+    /// Calls `see(i, j)` once for each pair i < j whose nearest images may be within the distance:
+    /// for all pairs that are, and for some that are not.
     void for_each(std::invocable<Eigen::Index, Eigen::Index> auto&& see) const {
         for (int cell = 0; cell < count_.prod(); ++cell) {
             const std::vector<int> near = around(cell);
@@ -39,8 +39,8 @@ class NearPairs {
 
     Eigen::Array2i count_{1, 1};
     std::array<bool, 2> is_periodic_{};
-    std::vector<std::size_t> begin_;   ///< of each cell, in `order_`
-    std::vector<Eigen::Index> order_;  ///< particles by cells
+    std::vector<std::size_t> begin_;   ///< index in `order_` of the first particle of each cell
+    std::vector<Eigen::Index> order_;  ///< particles sorted by cell
 };
 
 }  // namespace carom

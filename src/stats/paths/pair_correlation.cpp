@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::size_t most_radii = 12;  // told apart: their squares change g by the rest
 
-// How much of an axis two points have to themselves that are `apart` on it: a constant up to the
-// difference of their rooms, from there on less by what they are apart more.
+// The room that two points have along an axis, as a function of their separation along it. `first`
+// and `second` are the lengths of the intervals, about one centre, that each point can reach: the
+// room is constant up to flat(), half the difference of the lengths, and decreases linearly with
+// the separation from there to end(), where it is 0.
 struct Room {
     double first, second;
     bool is_periodic;
@@ -21,8 +23,8 @@ struct Room {
     double end() const { return is_periodic ? INFINITY : 0.5 * (first + second); }
 };
 
-// The integral over all directions of a distance of the product of both rooms, in closed form
-// between the angles at which one of them bends.
+// The integral of the product of both rooms over all directions of a separation of length r, in
+// closed form between the angles at which one of the rooms has a kink.
 double rooms_around(const Room& x, const Room& y, double r) {
     std::vector<double> angles{0.0, 0.5 * std::numbers::pi};
     for (const double bend : {x.flat(), x.end()})
@@ -52,7 +54,7 @@ double room_between(const Room& x, double r) {
     return 2.0 * (r > x.flat() ? x.end() - r : std::min(x.first, x.second));
 }
 
-// Gauss and Legendre's rule of five points.
+// Five-point Gauss-Legendre quadrature.
 double integral(double low, double high, const auto& value) {
     constexpr std::array<double, 3> nodes{0.0, 0.5384693101056831, 0.9061798459386640};
     constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665,
@@ -111,7 +113,8 @@ bool PairCorrelation::is_wanted(Eigen::Index i, Eigen::Index j) const {
            (is_in(wanted_.first, j) && is_in(wanted_.second, i));
 }
 
-// How many pairs are of which radii; of very many radii groups have their mean.
+// Counts the pairs for each pair of radii. If there are too many different radii, the particles are
+// grouped, and each group has its mean radius.
 void PairCorrelation::find_kinds() {
     const Eigen::Index count = particles_.count();
     std::vector<Eigen::Index> by_radius;
@@ -128,7 +131,7 @@ void PairCorrelation::find_kinds() {
         for (std::size_t k = 0; k < by_radius.size(); ++k)
             groups[k * most_radii / by_radius.size()].push_back(by_radius[k]);
     }
-    // Of each group how many are of the first, of the second and of both sorts.
+    // For each group, the numbers of particles of the first sort, of the second and of both.
     struct Group {
         double radius = 0.0, first = 0.0, second = 0.0, both = 0.0;
     };
@@ -156,7 +159,8 @@ void PairCorrelation::find_kinds() {
         }
 }
 
-// Pairs of points in each ring. The sides seldom move.
+// The expected number of pairs of uniformly distributed points in each ring. The last result is
+// kept, as the sides seldom move.
 Eigen::ArrayXd PairCorrelation::expected(const BoxSides& sides) {
     if (last_expected_ && last_expected_->first == sides) return last_expected_->second;
     Eigen::ArrayXd pairs = Eigen::ArrayXd::Zero(wanted_.rings);
@@ -196,7 +200,7 @@ void PairCorrelation::add_moment(const Sample& sample, const BoxSides& sides) {
     });
 }
 
-// Between their nearest images.
+// The distance of the nearest images of two particles.
 double PairCorrelation::distance(const Eigen::ArrayXXd& positions, Eigen::Index i,
                                  Eigen::Index j) const {
     Eigen::Array2d apart{0.0, 0.0};
@@ -205,8 +209,8 @@ double PairCorrelation::distance(const Eigen::ArrayXXd& positions, Eigen::Index 
     return box_.nearest(apart).matrix().norm();
 }
 
-// How far from its end a path goes. Falling bends a piece of it away from the straight line between
-// its ends by no more than g t^2 / 8.
+// An upper bound for the distance of a path from its end. Gravity bends a piece away from the
+// straight line between its ends by no more than g t^2 / 8.
 double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces) const {
     Eigen::Array2d apart{0.0, 0.0};
     double farthest = 0.0, bend = 0.0;
@@ -219,7 +223,8 @@ double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces) con
     return farthest + bend;
 }
 
-// The paths of all pairs that may come near, found by where they are at the end.
+// Adds the flights of all pairs that may have come near each other, found from their positions at
+// the end.
 void PairCorrelation::add_flights(const Eigen::ArrayXXd& positions, Eigen::ArrayXd& time) {
     Eigen::ArrayXd reach(positions.rows());
     for (Eigen::Index i = 0; i < reach.size(); ++i)
@@ -235,8 +240,9 @@ void PairCorrelation::add_flights(const Eigen::ArrayXXd& positions, Eigen::Array
         });
 }
 
-// While nothing but gravity changes their velocities. What falls, falls alike; where one lies on a
-// floor and the other falls, along chords that are near the path.
+// Takes the intervals in which only gravity changes the velocities. Two falling particles have no
+// relative acceleration; if one lies on a floor while the other falls, the relative path is
+// replaced by chords close to it.
 void PairCorrelation::add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
                                Eigen::ArrayXd& time) {
     for (std::size_t i = 0, j = 0; i < first.size() && j < second.size();) {
@@ -260,14 +266,14 @@ void PairCorrelation::add_pair(std::span<const PathPiece> first, std::span<const
     }
 }
 
-// So many that none is farther from the path than a small part of a ring.
+// Enough chords that none is farther from the path than a small part of a ring.
 int PairCorrelation::chords_of(double acceleration, double span) const {
     constexpr double part_of_ring = 1e-3, most = 1e4;
     const double chords = span * std::sqrt(acceleration / (8.0 * part_of_ring * width_));
     return static_cast<int>(std::clamp(std::ceil(chords), 1.0, most));
 }
 
-// All images that come near on the way, in most boxes but the nearest.
+// Adds all images that come near during the flight; in most boxes only the nearest one.
 void PairCorrelation::add_images(const Eigen::Array2d& place, const Eigen::Array2d& velocity,
                                  double span, Eigen::ArrayXd& time) const {
     const Eigen::Array2d nearest =
@@ -286,7 +292,7 @@ void PairCorrelation::add_images(const Eigen::Array2d& place, const Eigen::Array
                        span, time);
 }
 
-// Nearer until the closest approach, farther from there on.
+// The distance decreases until the closest approach and increases from there on.
 void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array2d& velocity,
                                  double span, Eigen::ArrayXd& time) const {
     const double square = velocity.square().sum(), along = (place * velocity).sum();
@@ -297,14 +303,14 @@ void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array
         return;
     }
     const double to = std::sqrt((place + span * velocity).square().sum());
-    // Mostly within one ring, and not through its middle.
+    // The usual case: the flight stays in one ring and does not pass its closest approach.
     const auto ring = static_cast<Eigen::Index>(from / width_);
     const bool is_one_way = along >= 0.0 || along + square * span <= 0.0;
     if (is_one_way && ring == static_cast<Eigen::Index>(to / width_)) {
         if (ring < wanted_.rings) time[ring] += span;
         return;
     }
-    // The closest distance, by the cross product: without cancellation.
+    // The distance of closest approach, from the cross product, which avoids cancellation.
     const double least = std::abs(place[0] * velocity[1] - place[1] * velocity[0]) / speed;
     if (least >= wanted_.to) return;
     const double closest = -along / square;
@@ -321,7 +327,8 @@ void PairCorrelation::add_at(double distance, double time, Eigen::ArrayXd& sums)
     if (ring < wanted_.rings) sums[static_cast<Eigen::Index>(ring)] += time;
 }
 
-// The time of a straight flight with this closest distance between two others.
+// Adds the time that a straight flight with closest distance `least` spends in each ring between
+// the distances `from` and `to`.
 void PairCorrelation::add_between(double from, double to, double least, double speed,
                                   Eigen::ArrayXd& sums) const {
     const auto when = [&](double distance) {

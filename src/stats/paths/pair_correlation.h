@@ -1,6 +1,7 @@
-// The pair correlation g(r): how many pairs of particles are at a distance, over the number that
-// points would have that lie anywhere where the centres can be. Times at a distance are exact, by
-// free flights between collisions; nothing is sampled.
+// The pair correlation function g(r): the number of pairs of particles at distance r, divided by
+// the number expected for points distributed uniformly over the positions that the centres can
+// reach. The times that pairs spend at a distance are exact, computed from the free flights between
+// collisions, not from samples.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,38 +18,39 @@
 
 namespace carom {
 
-/// Where the sides of a box are: from and to, along each axis.
+/// The positions of the sides of a box: (lower, upper) for each axis.
 using BoxSides = std::array<std::pair<double, double>, 2>;
 BoxSides sides_of(const Box& box);
 
-/// The probability that two points, each anywhere where the centre of a disk of its radius can be,
-/// are at a distance between `low` and `high`; in periodic boxes from nearest image to nearest
-/// image, up to half of the box.
+/// The probability that two points, each distributed uniformly over the positions that the centre
+/// of a disk of its radius (`radii`) can reach, are at a distance between `low` and `high`. In
+/// periodic boxes the distance is that of the nearest images, and must be at most half of the box.
 double ring_probability(const Box& box, const BoxSides& sides, std::pair<double, double> radii,
                         double low, double high);
 
 class PairCorrelation {
   public:
     struct Wanted {
-        std::vector<bool> first = {}, second = {};  ///< of all particles: pairs of one of these
-                                                    ///< and one of those; empty: all of them
+        std::vector<bool> first = {}, second = {};  ///< flags by particle: pairs of one of `first`
+                                                    ///< and one of `second`; empty: all
         double to = 1.0;                            ///< the largest distance
-        int rings = 100;                            ///< equal bins up to there
-        std::optional<double> window = {};          ///< time before the present, 0: the present
-                                                    ///< alone; none: since the start
+        int rings = 100;                            ///< number of equal bins up to `to`
+        std::optional<double> window = {};  ///< length of time before the present; 0: the present
+                                            ///< moment only; none: all since the start
     };
 
     PairCorrelation(const Box& box, const Particles& particles, Wanted wanted,
                     std::vector<double> velocity_changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before, and where the
-    /// sides are now.
+    /// Takes the next sample. Samples must come in order of time, each with all collisions since
+    /// the previous one. `sides`: the positions of the sides at this sample.
     void see(const Sample& sample, std::span<const Collision> collisions, const BoxSides& sides);
 
-    /// g in each ring, over the window; of the moment where no time has passed.
+    /// g (dimensionless) in each ring, averaged over the window; for the last sample alone if no
+    /// time has passed.
     Eigen::ArrayXd values() const;
 
-    /// Writes or reads all that was seen; what is wanted is not part of it.
+    /// Writes or reads the accumulated state; `wanted` is not part of it.
     void archive(auto& archive) {
         archive(paths_, pairs_, expected_, moment_, moment_expected_, sides_, time_);
     }
@@ -77,13 +79,13 @@ class PairCorrelation {
     Wanted wanted_;
     double width_;  ///< of a ring
     std::vector<std::pair<std::pair<double, double>, double>>
-        kinds_;  ///< radii, and how many pairs
+        kinds_;  ///< pairs of radii, and the number of particle pairs with these radii
     Paths paths_;
     SlidingSum pairs_, expected_;
     Eigen::ArrayXd moment_, moment_expected_;
-    std::optional<BoxSides> sides_;  ///< at the sample before
+    std::optional<BoxSides> sides_;  ///< at the previous sample
     std::optional<std::pair<BoxSides, Eigen::ArrayXd>> last_expected_;
-    std::vector<std::vector<PathPiece>> pieces_;  ///< of each particle, since the sample before
+    std::vector<std::vector<PathPiece>> pieces_;  ///< by particle, since the last sample
     double time_ = 0.0;
 };
 

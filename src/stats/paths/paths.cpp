@@ -24,7 +24,7 @@ std::vector<double> velocity_changes(const Run& run) {
 double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity, double span) {
     const double speed = middle.matrix().norm(), pull = gravity.matrix().norm();
     const double change = pull * span;
-    if (change < 1e-3 * speed || change == 0.0) return span * speed;  // to the sixth digit
+    if (change < 1e-3 * speed || change == 0.0) return span * speed;  // accurate to six digits
     const double along = (middle * gravity).sum() / pull;
     const double across = std::sqrt(std::max(0.0, speed * speed - along * along));
     const auto primitive = [&](double w) {
@@ -51,9 +51,10 @@ Paths::Point Paths::at(const Sample& sample, Eigen::Index particle) {
     return point;
 }
 
-// For how long it lies on a floor before it falls along an axis, where it does: it has no velocity,
-// and at the end as much as it has gained since. `is_changed`: on the way or at the end, so that
-// the velocity there does not say it.
+// The time for which a particle lies on a floor before it falls along an axis, or 0: it starts with
+// zero velocity, and its final velocity tells for how long it has been falling. `is_changed`:
+// velocities change without a collision on the way or at the end, so that the final velocity does
+// not tell this.
 double Paths::rest_of(const Point& from, const Point& to, Eigen::Index axis,
                       bool is_changed) const {
     const double gravity = gravity_[axis], span = to.time - from.time;
@@ -65,8 +66,9 @@ double Paths::rest_of(const Point& from, const Point& to, Eigen::Index axis,
     return rest > rounding * span ? rest : 0.0;
 }
 
-// Where velocities change in between, forward until then and backward from the end; where they
-// change several times, evenly from the first to the last.
+// Splits the path between two points into pieces. If velocities change in between, the path is
+// computed forward from its start to the first change and backward from its end to the last change;
+// between these it is taken as a single piece of constant acceleration.
 void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
     pieces_.clear();
     const auto first = std::ranges::lower_bound(changes_, from.time);
@@ -76,7 +78,7 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
     Eigen::Array2d rest{0.0, 0.0};
     for (Eigen::Index axis = 0; axis < 2; ++axis)
         rest[axis] = rest_of(from, to, axis, is_changed || ends_changed);
-    // Forward from the last point on, to where something changes.
+    // Forward from the last point to the first change.
     PathPiece piece{
         .particle = particle, .from = from.time, .place = from.place, .velocity = from.velocity};
     double since = 0.0;

@@ -1,5 +1,5 @@
-// The paths of particles between two samples of a run, in pieces with constant accelerations: what
-// averages by exact times are made of.
+// The paths of particles between two samples of a run, split into pieces of constant acceleration:
+// the input of all averages that use exact times.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,14 +12,14 @@
 
 namespace carom {
 
-/// A piece of a particle's path. On a line all that is along y is 0.
+/// A piece of a particle's path. In one dimension all y components are 0.
 struct PathPiece {
     Eigen::Index particle = 0;
     double from = 0.0, to = 0.0;            ///< times
     Eigen::Array2d place{0.0, 0.0};         ///< at `from`
     Eigen::Array2d velocity{0.0, 0.0};      ///< at `from`
     Eigen::Array2d acceleration{0.0, 0.0};  ///< gravity; 0 along an axis while it lies on a floor
-    const Collision* ended_by = nullptr;    ///< none: the sample, or an event of the run
+    const Collision* ended_by = nullptr;    ///< null: ended by the sample or an event of the run
 
     double span() const { return to - from; }
     Eigen::Array2d place_after(double time) const {
@@ -27,26 +27,29 @@ struct PathPiece {
     }
     Eigen::Array2d velocity_after(double time) const { return velocity + time * acceleration; }
 
-    /// All but the collision, which is known during the call only that gives the piece.
+    /// Writes or reads all members except `ended_by`, which is valid only during the call that
+    /// receives the piece.
     void archive(auto& archive) {
         archive(particle, from, to, place, velocity, acceleration);
         ended_by = nullptr;
     }
 };
 
-/// Times at which the velocities of a run change without a collision, in order: reversals, heat,
-/// and heat that a reversal undoes.
+/// The times, in ascending order, at which velocities in a run change without a collision:
+/// reversals, heating, and heating that is undone by a reversal.
 std::vector<double> velocity_changes(const Run& run);
 
-/// The length of a path: the integral of the speed over a time, with this velocity in its middle.
+/// The length of a path, i.e. the integral of the speed over a time `span`, for constant
+/// acceleration `gravity` and the velocity `middle` halfway through the time.
 double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity, double span);
 
 class Paths {
   public:
     Paths(const Box& box, std::vector<double> changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before: calls
-    /// `see(piece)` for each piece since then, those of one particle in order of time.
+    /// Takes the next sample; samples must come in order of time, each with all collisions since
+    /// the previous one. Calls `see(piece)` for each piece since then, the pieces of one particle
+    /// in order of time.
     void operator()(const Sample& sample, std::span<const Collision> collisions,
                     std::invocable<const PathPiece&> auto&& see) {
         const bool is_first = last_.empty();
@@ -68,7 +71,7 @@ class Paths {
         time_ = sample.time;
     }
 
-    /// Writes or reads where the particles are.
+    /// Writes or reads the last known state of the particles.
     void archive(auto& archive) { archive(last_, time_); }
 
   private:
@@ -83,8 +86,8 @@ class Paths {
 
     void advance(Eigen::Index particle, const Point& to, const Collision* by, auto&& see) {
         Point& from = last_[static_cast<std::size_t>(particle)];
-        if (to.time < from.time) return;             // on the way to the first sample
-        if (to.time > from.time || by != nullptr) {  // also of no time, where two fall together
+        if (to.time < from.time) return;             // a collision before the first sample
+        if (to.time > from.time || by != nullptr) {  // also of zero length, if two coincide
             if (is_straight_) {
                 see(PathPiece{.particle = particle,
                               .from = from.time,
@@ -106,8 +109,8 @@ class Paths {
     std::vector<double> changes_;
     bool is_straight_ = true;        ///< no gravity and no changes
     std::vector<PathPiece> pieces_;  ///< scratch: between two points of a path
-    std::vector<Point> last_;        ///< of each particle, its last collision or the last sample
-    double time_ = 0.0;              ///< of the last sample
+    std::vector<Point> last_;  ///< state of each particle at its last collision or the last sample
+    double time_ = 0.0;        ///< of the last sample
 };
 
 }  // namespace carom

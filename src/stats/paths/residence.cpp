@@ -19,7 +19,8 @@ void Residence::add(const MotionStretch& stretch) {
     add_monotone(after);
 }
 
-// Edges that it passes part it; the time to one is 2 s / (v0 + v), where both speeds have one sign.
+// Splits the stretch at the bin edges that it passes. The time to an edge at distance s is
+// 2 s / (v0 + v), where both velocities have the same sign.
 void Residence::add_monotone(const MotionStretch& stretch) {
     const double end = stretch.place_after(stretch.duration);
     make_room(stretch.place);
@@ -42,7 +43,7 @@ void Residence::add_monotone(const MotionStretch& stretch) {
     add(0.5 * (last + end), stretch.duration - reached);
 }
 
-// Two bins become one, those of -2 and -1 that of -1, until the place is in one of them.
+// Merges pairs of bins (-2 and -1 become -1) until the position is in one of the bins.
 void Residence::make_room(double place) {
     while (std::abs(place) >= most_bins * width_) {
         width_ *= 2.0;

@@ -1,4 +1,4 @@
-// How long something that moves along a line is in each of many bins, exactly: not from samples.
+// The exact time that something moving along a line spends in each of many bins; not from samples.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,8 @@ struct MotionStretch {
     }
 };
 
-/// Times in bins of equal width, whose edges are multiples of it. The width doubles as often as
-/// what moves goes so far that there would be more than `most_bins` on either side of 0.
+/// Times in bins of equal width, whose edges are multiples of the width. The width doubles whenever
+/// the motion reaches so far that there would be more than `most_bins` on either side of 0.
 class Residence {
   public:
     static constexpr int most_bins = 8192;
@@ -25,11 +25,13 @@ class Residence {
 
     void add(const MotionStretch& stretch);
 
-    /// At present.
+    /// The present width of the bins.
     double width() const { return width_; }
-    /// Of each bin, from the one at 0 or the lowest that was reached, up to the last.
+    /// The time in each bin, from the lowest bin reached (or the bin that begins at 0, if lower) to
+    /// the highest.
     const std::vector<double>& times() const { return times_; }
-    /// The number of the first of them: 0 for the one that begins at 0, or less.
+    /// The number of the first of these bins: 0 for the one that begins at 0, negative for lower
+    /// ones.
     int first() const { return first_; }
 
     void archive(auto& archive) { archive(width_, first_, times_); }

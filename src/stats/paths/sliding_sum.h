@@ -1,4 +1,4 @@
-// Sums of numbers over a time before the present, or since the start.
+// Sums over a window of time before the present, or over all time since the start.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,13 +9,14 @@
 
 namespace carom {
 
-/// Sums what is added, over the window to a thirty-second of it.
+/// A sum of arrays over the window, whose start is resolved to 1/32 of its length.
 class SlidingSum {
   public:
     SlidingSum(Eigen::Index size, std::optional<double> window)
         : none_(Eigen::ArrayXd::Zero(size)), window_(window) {}
 
-    /// What is to be added at a time; times do not fall. Valid until the next call.
+    /// The array to which values at a time are to be added; times must not decrease. The reference
+    /// is valid until the next call.
     Eigen::ArrayXd& at(double time) {
         constexpr double slices = 32.0;
         const auto number =
@@ -32,7 +33,7 @@ class SlidingSum {
         return all;
     }
 
-    /// Writes or reads what was added; the window is not part of it.
+    /// Writes or reads the accumulated sums; the window is not part of it.
     void archive(auto& archive) { archive(slices_); }
 
   private:
@@ -42,7 +43,7 @@ class SlidingSum {
         void archive(auto& archive) { archive(number, sums); }
     };
     Eigen::ArrayXd none_;
-    std::optional<double> window_;  ///< none: all
+    std::optional<double> window_;  ///< none: since the start
     std::deque<Slice> slices_;
 };
 

@@ -49,7 +49,8 @@ std::vector<ThermalIntegrals> ThermalTimes::moment(const Sample& sample) {
     return now;
 }
 
-// What drifts as a whole is no heat. It is that of the sample before until the next sample.
+// The drift of the whole gas is not thermal motion and is subtracted. The drift found at one sample
+// is used until the next.
 void ThermalTimes::look_for_drift(const Sample& sample) {
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
         if (is_conserved(axis))
@@ -78,8 +79,8 @@ void ThermalTimes::fly(const PathPiece& piece) {
         if (is_member_[k][static_cast<std::size_t>(piece.particle)]) add(piece, k);
 }
 
-// The energy is that of the middle of a stay and what gravity adds to its mean: exact, as the
-// velocity is linear in time.
+// The mean energy of a stay is that at its middle plus a term for the change of velocity by
+// gravity: exact, as the velocity is linear in time.
 void ThermalTimes::add_stay(const PathPiece& piece, double from, double to,
                             ThermalIntegrals& into) const {
     const double inverse_mass = particles_.inverse_mass[piece.particle], span = to - from;
@@ -90,7 +91,7 @@ void ThermalTimes::add_stay(const PathPiece& piece, double from, double to,
     into.half_freedom += span * half_freedom(piece.particle);
 }
 
-// The times of the piece at which it is at a place on an axis, or at an image of it.
+// Adds the times at which the piece passes a position on an axis, or an image of it.
 void ThermalTimes::add_crossings(const PathPiece& piece, int axis, double edge) {
     const double span = piece.span(), start = piece.place[axis], velocity = piece.velocity[axis];
     const double pull = piece.acceleration[axis];

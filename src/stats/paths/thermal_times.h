@@ -1,5 +1,5 @@
-// Temperatures of particles, or of those in parts of a box, averaged over time: by exact times of
-// residence, from flights between collisions. Nothing is sampled.
+// Temperatures of groups of particles, or of the particles in parts of a box, averaged over time.
+// The times of residence are exact, computed from the flights between collisions, not from samples.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,14 +14,14 @@
 
 namespace carom {
 
-/// Whose temperature it is.
+/// The particles whose temperature is measured.
 struct ThermalPart {
-    std::vector<Eigen::Index> members = {};  ///< rising
-    std::optional<Region> region = {};       ///< where they are while they count; none: anywhere
+    std::vector<Eigen::Index> members = {};  ///< indices in ascending order
+    std::optional<Region> region = {};       ///< the region in which they count; none: anywhere
 };
 
-/// Integrals over time since the first sample: of the kinetic energy and of half of the degrees of
-/// freedom that share it, as ThermalMotion counts them.
+/// Integrals over time since the first sample: of the kinetic energy, and of half of the degrees of
+/// freedom that share it, both as defined by ThermalMotion.
 struct ThermalIntegrals {
     double energy = 0.0, half_freedom = 0.0;
 };
@@ -31,11 +31,12 @@ class ThermalTimes {
     ThermalTimes(const Box& box, const Particles& particles, std::vector<ThermalPart> parts,
                  std::vector<double> velocity_changes);
 
-    /// Samples in order of time, with all collisions on the way from the one before. Of each part.
+    /// Takes the next sample. Samples must come in order of time, each with all collisions since
+    /// the previous one. Returns the integrals of each part.
     const std::vector<ThermalIntegrals>& see(const Sample& sample,
                                              std::span<const Collision> collisions);
 
-    /// The same of a moment, not integrated.
+    /// The same quantities at the moment of a sample, not integrated over time.
     std::vector<ThermalIntegrals> moment(const Sample& sample);
 
   private:
@@ -53,11 +54,11 @@ class ThermalTimes {
     Box box_;
     Particles particles_;
     std::vector<ThermalPart> parts_;
-    std::vector<std::vector<bool>> is_member_;  ///< of each part
+    std::vector<std::vector<bool>> is_member_;  ///< for each part, one flag for each particle
     Paths paths_;
     std::array<bool, 2> is_conserved_{};  ///< momentum along an axis
-    Eigen::Array2d drift_{0.0, 0.0};      ///< of the centre of mass, where it is conserved
-    double mass_ = 0.0;                   ///< of the whole gas; infinite ones: 0
+    Eigen::Array2d drift_{0.0, 0.0};      ///< of the centre of mass, along conserved axes
+    double mass_ = 0.0;                   ///< of the whole gas; 0 if it has infinite masses
     std::vector<ThermalIntegrals> integrals_;
     std::vector<double> times_;  ///< scratch
 };

@@ -33,7 +33,8 @@ void create_folder_of(const fs::path& path) {
     if (error) fail("create the folder", folder_of(path), error.value());
 }
 
-// A temporary file or folder is private; the finished one has the rights any new one would have.
+// A temporary file or folder is accessible to its owner only; the finished one gets the permissions
+// of any new file or folder.
 mode_t usual_rights(mode_t all) {
     const mode_t mask = umask(0);
     umask(mask);
@@ -43,8 +44,8 @@ mode_t usual_rights(mode_t all) {
 void sync_folder(const fs::path& folder) {
     const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
-    fsync(descriptor);  // some file systems refuse to sync a folder: the rename has happened all
-                        // the same
+    fsync(descriptor);  // some file systems refuse to sync a folder; the rename has happened
+                        // nevertheless
     close(descriptor);
 }
 
@@ -70,7 +71,7 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
     }
 }
 
-// A link stays one: what it leads to is written.
+// A symbolic link is kept: the file that it points to is written.
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
     only_.emplace(path_, target_);
     std::error_code error;
@@ -115,8 +116,8 @@ void AtomicFile::settle() {
     is_settled_ = true;
 }
 
-// A new name is given in one step; an earlier file is replaced by way of a temporary name, for as
-// short as can be.
+// A new name is given in a single step. To replace an earlier file, the file first gets a temporary
+// name, for as short a time as possible.
 bool AtomicFile::appears() {
     if (file_.name.empty()) {
         if (linkat(AT_FDCWD, temporary().c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) ==
@@ -133,11 +134,11 @@ bool AtomicFile::appears() {
     return true;
 }
 
-// Closed after it has its name, as the lock says until then that it is not abandoned; what close
-// could complain of, fsync has.
+// The file is closed after it has its name, because until then its lock shows that it is not
+// abandoned. Errors that close() could report have already been reported by fsync().
 void AtomicFile::commit() {
     settle();
-    const fs::path folder = folder_of(target_);  // while no memory for it is still a failure
+    const fs::path folder = folder_of(target_);  // allocates while that may still fail
     throw_if_memory_ran_out();
     if (!appears()) fail("write", path_);
     note_output();
@@ -148,13 +149,13 @@ void AtomicFile::commit() {
 }
 
 AtomicFolder::AtomicFolder(fs::path path) : path_(std::move(path)) {
-    if (!path_.has_filename()) path_ = path_.parent_path();  // a slash at its end
+    if (!path_.has_filename()) path_ = path_.parent_path();  // removes a slash at the end
     std::error_code error;
     const fs::file_status found = fs::status(path_, error);
     if (fs::is_directory(found)) {
         const bool empty = fs::is_empty(path_, error);
         if (!error && !empty) fail("write", path_, ENOTEMPTY);
-        if (!error) path_ = fs::canonical(path_, error);  // a link to it stays one
+        if (!error) path_ = fs::canonical(path_, error);  // a link to the folder is kept
         if (error) fail("write", path_, error.value());
     } else if (fs::exists(found)) {
         fail("write", path_, ENOTDIR);
@@ -179,7 +180,7 @@ void AtomicFolder::settle() {
     sync_folder(folder_.name);
 }
 
-// The system renames a folder onto an empty one in a single step, and onto no other.
+// rename() replaces an empty folder in a single step, and fails for any other folder.
 void AtomicFolder::commit() {
     settle();
     const fs::path folder = folder_of(path_);

@@ -1,5 +1,5 @@
-// A file, or a folder of files, that appears whole or not at all: written beside its final name,
-// synced, then renamed.
+// Files and folders of files that appear complete or not at all: they are written in the folder of
+// their final name, synced, then renamed.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@
 
 namespace carom {
 
-/// Writes to a temporary file in the folder of `path`; `commit()` gives it its name, replacing an
-/// earlier one. Of a symbolic link, in the folder and by the name that it leads to. Destroyed
-/// uncommitted, it leaves nothing.
+/// A file that is written as a temporary file in the folder of `path`; `commit()` gives it its name
+/// and replaces an earlier file. If `path` is a symbolic link, the folder and the name are those of
+/// the file that it points to. Destroyed without commit(), it leaves nothing behind.
 class AtomicFile : public PendingOutput {
   public:
-    /// Creates the folder of `path` when it is missing. Throws SystemError naming the path and the
-    /// cause, for a device or a pipe too; UsageError where `path` was read (one_use_paths.h), or
-    /// another output is written.
+    /// Creates the folder of `path` if it is missing. Throws SystemError, naming the path and the
+    /// cause, also for a device or a pipe; UsageError if `path` was read as an input
+    /// (one_use_paths.h), or if another output is being written to it.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile() override;
 
-    void write(std::span<const std::uint8_t> bytes);  ///< all of them, or SystemError
+    void write(std::span<const std::uint8_t> bytes);  ///< all of them; throws SystemError
     void write(std::string_view text);
     std::int64_t size() const;  ///< bytes written so far (the end of the file)
     void settle() override;     ///< fsync
@@ -36,30 +36,32 @@ class AtomicFile : public PendingOutput {
 
     const std::filesystem::path& path() const { return path_; }
 
-    /// Where it is until commit(), for a library that opens it by path.
+    /// Returns its path until commit(), for a library that opens it by path.
     std::filesystem::path temporary() const;
 
   private:
     bool appears();
 
     std::filesystem::path path_;
-    std::filesystem::path target_;    ///< behind links
-    std::optional<OutputPath> only_;  ///< until it has its name
+    std::filesystem::path target_;    ///< `path_` with links followed
+    std::optional<OutputPath> only_;  ///< until the file has its name
     TemporaryFile file_;
-    std::optional<MustCleanUp> named_;  ///< while it has a temporary name
+    std::optional<MustCleanUp> named_;  ///< while the file has a temporary name
     bool is_settled_ = false;
 };
 
-/// Fills a temporary folder beside `path`; `commit()` gives it its name. It never replaces
-/// anything: only an empty folder may be there already. Destroyed uncommitted, it leaves nothing.
+/// A folder that is filled under a temporary name next to `path`; `commit()` gives it its name. It
+/// never replaces anything: at most an empty folder may already exist there. Destroyed without
+/// commit(), it leaves nothing behind.
 class AtomicFolder : public PendingOutput {
   public:
-    /// Creates the folders above `path` when they are missing. Throws SystemError naming the path
+    /// Creates the folders above `path` if they are missing. Throws SystemError, naming the path
     /// and the cause.
     explicit AtomicFolder(std::filesystem::path path);
     ~AtomicFolder() override;
 
-    /// A new file in it, synced; or SystemError. From any thread, if every name is given once.
+    /// Writes a new file in the folder and syncs it. Throws SystemError. May be called by several
+    /// threads if each name is used once.
     void write(const std::string& name, std::span<const std::uint8_t> bytes) const;
     void settle() override;
     void commit() override;
@@ -71,12 +73,12 @@ class AtomicFolder : public PendingOutput {
     MustCleanUp named_;
 };
 
-/// Writes a file, whole or not at all. Throws as AtomicFile does.
+/// Writes a file, complete or not at all. Throws as AtomicFile does.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// Reads a whole file of at most `most` bytes. Throws SystemError (cannot be read; or larger, with
-/// both numbers).
+/// Returns the content of a file of at most `most` bytes. Throws SystemError if it cannot be read,
+/// or is larger (with both numbers).
 std::string read_file(const std::filesystem::path& path, std::int64_t most);
 
 }  // namespace carom

@@ -11,7 +11,7 @@ namespace carom {
 namespace fs = std::filesystem;
 
 fs::path behind_links(const fs::path& path) {
-    constexpr int most = 40;  // as the system follows
+    constexpr int most = 40;  // as many links as the system follows
     fs::path target = path;
     std::error_code error;
     for (int i = 0; fs::is_symlink(fs::symlink_status(target, error)); ++i) {

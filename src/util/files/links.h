@@ -1,12 +1,12 @@
-// Where symbolic links lead to.
+// Resolution of symbolic links.
 #pragma once
 
 #include <filesystem>
 
 namespace carom {
 
-/// What a path leads to, which need not be there yet: itself, where it is no symbolic link. Throws
-/// SystemError where links lead to one another, or cannot be read.
+/// Returns the path that a symbolic link finally points to, which need not exist yet; `path` itself
+/// if it is not a symbolic link. Throws SystemError if links form a cycle, or cannot be read.
 std::filesystem::path behind_links(const std::filesystem::path& path);
 
 }  // namespace carom

@@ -28,7 +28,8 @@ void write_all(int descriptor, std::span<const std::uint8_t> bytes, const fs::pa
     }
 }
 
-// Some file systems cannot sync, which loses nothing but safety; an error of writing is one.
+// Some file systems cannot sync. That costs only safety, so that it is not an error; a failure to
+// write is one.
 void sync_file(int descriptor, const fs::path& shown) {
     while (fsync(descriptor) != 0) {
         if (errno == EINVAL || errno == EROFS) return;

@@ -1,5 +1,5 @@
-// The bytes of files that have not got their names yet. Messages call them `shown`. All throw
-// SystemError.
+// Writing the bytes of files that do not have their final names yet. Messages refer to such a file
+// as `shown`. All functions throw SystemError.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +8,17 @@
 
 namespace carom {
 
-/// Says that it cannot be written, and why.
+/// Throws the error that the file cannot be written, with its cause.
 [[noreturn]] void throw_unwritable(const std::filesystem::path& shown, int error);
 
-/// Writes all of them, to an open file.
+/// Writes all bytes to an open file.
 void write_all(int descriptor, std::span<const std::uint8_t> bytes,
                const std::filesystem::path& shown);
 
-/// Waits until all of an open file is on the disk, where the file system can tell.
+/// Waits until all of an open file is on the disk, if the file system supports that.
 void sync_file(int descriptor, const std::filesystem::path& shown);
 
-/// Makes a file of these bytes, synced, where there is none.
+/// Creates a file with these bytes and syncs it. It must not exist yet.
 void write_new_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                     const std::filesystem::path& shown);
 

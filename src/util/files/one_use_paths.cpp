@@ -23,7 +23,7 @@ Uses& uses() {
     return all;
 }
 
-// Without links, also of what is not there yet. Empty where that cannot be told.
+// Returns the path with links followed, even if nothing exists there yet; empty if that fails.
 std::string place_of(const fs::path& path) {
     std::error_code error;
     const fs::path absolute = fs::absolute(path, error);

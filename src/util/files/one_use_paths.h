@@ -1,5 +1,6 @@
-// Each path has one use in a process: a file that it was asked to read is no output as well, and no
-// two outputs are written to one path at once. May be used by several threads.
+// Ensures that each path has only one use in a process: a file that was read as an input is not
+// overwritten by an output, and no two outputs are written to one path at the same time.
+// Thread-safe.
 #pragma once
 
 #include <filesystem>
@@ -7,15 +8,15 @@
 
 namespace carom {
 
-/// The file at `path` was read for the user: no output takes its place from now on. Throws
-/// UsageError where one is about to.
+/// Records that the file at `path` was read as an input: from now on no output may replace it.
+/// Throws UsageError if an output to it is already open.
 void keep_source(const std::filesystem::path& path);
 
-/// The path of an output, as long as it is written.
+/// Reserves the path of an output while it is being written.
 class OutputPath {
   public:
-    /// `target` is where `path` leads to. Throws UsageError where it is a source, or another output
-    /// is being written there.
+    /// `target` is `path` with links followed. Throws UsageError if it is an input, or if another
+    /// output is being written there.
     OutputPath(const std::filesystem::path& path, const std::filesystem::path& target);
     ~OutputPath();
     OutputPath(const OutputPath&) = delete;

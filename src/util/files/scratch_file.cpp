@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// /tmp may be memory; /var/tmp is on a disk.
+// /tmp may be in memory; /var/tmp is on a disk.
 fs::path folder_for_scratch() {
     if (const auto asked = asked_folder_for_scratch()) return *asked;
     return access("/var/tmp", W_OK) == 0 ? "/var/tmp" : "/tmp";

@@ -1,5 +1,5 @@
-// What has no room in memory and is wanted again: bytes in a temporary file without a name, which
-// is gone with the process, however that ends.
+// A temporary file for bytes that do not fit into memory and are read back later. It has no name
+// and vanishes with the process, however that ends.
 #pragma once
 
 #include <cstddef>
@@ -10,29 +10,30 @@
 
 namespace carom {
 
-/// $TMPDIR, where it is set and not empty.
+/// Returns $TMPDIR if it is set and not empty.
 std::optional<std::filesystem::path> asked_folder_for_scratch();
 
 class ScratchFile {
   public:
-    /// Bytes that one may have at most, whatever is free.
+    /// The largest size of one scratch file, however much space is free.
     static constexpr std::int64_t most_bytes = std::int64_t{32} << 30;
 
-    /// In $TMPDIR, or where that is not set in /var/tmp or /tmp. It grows up to `most` bytes, and
-    /// up to half of what is free there now.
+    /// Creates the file in $TMPDIR or, if that is not set, in /var/tmp or /tmp. It grows to at most
+    /// `most` bytes and at most half of the space that is free there now.
     explicit ScratchFile(std::int64_t most = most_bytes);
     ~ScratchFile();
     ScratchFile(const ScratchFile&) = delete;
     ScratchFile& operator=(const ScratchFile&) = delete;
 
-    /// Adds bytes at the end; gives the place where they begin, or nothing where there is no room
-    /// for them, or no such file. From one thread only.
+    /// Appends bytes and returns the place where they begin; nothing if there is no room for them,
+    /// or if the file could not be created. From one thread only.
     std::optional<std::int64_t> append(std::span<const std::byte> bytes);
 
-    /// Reads what was added at a place, from any thread. Throws SystemError.
+    /// Reads bytes that were appended at a place. May be called by several threads. Throws
+    /// SystemError.
     void read(std::int64_t place, std::span<std::byte> to) const;
 
-    /// How large a new one may become.
+    /// Returns how large a new scratch file may become, in bytes.
     static std::int64_t room();
 
   private:

@@ -1,5 +1,5 @@
-// Pieces of bytes that wait for their turn: in memory as long as they are few, in a temporary file
-// beyond that, so that what waits takes a bounded memory.
+// A store for pieces of bytes until they are needed: in memory while they are few, beyond that in a
+// temporary file, so that the use of memory is bounded.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,28 @@ namespace carom {
 
 class Archive;
 
-/// Not for sharing between threads; one after the other may use it.
+/// Not thread-safe; several threads may use it one after another.
 class Spool {
   public:
-    /// Keeps `most_in_memory` bytes in memory, and more only where no temporary file has room for
-    /// them (scratch_file.h).
+    /// Keeps `most_in_memory` bytes in memory, and more only if there is no room for them in a
+    /// temporary file (scratch_file.h).
     explicit Spool(std::size_t most_in_memory) : most_in_memory_(most_in_memory) {}
 
     void add(std::string piece);
 
-    /// The number of pieces.
+    /// Returns the number of pieces.
     std::size_t size() const { return pieces_.size(); }
 
-    /// The piece that was added k-th. Throws SystemError where it cannot be read back.
+    /// Returns the k-th piece added, from 0. Throws SystemError if it cannot be read back.
     std::string piece(std::size_t k) const;
 
-    /// Writes all pieces, or adds those that were written.
+    /// Writes all pieces to an archive, or reads pieces from it and adds them.
     void archive(Archive& archive);
 
   private:
     struct Piece {
-        std::string bytes;        ///< if they are in memory
-        std::int64_t place = -1;  ///< else in the file, from here on
+        std::string bytes;        ///< if it is in memory
+        std::int64_t place = -1;  ///< otherwise its place in the file
         std::size_t length = 0;
     };
 

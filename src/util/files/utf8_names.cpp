@@ -10,7 +10,7 @@
 namespace carom {
 namespace {
 
-// Of the code point that a text begins with; 0 where it begins with none.
+// Returns the length of the code point at the beginning of a text; 0 if there is no valid one.
 std::size_t length_of_first(std::string_view text) {
     constexpr std::size_t longest = 4;
     for (std::size_t length = 1; length <= longest && length <= text.size(); ++length)

@@ -1,4 +1,4 @@
-// Names of files where only UTF-8 may stand, such as JSON, without loss.
+// Lossless conversion of file names to UTF-8, for formats that allow nothing else, such as JSON.
 #pragma once
 
 #include <string>
@@ -6,10 +6,11 @@
 
 namespace carom {
 
-/// A name of any bytes as UTF-8: those that are none as \xHH, a backslash as two.
+/// Returns a name of arbitrary bytes as UTF-8: bytes that are not UTF-8 become \xHH, and a
+/// backslash is doubled.
 std::string utf8_of_name(std::string_view name);
 
-/// The name that utf8_of_name() was given.
+/// Returns the name that utf8_of_name() converted to `text`.
 std::string name_of_utf8(std::string_view text);
 
 }  // namespace carom

@@ -39,7 +39,7 @@ class Parser {
         while (at_ < tex_.size() && (tex_[at_] == ' ' || tex_[at_] == '\n')) ++at_;
     }
 
-    // Whether the list that is read ends here.
+    // Returns whether the list that is being parsed ends here.
     bool is_at_end() {
         skip_blanks();
         if (at_ == tex_.size() || tex_[at_] == '}') return true;
@@ -60,7 +60,7 @@ class Parser {
         return parts;
     }
 
-    // A raised or lowered index of the part before it.
+    // Parses a superscript or subscript of the preceding part.
     void index(Parts& parts) {
         const std::size_t at = at_;
         const char sign = tex_[at_++];
@@ -86,7 +86,7 @@ class Parser {
 
     static Part of_symbol(const Symbol& symbol) { return {.kind = symbol.kind, .symbol = &symbol}; }
 
-    // What stands in braces, or the next part alone.
+    // Parses the parts in braces, or otherwise the next part alone.
     Parts argument(std::size_t at, const std::string& of) {
         skip_blanks();
         if (at_ == tex_.size() || tex_[at_] == '}')
@@ -126,7 +126,7 @@ class Parser {
              "lists");
     }
 
-    // One symbol in braces is that symbol, without the space around it.
+    // A single symbol in braces is just that symbol, without the space around it.
     static Part group(Parts parts) {
         if (parts.size() == 1 && parts[0].of == Part::Of::symbol && !parts[0].has_indices() &&
             parts[0].kind == Class::ordinary)
@@ -171,7 +171,7 @@ class Parser {
              spelling_hint("\\" + name, written, "docs/films.md lists the commands of formulae"));
     }
 
-    // Letters as in the words around.
+    // Parses upright letters, as in the surrounding text.
     Part upright(std::size_t at, const std::string& name) {
         skip_blanks();
         if (at_ == tex_.size() || tex_[at_] != '{')
@@ -200,7 +200,7 @@ class Parser {
         return whole;
     }
 
-    // Null for `.`.
+    // Parses a delimiter; returns null for `.`.
     const Symbol* bracket(std::size_t at, const std::string& after) {
         skip_blanks();
         if (at_ == tex_.size()) fail(at, fmt::format("`{}` without a bracket", after));

@@ -21,7 +21,7 @@ bool is_sign(const Part& part) {
     return part.kind == Class::binary || part.kind == Class::relation;
 }
 
-// Whether parts are a sum, a relation or a list: then words say where they end.
+// Returns whether parts form a sum, a relation or a list: then words mark where they end.
 bool is_compound(std::span<const Part> parts) {
     if (!parts.empty() && is_sign(parts.front())) parts = parts.subspan(1);
     return std::ranges::any_of(parts, [](const Part& part) {
@@ -35,7 +35,7 @@ bool is_factor(const Part& part) {
     return part.kind == Class::ordinary || part.kind == Class::inner;
 }
 
-// Whether a letter before a bracket is a function of what stands in it.
+// Returns whether a letter before a bracket is read as a function of the bracket's content.
 bool is_function(const Part& part) {
     return part.of == Part::Of::symbol &&
            (part.symbol->tex.size() == 1
@@ -117,7 +117,7 @@ class Speaker {
         return {};
     }
 
-    // Brackets that have no words are not said.
+    // Brackets without words are not read aloud.
     std::string spoken_symbol(const Symbol* symbol) const {
         if (symbol == nullptr) return {};
         if (!symbol->spoken.english.empty()) return in_words(symbol->spoken);

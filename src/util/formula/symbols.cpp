@@ -10,7 +10,7 @@ namespace {
 
 using enum Class;
 
-// Characters that a formula may have as they are, beside letters and digits.
+// Characters that a formula may contain directly, in addition to letters and digits.
 const std::vector<Symbol>& characters() {
     static const std::vector<Symbol> all{
         {"+", "+", binary, false, Phrase{"plus"}},

@@ -1,5 +1,5 @@
-// The symbols of formulae: how TeX names each, the letter that stands for it, what it is in a
-// formula, and how it is read aloud.
+// The symbols of formulae: the TeX name of each, its character, its class for spacing, and how it
+// is read aloud.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace carom::formula {
 
-/// What a symbol or a part is for the space around it (TeXbook, chapter 17).
+/// The class of a symbol or a part, which determines the space around it (TeXbook, chapter 17).
 enum class Class { ordinary, operation, binary, relation, opening, closing, punctuation, inner };
 
 struct Symbol {
@@ -21,23 +21,23 @@ struct Symbol {
     Phrase spoken = {};  ///< how it is read aloud; empty: as its letter, or nothing for a bracket
 };
 
-/// The symbol of a character (UTF-8), or null.
+/// Returns the symbol of a character (UTF-8), or null.
 const Symbol* symbol_of_letter(std::string_view letter);
 
-/// The symbol of a command, without its backslash, or null.
+/// Returns the symbol of a command, given without its backslash, or null.
 const Symbol* symbol_of_command(std::string_view name);
 
-/// An accent over a part: bar, hat, vec, dot; null if it is none.
+/// Returns an accent over a part: bar, hat, vec, dot; null for other commands.
 const Symbol* accent_of_command(std::string_view name);
 
-/// What may stand after \left and \right, by the character or the command without its backslash,
-/// or null.
+/// Returns a delimiter that may follow \left and \right, given as a character or a command without
+/// its backslash; null for others.
 const Symbol* bracket_of(std::string_view name);
 
-/// What a function with a name of its own, such as ln, is called; empty if there is none.
+/// Returns how a named function, such as ln, is read aloud; empty if there is no such function.
 Phrase spoken_function(std::string_view name);
 
-/// All commands that a formula may have, for hints.
+/// Returns all commands that a formula may contain, for hints.
 const std::vector<std::string>& commands();
 
 }  // namespace carom::formula

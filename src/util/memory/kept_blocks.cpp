@@ -45,7 +45,8 @@ bool KeptBlocks::keep(void* block, std::size_t bytes) noexcept {
 void* KeptBlocks::take(std::size_t alignment, std::size_t bytes) noexcept {
     if (bytes < least_bytes) return nullptr;
     constexpr std::size_t page = 4096;
-    // For an aligned block glibc takes as much more as the alignment; the rest stays behind it.
+    // For an aligned block, glibc allocates as much more as the alignment; the unused rest stays
+    // behind the block.
     const std::size_t most = bytes + 2 * page + (alignment > page ? alignment : 0);
     Block* const end = blocks_.data() + count_;
     Block* const found = std::find_if(blocks_.data(), end, [&](const Block& block) {

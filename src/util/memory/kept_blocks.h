@@ -1,5 +1,5 @@
-// Large blocks of memory that are used once more instead of going back to the system, which clears
-// every page that it grants. For work that asks for the same blocks again and again.
+// Large blocks of memory that are reused instead of being returned to the system, which clears
+// every page that it grants. For work that allocates blocks of the same sizes again and again.
 #pragma once
 
 #include <array>
@@ -7,15 +7,17 @@
 
 namespace carom {
 
-/// The large blocks of one thread. The program's malloc (app/allocation.cpp) keeps what the thread
-/// frees while a `Collection` is open, and gives it to the same thread again. Must be destroyed by
-/// the thread that made it. Where a thread has one already, a second does nothing.
+/// The large blocks kept for one thread. While a `Collection` is open, the program's malloc
+/// (app/allocation.cpp) keeps blocks that the thread frees, and gives them to the same thread
+/// again. Must be destroyed by the thread that constructed it. If the thread already has such an
+/// object, a second one has no effect.
 class KeptBlocks {
   public:
     static constexpr std::size_t least_bytes = std::size_t{1} << 20;  ///< of a large block
 
-    /// While it lives, those of its thread keep what is freed; what they kept before and nobody has
-    /// asked for is freed first. Does nothing in a thread that has none.
+    /// While it exists, the KeptBlocks of its thread keep what is freed. The constructor first
+    /// frees blocks kept earlier that have not been reused. Has no effect in a thread without
+    /// KeptBlocks.
     class Collection {
       public:
         Collection() noexcept;
@@ -29,22 +31,23 @@ class KeptBlocks {
     KeptBlocks& operator=(const KeptBlocks&) = delete;
     ~KeptBlocks();  ///< frees what is kept
 
-    /// The function by which kept blocks are freed: std::free, unless told otherwise, which the
-    /// program's malloc does, whose own free keeps blocks. To be called before the first is made.
+    /// Sets the function that frees kept blocks; the default is std::free. The program's malloc,
+    /// whose own free() keeps blocks, sets another one. To be called before the first object is
+    /// constructed.
     static void free_with(void (*free)(void*)) noexcept;
 
-    /// Those of this thread, if any.
+    /// Returns the KeptBlocks of this thread; null if there are none.
     static KeptBlocks* of_thread() noexcept;
 
-    /// Keeps a block of so many bytes that is to be freed; false if it must be freed, as always
-    /// while no collection is open.
+    /// Keeps a block of `bytes` bytes that is about to be freed. Returns false if the caller must
+    /// free it, which is always so while no collection is open.
     bool keep(void* block, std::size_t bytes) noexcept;
 
-    /// A kept block with room for so many bytes, not much more, and this alignment, a power of two;
-    /// none: null. Its contents are undefined.
+    /// Returns a kept block with the alignment (a power of two) and room for `bytes` bytes, but not
+    /// much more; null if there is none. Its contents are undefined.
     void* take(std::size_t alignment, std::size_t bytes) noexcept;
 
-    /// Frees what is kept; whether that was anything.
+    /// Frees all kept blocks; returns whether there were any.
     bool release() noexcept;
 
   private:

@@ -1,6 +1,7 @@
-// An allocator that asks the system to lay large arrays out in large memory pages. Where millions
-// of small records are visited in no order, most of the time goes to finding their pages otherwise.
-// It is a request only: without it everything works, more slowly.
+// An allocator that asks the system to place large arrays in large memory pages. Otherwise, where
+// millions of small records are visited in random order, most of the time goes into translating
+// addresses (TLB misses). It is only a request: everything also works without large pages, but more
+// slowly.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@
 namespace carom {
 namespace {
 
-// What the libraries ask for between two of carom's checks is far less: a line of text, a packet.
+// Libraries allocate far less than this between two of carom's checks: a line of text, a packet.
 constexpr std::size_t reserve_bytes = std::size_t{8} << 20;
 
 constinit std::atomic<void*> reserve{nullptr};

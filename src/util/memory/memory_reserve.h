@@ -1,16 +1,17 @@
-// Memory that is kept for the moment when the system grants no more. Not all libraries of the
-// system survive an allocation that fails: some end the program, some write something else without
-// saying so. With the reserve they finish what they do, and the program then stops by itself.
+// A reserve of memory for the moment when the system grants no more. Not all system libraries
+// survive a failed allocation: some end the program, some write something else without reporting
+// it. With the reserve they finish what they are doing, and the program then stops by itself.
 #pragma once
 
 namespace carom {
 
-/// Keeps some megabytes of the address space, which take no memory until they are given back.
-/// Without effect where the system does not grant them, and after the first call.
+/// Reserves some megabytes of the address space, which occupy no memory as long as they are unused.
+/// Has no effect if the system does not grant them, or after the first call.
 void keep_memory_reserve() noexcept;
 
-/// To be called when an allocation has failed, which may then be tried once more: gives the reserve
-/// back. From now on throw_if_memory_ran_out() throws. Allocates nothing; safe on any thread.
+/// To be called when an allocation has failed; returns the reserve to the system, so that the
+/// allocation may be tried once more. From then on throw_if_memory_ran_out() throws. Does not
+/// allocate; thread-safe.
 void note_failed_allocation() noexcept;
 
 /// Throws std::bad_alloc if an allocation has failed in this process. Cheap: one relaxed atomic

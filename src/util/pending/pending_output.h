@@ -1,4 +1,4 @@
-// Several outputs of one piece of work, which appear together or not at all.
+// Outputs of one piece of work that appear together or not at all.
 #pragma once
 
 #include <string>
@@ -6,27 +6,28 @@
 
 namespace carom {
 
-/// What is being written and has not got its name yet.
+/// An output that is being written and does not have its final name yet.
 class PendingOutput {
   public:
     PendingOutput() = default;
-    virtual ~PendingOutput() = default;  ///< uncommitted: leaves nothing
+    virtual ~PendingOutput() = default;  ///< leaves nothing behind if not committed
     PendingOutput(const PendingOutput&) = delete;
     PendingOutput& operator=(const PendingOutput&) = delete;
 
-    /// All that can fail, but for the name: what is written is whole and on the disk. Throws
-    /// SystemError. More than once does no more than once.
+    /// Does everything that can fail except the renaming: afterwards the output is complete and on
+    /// the disk. Throws SystemError. Further calls have no effect.
     virtual void settle() = 0;
 
-    /// Settles it, and gives it its name. SystemError leaves an earlier one as it was.
+    /// Settles the output and gives it its name. After SystemError an earlier output of that name
+    /// is unchanged.
     virtual void commit() = 0;
 
-    /// The name that it gets, for messages.
+    /// Returns the final name, for messages.
     virtual std::string name() const = 0;
 };
 
-/// Settles all, then commits all in order. Throws SystemError: before the first has its name, or
-/// saying which have theirs.
+/// Settles all outputs, then commits them in order. Throws SystemError: either before any output
+/// has its name, or with a message that lists those that have.
 void commit_together(const std::vector<PendingOutput*>& outputs);
 
 }  // namespace carom

@@ -27,8 +27,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view unique = "XXXXXX";
 
-// Locks may be seen on one machine only, so that its name belongs to the pattern: a file that
-// another machine is writing looks abandoned here.
+// Locks may be visible on one machine only, so that a file that another machine is writing looks
+// abandoned here. The name of the machine is therefore part of the pattern.
 std::string mark() {
     std::array<char, 256> host = {};
     gethostname(host.data(), host.size() - 1);
@@ -36,7 +36,7 @@ std::string mark() {
     return fmt::format(".carom-{}.", std::string_view(host.data()).substr(0, enough));
 }
 
-// Names have room for 255 bytes: of a long one the beginning, as whole code points.
+// File names have at most 255 bytes: of a long name, takes the beginning, cut between code points.
 std::string pattern_beside(const fs::path& path) {
     std::string name = path.filename().string();
     constexpr std::size_t enough = 200;
@@ -46,7 +46,8 @@ std::string pattern_beside(const fs::path& path) {
     return (folder_of(path) / ("." + name + mark() + std::string(unique))).string();
 }
 
-// As many digits as `unique`. Names are no result: they need not be the same in the next run.
+// Returns as many digits as `unique` has. Temporary names are not results: they need not be
+// reproducible.
 std::string random_ending() {
     constexpr unsigned digits = 0xFFFFFF;
     return fmt::format("{:06x}", std::random_device()() & digits);
@@ -65,7 +66,7 @@ bool is_still_there(int descriptor, const std::string& name) {
            open.st_ino == found.st_ino && open.st_dev == found.st_dev;
 }
 
-// A lock ends with its process: what can be locked belongs to nobody.
+// A lock ends with its process: if a file can be locked, nobody owns it.
 void remove_if_dead(const fs::path& path) {
     const int descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return;
@@ -88,8 +89,8 @@ void remove_dead_of(const fs::path& folder) {
     closedir(entries);
 }
 
-// The lock is waited for: another process may be about to remove what it takes for abandoned, in
-// the moment between making and locking; then `make` makes the next.
+// Waits for the lock: between the creation and the locking of a file, another process may take it
+// for abandoned, lock and remove it; then `make` creates another one.
 template <class Make>
 TemporaryFile locked(const fs::path& path, const Make& make) {
     constexpr int most_tries = 100;
@@ -100,7 +101,7 @@ TemporaryFile locked(const fs::path& path, const Make& make) {
         flock(descriptor, LOCK_EX);
         try {
             if (is_still_there(descriptor, name)) return {descriptor, name};
-        } catch (const std::bad_alloc&) {  // for the name
+        } catch (const std::bad_alloc&) {  // when copying the name
             std::remove(name.c_str());
             close(descriptor);
             throw;
@@ -117,7 +118,7 @@ int unnamed_file(const fs::path& folder) {
     do descriptor = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     while (descriptor < 0 && errno == EINTR);
     if (descriptor < 0) return -1;
-    // Without /proc it could be neither opened by libraries nor given its name.
+    // Without /proc, libraries could not open the file, and it could not be given a name.
     if (access(path_of_descriptor(descriptor).c_str(), F_OK) == 0) return descriptor;
     close(descriptor);
 #endif
@@ -137,13 +138,13 @@ TemporaryFile temporary_file(const fs::path& path) {
     remove_dead_of(folder_of(path));
     const int unnamed = unnamed_file(folder_of(path));
     if (unnamed >= 0) {
-        flock(unnamed, LOCK_EX);  // for the moment in which it has a temporary name
+        flock(unnamed, LOCK_EX);  // protects it while it has a temporary name, see named_beside()
         return {unnamed, {}};
     }
     return locked(path, [](std::string& name) { return mkostemp(name.data(), O_CLOEXEC); });
 }
 
-// Nothing asks for memory once the name is there, so that it is always known.
+// Does not allocate once the name exists, so that the name cannot be lost.
 fs::path named_beside(const fs::path& path, int descriptor) {
     constexpr int most_tries = 100;
     for (int i = 0; i < most_tries; ++i) {

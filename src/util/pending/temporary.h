@@ -1,33 +1,36 @@
-// What is written under a name of its own before it gets the final one: temporary files without a
-// name where the system has them, else with one by which those of dead processes can be told.
+// Temporary files and folders for outputs that do not have their final names yet. If the system
+// supports it, such a file has no name; otherwise its name allows a later process to recognise
+// those that killed processes left behind.
 #pragma once
 
 #include <filesystem>
 
 namespace carom {
 
-/// The folder that a path names a file of; "." for a name alone.
+/// Returns the folder of the file at a path; "." for a bare file name.
 std::filesystem::path folder_of(const std::filesystem::path& path);
 
-/// A file descriptor, open for writing, and how it is named. A named one is locked for as long as
-/// the descriptor is open.
+/// A file descriptor, open for writing, and the file's name. A named file is locked while the
+/// descriptor is open.
 struct TemporaryFile {
     int descriptor = -1;
-    std::filesystem::path name;  ///< empty: it has none, and is gone when it is closed
+    std::filesystem::path name;  ///< empty: it has no name and vanishes when closed
 };
 
-/// A new file in the folder of `path`; descriptor -1 and errno where there can be none. The first
-/// in a folder removes from it what processes of this machine left that were killed.
+/// Creates a temporary file in the folder of `path`; on failure the descriptor is -1 and errno is
+/// set. The first call for a folder removes from it the temporary files of killed processes of this
+/// machine.
 TemporaryFile temporary_file(const std::filesystem::path& path);
 
-/// Gives a file without a name a temporary one in the folder of `path`; empty and errno where that
-/// cannot be.
+/// Gives a file without a name a temporary one in the folder of `path` and returns it; on failure
+/// returns an empty path and sets errno.
 std::filesystem::path named_beside(const std::filesystem::path& path, int descriptor);
 
-/// The same as temporary_file for a folder, which is private.
+/// Like temporary_file(), for a folder that only its owner may access.
 TemporaryFile temporary_folder(const std::filesystem::path& path);
 
-/// Where the system shows an open file; by this path it can be opened again, and given a name.
+/// Returns the path under which the system lists an open file, by which it can be opened again and
+/// given a name.
 std::filesystem::path path_of_descriptor(int descriptor);
 
 }  // namespace carom

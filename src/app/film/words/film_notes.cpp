@@ -28,7 +28,7 @@ std::string words_of(const Scene& scene, const View& view) {
                part->low[0], part->high[0], part->low[1], part->high[1]);
 }
 
-// What is lit by several spotlights at once is told together, whenever it changes.
+// Whenever the set of active spotlights changes, one note lists everything that they light.
 void add_spotlights(const Scene& scene, std::vector<FilmNote>& notes) {
     const Language language = scene.film.language;
     std::set<double> changes;

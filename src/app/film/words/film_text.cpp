@@ -25,27 +25,27 @@
 namespace carom {
 namespace {
 
-// After which a sound is captioned again.
+// After a silence of this length a sound is captioned again.
 constexpr double silent_seconds = 3.0;
 
 double seconds_at(int frame, const Scene& scene, const FrameSpan& span) {
     return static_cast<double>(frame - span.first) / scene.film.fps;
 }
 
-// The first of the frames that show the same time as this one.
+// The first frame, from `first` on, that shows the same time as `frame`.
 int when_it_stopped(const std::vector<Tick>& ticks, int frame, int first) {
     const auto time = [&](int i) { return ticks[static_cast<std::size_t>(i)].time; };
     while (frame > first && time(frame - 1) == time(frame)) --frame;
     return frame;
 }
 
-// Whether a moment is only one at which the picture changes, not the gas: no chapter begins.
+// Whether at this moment only the picture changes, not the gas: then no chapter begins.
 bool is_note(const Moment& moment) {
     return !moment.notes.empty() && moment.events.empty() && moment.mark.empty() &&
            moment.caption.empty() && moment.end_card.empty() && !moment.reversed;
 }
 
-// Pauses that ask for too much of the film are shortened.
+// Describes a pause; pauses that would take too much of the film were shortened.
 std::string words_of_pause(const Film& film, const Pause& pause, int frames) {
     const bool is_whole = frames == static_cast<int>(std::lround(pause.seconds * film.fps));
     const double seconds = is_whole ? pause.seconds : std::round(100.0 * frames / film.fps) / 100.0;
@@ -54,8 +54,8 @@ std::string words_of_pause(const Film& film, const Pause& pause, int frames) {
                plain_number(film.language, seconds));
 }
 
-// Where something happens, and quarters far from there, before its end. The first frame is always
-// among them, and that of the end.
+// The moments at which something happens, and quarters of the film that are not near these. Always
+// includes the first frame and that of the end.
 std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
                                const std::vector<Tick>& ticks) {
     std::vector<Moment> found;
@@ -76,7 +76,7 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
             caption.first < span.end)
             at(std::max(caption.first, span.first)).caption =
                 formula::spoken_text(scene.film.language, caption.words);
-    // The first frame that shows what happens at a time, if it is among these.
+    // The first frame of the span that shows what happens at `time`, if there is one.
     const auto shown_from = [&](double time) {
         const auto shown = std::ranges::find_if(ticks, [&](const Tick& tick) {
             return tick.frame >= span.first && tick.time >= time && !is_card(tick.phase);
@@ -175,7 +175,7 @@ std::string on_one_line(std::string words) {
     return words;
 }
 
-// What is beside the gas.
+// Describes what the picture shows next to the gas.
 std::string picture_text(const Scene& scene, bool has_sound) {
     const Language language = scene.film.language;
     std::vector<std::string> panels;
@@ -198,7 +198,7 @@ std::string picture_text(const Scene& scene, bool has_sound) {
     return text;
 }
 
-// What is seen or happens at a moment, for a description.
+// What is seen or happens at a moment, as text for a description.
 std::string happening(Language language, const Moment& moment) {
     std::string text;
     if (moment.ends) text += say(language, "The film ends.") + " ";
@@ -214,7 +214,7 @@ std::string happening(Language language, const Moment& moment) {
     return text;
 }
 
-// What begins at a moment.
+// The title of the chapter that begins at a moment.
 std::string heading(const Moment& moment, const Scene& scene) {
     if (!moment.caption.empty()) return moment.caption;
     if (!moment.end_card.empty()) return moment.end_card;
@@ -239,7 +239,8 @@ std::string description_of(const Moment& moment, const Scene& scene, const Frame
     return text + numbers_of(moment, scene);
 }
 
-// What happens at each moment; a film that is part of another begins at `before` seconds of that.
+// What happens at each moment, with times. A film that is part of another begins there at second
+// `before`.
 std::vector<Cue> passages_of(const Scene& scene, const std::vector<Moment>& moments,
                              const FrameSpan& span, double before) {
     std::vector<Cue> passages;
@@ -277,9 +278,9 @@ std::string transcript_of(const Scene& scene, const std::string& length, bool ha
     return text;
 }
 
-// Clicks from `first` to `last`, in a film up to `end`.
+// The caption for clicks from second `first` to `last`, in a film that ends at `end`.
 Cue sound_caption(double first, double last, double end, Language language) {
-    constexpr double least = 2.0, most = 5.0;  // seconds that it stays
+    constexpr double least = 2.0, most = 5.0;  // seconds for which it is shown
     return {first, std::min(end, std::clamp(last, first + least, first + most)),
             say(language, "[clicks: one for each collision, higher where the impulse is larger]")};
 }
@@ -290,8 +291,8 @@ std::string stamp(double seconds) {
                        milliseconds / 60'000 % 60, milliseconds / 1000 % 60, milliseconds % 1000);
 }
 
-// What would begin a tag or an escape, and an empty line, which would end the cue. "-->" needs no
-// more: its ">" is escaped.
+// Escapes what would begin a tag or an escape sequence, and empty lines, which would end the cue.
+// The arrow "-->" needs no further care, as its ">" is escaped.
 std::string escaped(const std::string& words) {
     std::string text;
     for (const char letter : words) {
@@ -332,7 +333,7 @@ FilmTextMaker::FilmTextMaker(const Scene& scene, const FrameSpan& span,
       has_sound_(has_sound),
       moments_(moments_of(scene, span, ticks)) {}
 
-// Collisions before a frame sound in the one before.
+// Collisions that occur before a frame are heard during the preceding frame.
 void FilmTextMaker::hear(const Tick& tick, const CollisionCounts& counts) {
     const std::int64_t so_far = counts.particle + counts.wall;
     const bool is_heard = so_far > std::exchange(collisions_, so_far);
@@ -433,7 +434,7 @@ void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wante
                                       {"transcript", &text.transcript}}) {
         if (wanted == TextFiles::captions && words != &text.captions) continue;
         const std::filesystem::path file = text_path(path, what);
-        if (words->empty() && !std::filesystem::exists(file)) continue;  // none of an earlier film
+        if (words->empty() && !std::filesystem::exists(file)) continue;  // nothing to empty
         outputs.push_back(files.emplace_back(std::make_unique<AtomicFile>(file)).get());
         files.back()->write(words->empty() ? webvtt({}) : *words);
     }

@@ -12,7 +12,8 @@
 namespace carom {
 namespace {
 
-// Of formulae the words in them: of all other letters there are those that there are.
+// Adds only the words inside a formula: its other letters come from a fixed set and are not
+// checked.
 void add_words(const formula::Parts& parts, std::string& words) {
     for (const formula::Part& part : parts) {
         words += part.words;
@@ -33,7 +34,7 @@ std::string plain(const std::string& text) {
     return words;
 }
 
-// All of a scene that is drawn as it is written there.
+// Collects all texts of a scene that are drawn as they are written.
 class Words {
   public:
     void add(const Scene& scene) {
@@ -72,7 +73,7 @@ class Words {
 
 void require_letters_of(std::string words, const std::string& path) {
     require_font();
-    std::erase(words, '\n');  // parts paragraphs, and is no letter
+    std::erase(words, '\n');  // a paragraph break, not a letter
     std::vector<std::string> missing = missing_letters(words);
     if (missing.empty()) return;
     constexpr std::size_t most = 12;

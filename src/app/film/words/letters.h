@@ -1,4 +1,4 @@
-// Whether this machine has the letters that a scene's words are written in.
+// Checks that the fonts of this machine have all letters that occur in a scene's words.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace carom {
 
-/// A scene has words in letters that no font of this machine has.
+/// Thrown if a scene's words contain letters that no font of this machine has.
 class MissingLetters : public SystemError {
   public:
     MissingLetters(const std::string& scene, const std::string& letters);
@@ -20,11 +20,12 @@ class MissingLetters : public SystemError {
     std::string what_is_missing;  ///< without the path and the hint
 };
 
-/// Throws MissingLetters where a picture of the scene, its film or its figures would show empty
-/// boxes instead of letters; SystemError where there is no font at all.
+/// Throws MissingLetters if a picture of the scene, its film or its figures would show empty boxes
+/// instead of letters; SystemError if there is no font at all.
 void require_letters(const Scene& scene);
 
-/// The same of words that are drawn beside those of scenes; `path` is the file that has them.
+/// The same for words that are drawn in addition to those of scenes; `path` is the file that
+/// contains them.
 void require_letters(const std::string& words, const std::string& path);
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// Callouts to particles: which there are at a moment, and the way of each particle meanwhile, by
-// which the words find a place of their own that does not move.
+// Callouts to particles: which are shown at a moment, and the path of each particle while its
+// callout is shown. From these paths each callout gets a place that does not move.
 #pragma once
 
 #include <functional>
@@ -17,27 +17,28 @@ class Callouts {
     explicit Callouts(const PanelContext& context);
     bool any() const { return !callouts_.empty(); }
 
-    /// First pass, every frame in order; `places` as they are drawn.
+    /// First pass, every frame in order; `places` are the positions as drawn.
     void survey(const FrameInput& input, const Eigen::ArrayXXd& places);
     void archive(auto& archive) { archive(ways_); }
 
-    /// Where a particle is in a frame, which is counted from 0 for the first one surveyed.
+    /// The position of a particle in a frame; frames are counted from 0, the first one surveyed.
     struct Step {
         std::int64_t frame = 0;
         double x = 0.0, y = 0.0;
         void archive(auto& archive) { archive(frame, x, y); }
     };
 
-    /// One that is seen at a moment.
+    /// A callout that is shown at a moment.
     struct Present {
         std::size_t index = 0;
         Eigen::Index particle = 0;
-        double share = 0.0;  ///< how much of it is seen
+        double share = 0.0;  ///< opacity, from 0 to 1
     };
     std::vector<Present> at(const Tick& tick, bool is_still) const;
 
-    /// Where the words of each of those stand, in all frames in which it is seen. `place_of(way,
-    /// particle, plate, others)` finds a place for one beside others.
+    /// The places of the plates of the callouts in `present`; each place is the same in all frames
+    /// that show the callout. `place_of(way, particle, plate, others)` finds a place for one plate,
+    /// given the places of others.
     using PlaceOf = std::function<Rect(const std::vector<Step>& way, Eigen::Index particle,
                                        const CalloutPlate& plate, std::span<const Rect> others)>;
     struct Standing {

@@ -18,7 +18,7 @@ std::int32_t number_of(Partner partner) {
     return partner.is_surface() ? -1 - partner.surface() : partner.particle();
 }
 
-// Hits of the walls that every box has are none.
+// Hits of reflecting outer walls do not count as contacts.
 bool is_contact(const Collision& collision, const FrameInput& input) {
     if (!collision.second.is_side()) return true;
     const std::vector<SurfaceState>& surfaces = input.advanced.surfaces;
@@ -28,8 +28,8 @@ bool is_contact(const Collision& collision, const FrameInput& input) {
 
 }  // namespace
 
-// A flash is seen in one frame at least. Where there are more contacts than may flash, those that
-// do keep apart: three at once would beat like a pulse.
+// A flash is visible in at least one frame. If there are more contacts than may flash, flashes are
+// spaced evenly: three at once would look like a pulse.
 Flashes::Flashes(const PanelContext& context)
     : scene_(context.scene),
       asked_(context.scene.film.flashes && context.in_film),
@@ -37,17 +37,17 @@ Flashes::Flashes(const PanelContext& context)
       dense_{0.0, {}},
       even_{(1.0 + life_) / double(most), {}} {}
 
-// One that begins a second and a life after the third before it is not seen in a second with all
-// three.
+// A flash that begins at least one second plus one lifetime after the third flash before it cannot
+// be visible within the same second as all three.
 bool Flashes::is_free(const Choice& choice, double seconds) const {
-    constexpr double rounding = 1e-9;  // a way back has the very gaps of the way out
+    constexpr double rounding = 1e-9;  // after a reversal the same gaps recur up to round-off
     const std::vector<Start>& starts = choice.starts;
     if (!starts.empty() && seconds - starts.back().seconds < choice.gap - rounding) return false;
     return starts.size() < most ||
            seconds - starts[starts.size() - most].seconds >= 1.0 + life_ - rounding;
 }
 
-// Whether the contact, on a way back, is one that has flashed on the way out.
+// Whether a contact after a reversal is the repetition of one that has flashed before.
 bool Flashes::is_seen_again(const Choice& choice, const Start& start, double nearest) const {
     return std::ranges::any_of(choice.starts, [&](const Start& other) {
         return other.pair == start.pair && std::abs(other.folded - start.folded) < nearest;
@@ -115,7 +115,7 @@ void draw_flash(Canvas& canvas, const DrawContext& dc, Point at, double share) {
     const double alpha = 1.0 - share * share;
     const double line = (0.26 - 0.12 * share) * u;
     const double radius = (0.7 + 0.8 * share) * u;
-    // A line of the ground on each side, so that it is seen on disks of any colour.
+    // An edge in the ground's colour on both sides makes it visible on disks of any colour.
     canvas.stroke_circle(at, radius, line + 0.2 * u, with_alpha(dc.theme.ground, 0.9 * alpha));
     canvas.stroke_circle(at, radius, line, with_alpha(dc.theme.ink, alpha));
     canvas.fill_circle(at, 0.34 * u, with_alpha(dc.theme.ground, 0.9 * alpha));

@@ -1,6 +1,6 @@
-// Flashes: short marks where two particles touch, or one touches a surface that is more than an
-// outer wall. Never more than three are seen in any second of film (WCAG 2.2, 2.3.1); those beyond
-// are left out, by a rule that knows only the film's times.
+// Flashes: short marks where two particles collide, or where a particle hits a surface other than a
+// reflecting outer wall. At most three are visible in any second of film (WCAG 2.2, 2.3.1); further
+// ones are omitted, by a rule that depends only on the times of the film.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace carom {
 /// One flash in one frame.
 struct Flash {
     Point place;         ///< of the contact
-    double share = 0.0;  ///< of its short life that has passed, from 0 to 1
+    double share = 0.0;  ///< share of its duration that has passed, from 0 to 1
 };
 
 /// The flashes of a film: chosen in the first pass, looked up in the second.
@@ -32,22 +32,23 @@ class Flashes {
 
     void archive(auto& archive) { archive(dense_, contacts_); }
 
-    /// Those of a frame, a function of the frame alone.
+    /// The flashes of a frame, a function of the frame alone.
     std::vector<Flash> at(const Tick& tick) const;
 
-    /// What to say where some are left out, from the longest on; else nothing.
+    /// A remark if some are omitted, in versions from longest to shortest; otherwise empty.
     std::vector<std::string> remarks() const;
 
   private:
     struct Start {
         double seconds;  ///< of film
-        double folded;   ///< simulated time, running back after a reversal
+        double folded;   ///< simulated time, counted backwards after a reversal
         std::pair<std::int32_t, std::int32_t> pair;
         Point place;
         void archive(auto& archive) { archive(seconds, folded, pair, place); }
     };
 
-    /// Contacts that may flash together: as many as the limit allows, at least `gap` apart.
+    /// A selection of contacts that flash: as many as the limit allows, at least `gap` apart in
+    /// time.
     struct Choice {
         double gap;  ///< seconds of film
         std::vector<Start> starts;
@@ -59,17 +60,17 @@ class Flashes {
 
     const Scene& scene_;
     bool asked_;
-    double life_;  ///< of a flash, in seconds of film
+    double life_;  ///< duration of a flash, in seconds of film
     Choice dense_, even_;
     std::int64_t contacts_ = 0;
     int leg_ = 0;
-    double low_ = 0.0, high_ = 0.0;          ///< folded times of the legs before this one
-    double leg_low_ = 0.0, leg_high_ = 0.0;  ///< and with this one
+    double low_ = 0.0, high_ = 0.0;          ///< range of folded times of the legs before this one
+    double leg_low_ = 0.0, leg_high_ = 0.0;  ///< the same with this leg included
     double last_time_ = 0.0;
     int last_frame_ = 0;
 };
 
-/// A ring that grows and fades about the place, and a spark in its middle.
+/// Draws a ring that grows and fades around the place, with a spark in its middle.
 void draw_flash(Canvas& canvas, const DrawContext& dc, Point at, double share);
 
 /// The largest radius of the ring, in units.

@@ -1,5 +1,6 @@
-// Marks: where all particles were at some moment, kept on the screen as outlines under them, with a
-// word that comes with the mark and at the end of the film. A later mark replaces the one before.
+// Marks: the positions of all particles at some moment, kept on the screen as outlines under the
+// particles. A label is shown for a while after the mark and at the end of the film. A later mark
+// replaces an earlier one.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +12,10 @@
 
 namespace carom {
 
-/// What a mark has stamped.
+/// The positions that a mark has recorded, with its label.
 struct Ghosts {
     std::string words;
-    int frame = 0;          ///< the first with the mark
+    int frame = 0;          ///< first frame with the mark
     Eigen::ArrayXXf place;  ///< of all particles, a column for each axis
     void archive(auto& archive) { archive(words, frame, place); }
 };
@@ -24,17 +25,17 @@ class GhostKeeper {
   public:
     explicit GhostKeeper(const Scene& scene) : scene_(scene) {}
 
-    /// Second pass, every frame in order: a mark is stamped in the first frame at its time or after
-    /// it, with the places given (a column for each axis).
+    /// Second pass, every frame in order: a mark records the given positions (a column for each
+    /// axis) in the first frame at or after its time.
     void see(const Tick& tick, const Eigen::ArrayXXd& places);
 
     /// The ghosts of the present frame; null before the first mark.
     const std::shared_ptr<const Ghosts>& present() const { return present_; }
 
-    /// How much of their words is seen, from 0 to 1.
+    /// The opacity of the label, from 0 to 1.
     double words_alpha(const Tick& tick) const;
 
-    /// Writes or reads which mark is the present one, and what it has stamped.
+    /// Writes or reads which mark is the present one, and the positions that it has recorded.
     void archive(auto& archive) { archive(next_, present_); }
 
   private:
@@ -43,12 +44,12 @@ class GhostKeeper {
     std::shared_ptr<const Ghosts> present_;
 };
 
-/// Their words with an outline before them, on a baseline from `left` on that is as wide as the
-/// box.
+/// Draws the label after a sample of an outline, on a baseline that begins at `left` and is `width`
+/// long, as the box.
 void draw_ghost_words(Canvas& canvas, const DrawContext& dc, Point left, double width,
                       const Ghosts& ghosts, double alpha);
 
-/// The line of an outline, in pixels.
+/// The line width of an outline, in pixels.
 double ghost_line(const DrawContext& dc);
 
 }  // namespace carom

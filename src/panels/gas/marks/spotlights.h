@@ -1,4 +1,5 @@
-// Spotlights: particles that stand out for a while, as all others are dimmed. Knows no places.
+// Spotlights: particles that stand out for a while because all others are dimmed. Independent of
+// positions.
 #pragma once
 
 #include <vector>
@@ -12,10 +13,11 @@ class Spotlights {
   public:
     explicit Spotlights(const PanelContext& context);
 
-    /// How much of its colour each particle keeps, from 0.35 to 1; empty where all keep theirs.
+    /// The share of its colour that each particle keeps, from 0.35 to 1; empty if none is dimmed.
     std::vector<float> light(const Tick& tick, bool is_still = false) const;
 
-    /// Single particles that a spotlight is on, and how much of it: rings tell them from a crowd.
+    /// Single particles under a spotlight, and the strength of the light: they are marked by rings,
+    /// so that they are found in a crowd.
     struct Ring {
         Eigen::Index particle;
         double share;
@@ -25,8 +27,8 @@ class Spotlights {
   private:
     struct Light {
         Showing time;
-        std::vector<Eigen::Index> on;      ///< all that it is on
-        std::vector<Eigen::Index> single;  ///< those of them that are named one by one
+        std::vector<Eigen::Index> on;      ///< all particles in the light
+        std::vector<Eigen::Index> single;  ///< those of them that are named individually
     };
     double share(const Light& light, const Tick& tick, bool is_still) const;
 
@@ -34,11 +36,11 @@ class Spotlights {
     std::vector<Light> lights_;
 };
 
-/// How much is seen of something that is shown for a while: in films it comes and goes, stills and
-/// figures show it or not.
+/// The opacity, from 0 to 1, of something that is shown for a while: films fade it in and out,
+/// stills and figures show it or not.
 double share_of(const PanelContext& context, const Showing& time, const Tick& tick, bool is_still);
 
-/// How long it takes to come and to go.
+/// The duration of fading in, and of fading out.
 constexpr double overlay_fade_seconds = 0.4;
 
 }  // namespace carom

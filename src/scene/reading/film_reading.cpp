@@ -267,8 +267,9 @@ void check_easing(const Film& film, const Run& run, const Spans& drafts, const N
     const SlowSpan& span = film.slow[shortage->span];
     const Node& place = *drafts[shortage->span].node;
     const std::string longer =
-        seconds < short_film ? fmt::format("let the gas move for more than {} seconds", short_film)
-                             : "make the film longer";
+        seconds < seconds_of_short_film
+            ? fmt::format("let the gas move for more than {} seconds", seconds_of_short_film)
+            : "make the film longer";
     const std::string lengthen = fmt::format("{} ({})", longer, key_of_length(node));
     if (!std::isfinite(shortage->needed))
         return errors.add(

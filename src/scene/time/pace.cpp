@@ -7,8 +7,8 @@
 namespace carom {
 namespace {
 
-constexpr double easing_of_short = 0.1;                          // of the seconds of a short film
-constexpr double longest_easing = easing_of_short * short_film;  // seconds
+constexpr double easing_of_short = 0.1;  // of the seconds of a short film
+constexpr double longest_easing = easing_of_short * seconds_of_short_film;  // seconds
 
 double eases(const SlowSpan& span, double until) {
     return (span.from > 0.0 ? 1.0 : 0.0) + (span.to < until ? 1.0 : 0.0);

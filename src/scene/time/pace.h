@@ -12,7 +12,7 @@ namespace carom {
 
 /// A film is short if the gas moves for fewer seconds than this: easing then takes a fixed share of
 /// them.
-inline constexpr double short_film = 5.0;
+inline constexpr double seconds_of_short_film = 5.0;
 
 /// Returns the seconds of film that a change from one pace to another takes, in a film in which the
 /// gas moves for `seconds`: half a second, or a tenth of `seconds` if these are fewer than five.

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "readback/checks.h"
 
@@ -76,8 +79,8 @@ std::vector<Tick> level_ticks(const DrawnFigure& figure, double from, double to)
 
 // Checks the error bar to the right of a column that shows a mean: its ends are one standard error
 // away.
-Problems error_bar_problems(const DrawnFigure& figure, const Edges& column, const LinearMap& up,
-                            const Row& row) {
+std::optional<std::string> error_bar_problem(const DrawnFigure& figure, const Edges& column,
+                                             const LinearMap& up, const Row& row) {
     constexpr double beside = 25.0;  // pixels
     const double value = number(row, "value"), error = number(row, "standard error");
     for (const Shape& shape : figure.picture.shapes) {
@@ -88,9 +91,9 @@ Problems error_bar_problems(const DrawnFigure& figure, const Edges& column, cons
         const double low = std::max(ends[0].y, ends[1].y) - up(value - error);
         const double high = std::min(ends[0].y, ends[1].y) - up(value + error);
         if (std::abs(low) <= half_a_pixel && std::abs(high) <= half_a_pixel) return {};
-        return {off_by("the bar of an error", std::max(std::abs(low), std::abs(high)))};
+        return off_by("the bar of an error", std::max(std::abs(low), std::abs(high)));
     }
-    return {"a mean without a bar"};
+    return "a mean without a bar";
 }
 
 }  // namespace
@@ -117,8 +120,8 @@ Problems thermometer_problems(const DrawnFigure& figure) {
         if (!(std::abs(off) <= half_a_pixel))
             problems.push_back(off_by("the column of " + rows[k].at("of"), off));
         if (rows[k].contains("standard error"))
-            for (std::string& problem : error_bar_problems(figure, columns[k], up, rows[k]))
-                problems.push_back(std::move(problem));
+            if (auto problem = error_bar_problem(figure, columns[k], up, rows[k]))
+                problems.push_back(*std::move(problem));
         left = columns[k].right;
     }
     return problems;
@@ -167,8 +170,8 @@ std::vector<Tick> ticks_around(const DrawnFigure& figure, Spot middle, double ra
 
 // Checks the error arc between ticks and rim of a dial that shows a mean: its ends are one standard
 // error away.
-Problems error_arc_problems(const DrawnFigure& figure, Spot hub, double length,
-                            const LinearMap& around, const Row& row) {
+std::optional<std::string> error_arc_problem(const DrawnFigure& figure, Spot hub, double length,
+                                             const LinearMap& around, const Row& row) {
     constexpr double inner = 1.05, outer = 1.14;  // lengths of the needle
     const double value = number(row, "value"), error = number(row, "standard error");
     for (const Shape& shape : figure.picture.shapes) {
@@ -186,9 +189,9 @@ Problems error_arc_problems(const DrawnFigure& figure, Spot hub, double length,
                 std::max(most, length * std::abs(std::remainder(turned, 2.0 * std::numbers::pi)));
         }
         if (most <= half_a_pixel) return {};
-        return {off_by("the arc of an error", most)};
+        return off_by("the arc of an error", most);
     }
-    return {"a mean without an arc"};
+    return "a mean without an arc";
 }
 
 }  // namespace
@@ -215,8 +218,8 @@ Problems needle_problems(const DrawnFigure& figure) {
         if (!(std::abs(off) <= half_a_pixel))
             problems.push_back(off_by("the needle of " + row.at("of"), off));
         if (!row.contains("standard error")) continue;
-        for (std::string& problem : error_arc_problems(figure, hub.middle, length, around, row))
-            problems.push_back(std::move(problem));
+        if (auto problem = error_arc_problem(figure, hub.middle, length, around, row))
+            problems.push_back(*std::move(problem));
     }
     if (needles != figure.table.size() || needles == 0)
         problems.push_back("not as many needles as numbers");

@@ -44,6 +44,7 @@ class ThermometerPanel : public DialPanel {
         double x, top, bottom, tube, bulb;
         Point middle;  // of the bulb
         Scale scale;
+        double level(double share) const { return scale.from + share * (scale.to - scale.from); }
     };
     Glass glass(const DrawContext& dc, const Rect& face) const;
     static void draw_error(Canvas& canvas, const DrawContext& dc, const Glass& glass,
@@ -110,8 +111,7 @@ void ThermometerPanel::draw_value(Canvas& canvas, const DrawContext& dc, const R
     const double inner = 0.16 * u;
     canvas.fill_circle(glass.middle, glass.bulb - inner, color);
     if (std::isnan(reading.value)) return;
-    const double share = scale().share(reading.value);
-    const double level = glass.scale.from + share * (glass.scale.to - glass.scale.from);
+    const double level = glass.level(scale().share(reading.value));
     canvas.fill(
         {glass.x - glass.tube + inner, level, 2.0 * (glass.tube - inner), glass.middle.y - level},
         color);
@@ -124,12 +124,11 @@ void ThermometerPanel::draw_error(Canvas& canvas, const DrawContext& dc, const G
     const double u = dc.unit, width = ThermometerSize::error_width * u;
     const double x = glass.x + glass.tube + ThermometerSize::error_gap * u;
     const double half = ThermometerSize::error_half_end * u;
-    std::array<double, 2> ends{};
-    for (std::size_t k = 0; k < 2; ++k) {
-        ends[k] = glass.scale.from + band[k] * (glass.scale.to - glass.scale.from);
-        canvas.stroke_line({x - half, ends[k]}, {x + half, ends[k]}, width, color);
+    for (const double share : band) {
+        const double y = glass.level(share);
+        canvas.stroke_line({x - half, y}, {x + half, y}, width, color);
     }
-    canvas.stroke_line({x, ends[0]}, {x, ends[1]}, width, color);
+    canvas.stroke_line({x, glass.level(band[0])}, {x, glass.level(band[1])}, width, color);
 }
 
 // The mean over the panel's time window; the present value while no time has passed.

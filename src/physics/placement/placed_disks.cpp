@@ -48,17 +48,17 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
         const int last = cells_[a] - 1;
         // Clamped before the conversion to integers, since a disk may cover more cells than an int
         // can count.
-        double first = std::floor((centre[a] - radius) / cell_size_[a]);
-        double final = std::floor((centre[a] + radius) / cell_size_[a]);
+        double from = std::floor((centre[a] - radius) / cell_size_[a]);
+        double to = std::floor((centre[a] + radius) / cell_size_[a]);
         if (!box_.is_periodic(s)) {
-            first = std::clamp(first, 0.0, double(last));
-            final = std::clamp(final, 0.0, double(last));
-        } else if (final - first >= last) {  // all of them, each once
-            first = 0.0;
-            final = last;
+            from = std::clamp(from, 0.0, double(last));
+            to = std::clamp(to, 0.0, double(last));
+        } else if (to - from >= last) {  // all of them, each once
+            from = 0.0;
+            to = last;
         }
-        low[s] = static_cast<int>(first);
-        high[s] = static_cast<int>(final);
+        low[s] = static_cast<int>(from);
+        high[s] = static_cast<int>(to);
     }
     for (int y = low[1]; y <= high[1]; ++y)
         for (int x = low[0]; x <= high[0]; ++x) f(list_of(x, y));

@@ -148,17 +148,17 @@ void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, const Recording
 void FigureRun::OneRun::look(const RunsCallbacks& on_progress) {
     double now = 0.0;
     std::size_t next = 0;
-    recording_.play(recording_.ticks().size(),
-                    [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                        FrameData frame = panels_->frame_data(tick, sample, advanced);
-                        ++next;
-                        const bool last = next == ticks_.size() || ticks_[next].time != tick.time;
-                        for (std::size_t k = 0; k < figures.size(); ++k)
-                            if (last && shows(figures[k], tick.time))
-                                figures[k].moments.push_back(
-                                    {tick.time, advanced.counts, std::move(frame.states[k])});
-                        on_progress.go_on(tick.time - std::exchange(now, tick.time));
-                    });
+    recording_.play(recording_.ticks().size(), [&](const Tick& tick, const Sample& sample,
+                                                   const AdvanceResult& advanced) {
+        ++next;
+        const bool last = next == ticks_.size() || ticks_[next].time != tick.time;
+        const auto is_shown = [&](std::size_t k) { return last && shows(figures[k], tick.time); };
+        auto states = panels_->states(tick, sample, advanced, is_shown);
+        for (std::size_t k = 0; k < figures.size(); ++k)
+            if (states[k])
+                figures[k].moments.push_back({tick.time, advanced.counts, std::move(states[k])});
+        on_progress.go_on(tick.time - std::exchange(now, tick.time));
+    });
     recording_ = {};
 }
 

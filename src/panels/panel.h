@@ -76,6 +76,9 @@ class Panel {
     /// Second pass, every frame in order.
     virtual std::shared_ptr<const PanelState> state(const FrameInput& input) = 0;
 
+    /// Second pass, instead of state() for a frame that is not shown.
+    virtual void see(const FrameInput& input) { state(input); }
+
     /// Writes or reads all that state() keeps from frame to frame. A panel that has read it after
     /// archive() gives, from the next frame on, the same states as a panel that has seen all frames
     /// before.

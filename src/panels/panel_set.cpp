@@ -285,4 +285,18 @@ FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
     return frame;
 }
 
+std::vector<std::shared_ptr<const PanelState>> PanelSet::states(
+    const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
+    const std::function<bool(std::size_t)>& is_shown) {
+    std::vector<std::shared_ptr<const PanelState>> states(panels_.size());
+    const FrameInput input = runs_[own]->input(tick, sample, advanced);
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+        if (is_shown(i))
+            states[i] = panels_[i].panel->state(input);
+        else
+            panels_[i].panel->see(input);
+    }
+    return states;
+}
+
 }  // namespace carom

@@ -108,6 +108,12 @@ class PanelSet {
     FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
                          bool is_still = false);
 
+    /// Second pass of figures, every frame in order: the states of the panels for which
+    /// `is_shown(number)`; the others are empty.
+    std::vector<std::shared_ptr<const PanelState>> states(
+        const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
+        const std::function<bool(std::size_t)>& is_shown);
+
     /// Whether any panel needs the collisions between frames, in either pass.
     bool wants_collisions() const;
 

@@ -132,6 +132,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     void survey(const FrameInput& input) override;
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void see(const FrameInput& input) override { shown_->see(input); }
     void archive_progress(Archive& archive) override;
     std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;

@@ -254,19 +254,21 @@ class DisplacementMeter : public LagMeter {
     // The numbers of each line: the diffusion coefficient, its error and the mean squared speed.
     CurveValues values() const override {
         CurveValues now;
+        const Eigen::ArrayXXd means = averages_.means(), squares = speeds_.means();
         std::size_t group = 0;
         for (std::size_t k = 0; k < sizes_.size(); ++k) {
             Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(lag_count);
             std::vector<double> slopes;
             for (const std::size_t end = group + groups_in(sizes_[k]); group < end; ++group) {
-                const Eigen::ArrayXd one = averages_.means(group);
+                const Eigen::ArrayXd one = means.row(static_cast<Eigen::Index>(group));
                 mean += one * (double(groups_[group].size()) / sizes_[k]);
                 slopes.push_back(slope_of(one));
             }
             const MeanError error = mean_error(slopes);
             const double each = 2.0 * dimension_;
             now.curves.emplace_back(mean.begin(), mean.end());
-            now.numbers.push_back({slope_of(mean) / each, error.error / each, speeds_.means(k)[0]});
+            now.numbers.push_back({slope_of(mean) / each, error.error / each,
+                                   squares(static_cast<Eigen::Index>(k), 0)});
         }
         return now;
     }

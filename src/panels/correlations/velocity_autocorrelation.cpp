@@ -53,9 +53,10 @@ class AutocorrelationMeter : public LagMeter {
     // The number of each line is the slope at 0.
     CurveValues values() const override {
         CurveValues now;
+        const Eigen::ArrayXXd means = averages_.means();
         for (std::size_t k = 0; k < sizes_.size(); ++k) {
-            const Eigen::ArrayXd means = averages_.means(k);
-            const Eigen::ArrayXd shares = means / means[0];
+            const auto its = means.row(static_cast<Eigen::Index>(k));
+            const Eigen::ArrayXd shares = its / its[0];
             now.curves.emplace_back(shares.begin(), shares.end());
             const double time = sizes_[k] * (time_ - from_);
             now.numbers.push_back({time > 0.0 ? -loss_[k] / time : NAN});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace carom {
 
@@ -13,8 +14,8 @@ LagAverages::LagAverages(const Box& box, Of of, std::vector<std::vector<Eigen::I
       longest_(longest),
       count_(count),
       paths_(box, std::move(velocity_changes)),
-      sums_(Eigen::ArrayXXd::Zero(static_cast<Eigen::Index>(members.size()), count)),
-      times_(sums_) {
+      sums_{Eigen::ArrayXXd::Zero(static_cast<Eigen::Index>(members.size()), count),
+            Eigen::ArrayXXd::Zero(static_cast<Eigen::Index>(members.size()), count)} {
     for (std::size_t list = 0; list < members.size(); ++list)
         for (const Eigen::Index i : members[list]) {
             const auto particle = static_cast<std::size_t>(i);
@@ -25,52 +26,66 @@ LagAverages::LagAverages(const Box& box, Of of, std::vector<std::vector<Eigen::I
         }
 }
 
+// Calls `use(index)` for each track of the piece's particle, if the piece ends after the start.
+template <class Use>
+void LagAverages::for_each_track(const PathPiece& piece, const Use& use) const {
+    if (static_cast<std::size_t>(piece.particle) >= tracks_of_.size() || piece.to <= from_) return;
+    for (const std::size_t track : tracks_of_[static_cast<std::size_t>(piece.particle)]) use(track);
+}
+
 void LagAverages::see(const Sample& sample, std::span<const Collision> collisions) {
-    paths_(sample, collisions, [this](const PathPiece& piece) {
-        if (static_cast<std::size_t>(piece.particle) >= tracks_of_.size() || piece.to <= from_)
-            return;
-        for (const std::size_t track : tracks_of_[static_cast<std::size_t>(piece.particle)])
-            add(tracks_[track], piece);
+    paths_.see_whole(sample, collisions, [this](const PathPiece& piece) {
+        for_each_track(piece, [&](std::size_t track) { add(tracks_[track], piece); });
     });
 }
 
-void LagAverages::add(Track& track, PathPiece piece) {
+// The piece from the start on, at the unwrapped position to which the track has led.
+PathPiece LagAverages::continued(const Track& track, PathPiece piece) const {
     if (piece.from < from_) {
         piece.place = place(piece, from_);
         piece.velocity = velocity(piece, from_);
         piece.from = from_;
     }
     if (!track.pieces.empty()) piece.place = place(track.pieces.back(), piece.from);
-    track.pieces.push_back(piece);
-    for (int k = 0; k < count_; ++k) add_lag(track, k);
+    return piece;
+}
+
+void LagAverages::add(Track& track, const PathPiece& piece) {
+    track.pieces.push_back(continued(track, piece));
+    add_lags(track, sums_);
     while (track.pieces.front().to <= piece.to - longest_ && track.pieces.size() > 1) {
         track.pieces.pop_front();
         ++track.dropped;
     }
 }
 
+void LagAverages::add_lags(Track& track, Sums& to) const {
+    for (int k = 0; k < count_; ++k)
+        add_lag(track, k, track.older[static_cast<std::size_t>(k)], to);
+}
+
 // Integrates over the times of the last piece for which the earlier end lies after the start.
 // Simpson's rule is exact here: the integrand is a product of two velocities, or the square
-// of a displacement, each of which changes at a steady rate.
-void LagAverages::add_lag(Track& track, int k) {
+// of a displacement, each of which changes at a steady rate. `older` is the number of the piece in
+// which the earlier end was last.
+void LagAverages::add_lag(const Track& track, int k, std::size_t& older, Sums& to) const {
     const PathPiece& late = track.pieces.back();
+    const std::size_t behind = track.dropped + track.pieces.size();
     double time = std::max(late.from, from_ + lag(k));
-    std::size_t& older = track.older[static_cast<std::size_t>(k)];
     older = std::max(older, track.dropped);
     while (time < late.to) {
-        while (older + 1 < track.dropped + track.pieces.size() &&
-               track.pieces[older - track.dropped].to <= time - lag(k))
+        while (older + 1 < behind && track.pieces[older - track.dropped].to <= time - lag(k))
             ++older;
         const PathPiece& early = track.pieces[older - track.dropped];
-        const bool is_last = older + 1 == track.dropped + track.pieces.size();
+        const bool is_last = older + 1 == behind;
         const double end = is_last ? late.to : std::min(late.to, early.to + lag(k));
         if (end > time) {
             const double middle = 0.5 * (time + end);
-            sums_(track.list, k) += (end - time) / 6.0 *
-                                    (value(early, time - lag(k), late, time) +
-                                     4.0 * value(early, middle - lag(k), late, middle) +
-                                     value(early, end - lag(k), late, end));
-            times_(track.list, k) += end - time;
+            to.products(track.list, k) += (end - time) / 6.0 *
+                                          (value(early, time - lag(k), late, time) +
+                                           4.0 * value(early, middle - lag(k), late, middle) +
+                                           value(early, end - lag(k), late, end));
+            to.times(track.list, k) += end - time;
         } else if (!is_last) {
             ++older;
         }
@@ -86,11 +101,25 @@ double LagAverages::value(const PathPiece& early, double early_time, const PathP
     return (place(late, late_time) - place(early, early_time)).square().sum();
 }
 
-Eigen::ArrayXd LagAverages::means(std::size_t list) const {
-    const auto row = static_cast<Eigen::Index>(list);
-    return (times_.row(row) > 0.0)
-        .select(sums_.row(row) / times_.row(row), std::numeric_limits<double>::quiet_NaN())
-        .transpose();
+// With the flights that are still going on. If velocities change on the way, a flight has several
+// pieces, so the tracks of such a particle are continued in a copy.
+Eigen::ArrayXXd LagAverages::means() const {
+    Sums all = sums_;
+    Eigen::Index particle = -1;
+    std::vector<Track> going_on;
+    paths_.see_open([&](const PathPiece& piece) {
+        std::size_t next = 0;
+        const bool is_new = std::exchange(particle, piece.particle) != piece.particle;
+        if (is_new) going_on.clear();
+        for_each_track(piece, [&](std::size_t index) {
+            if (next == going_on.size()) going_on.push_back(tracks_[index]);
+            Track& track = going_on[next++];
+            track.pieces.push_back(continued(track, piece));
+            add_lags(track, all);
+        });
+    });
+    return (all.times > 0.0)
+        .select(all.products / all.times, std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace carom

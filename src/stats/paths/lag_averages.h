@@ -32,12 +32,14 @@ class LagAverages {
 
     double lag(int k) const { return longest_ * k / (count_ - 1); }
 
-    /// The mean at each lag over all particles of a list and all pairs of times between the start
-    /// and the last sample; NaN for lags longer than the time so far.
-    Eigen::ArrayXd means(std::size_t list) const;
+    /// The means over all particles of a list (a row for each) and all pairs of times between the
+    /// start and the last sample, at each lag (a column); NaN for lags longer than the time so far.
+    /// They do not depend on which samples were given before. Takes as long as a collision of
+    /// each particle.
+    Eigen::ArrayXXd means() const;
 
     /// Writes or reads the accumulated state; lists and lags are not part of it.
-    void archive(auto& archive) { archive(paths_, tracks_, sums_, times_); }
+    void archive(auto& archive) { archive(paths_, tracks_, sums_); }
 
   private:
     struct Track {
@@ -47,8 +49,16 @@ class LagAverages {
         std::vector<std::size_t> older = {};  ///< by lag: the piece with its earlier end
         void archive(auto& archive) { archive(list, pieces, dropped, older); }
     };
-    void add(Track& track, PathPiece piece);
-    void add_lag(Track& track, int k);
+    struct Sums {
+        Eigen::ArrayXXd products, times;  ///< list x lag
+        void archive(auto& archive) { archive(products, times); }
+    };
+    template <class Use>
+    void for_each_track(const PathPiece& piece, const Use& use) const;
+    PathPiece continued(const Track& track, PathPiece piece) const;
+    void add(Track& track, const PathPiece& piece);
+    void add_lags(Track& track, Sums& to) const;
+    void add_lag(const Track& track, int k, std::size_t& older, Sums& to) const;
     double value(const PathPiece& early, double early_time, const PathPiece& late,
                  double late_time) const;
     Eigen::Array2d place(const PathPiece& piece, double time) const {
@@ -64,7 +74,7 @@ class LagAverages {
     Paths paths_;
     std::vector<Track> tracks_;                        ///< one for each particle of each list
     std::vector<std::vector<std::size_t>> tracks_of_;  ///< indices in `tracks_`, for each particle
-    Eigen::ArrayXXd sums_, times_;                     ///< list x lag
+    Sums sums_;                                        ///< of flights that have ended
 };
 
 }  // namespace carom

@@ -51,6 +51,17 @@ Paths::Point Paths::at(const Sample& sample, Eigen::Index particle) {
     return point;
 }
 
+void Paths::take(const Sample& sample, std::vector<Point>& points) {
+    points.resize(static_cast<std::size_t>(sample.position.rows()));
+    for (Eigen::Index i = 0; i < sample.position.rows(); ++i)
+        points[static_cast<std::size_t>(i)] = at(sample, i);
+}
+
+bool Paths::changes_in(double after, double until) const {
+    const auto next = std::ranges::upper_bound(changes_, after);
+    return next != changes_.end() && *next <= until;
+}
+
 // The time for which a particle lies on a floor before it falls along an axis, or 0: it starts with
 // zero velocity, and its final velocity tells for how long it has been falling. `is_changed`:
 // velocities change without a collision on the way or at the end, so that the final velocity does
@@ -69,8 +80,9 @@ double Paths::rest_of(const Point& from, const Point& to, Eigen::Index axis,
 // Splits the path between two points into pieces. If velocities change in between, the path is
 // computed forward from its start to the first change and backward from its end to the last change;
 // between these it is taken as a single piece of constant acceleration.
-void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
-    pieces_.clear();
+void Paths::part(Eigen::Index particle, const Point& from, const Point& to,
+                 std::vector<PathPiece>& pieces) const {
+    pieces.clear();
     const auto first = std::ranges::lower_bound(changes_, from.time);
     const auto behind = std::lower_bound(first, changes_.end(), to.time);
     const bool is_changed = first != behind;
@@ -85,9 +97,9 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
     const auto fall = [&](double after, double until) {
         piece.acceleration = (rest > since).select(0.0, gravity_);
         piece.to = until;
-        pieces_.push_back(piece);
-        piece.place = pieces_.back().place_after(piece.span());
-        piece.velocity = pieces_.back().velocity_after(piece.span());
+        pieces.push_back(piece);
+        piece.place = pieces.back().place_after(piece.span());
+        piece.velocity = pieces.back().velocity_after(piece.span());
         piece.from = until;
         since = after;
     };
@@ -98,7 +110,7 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
     if (!is_changed) return;
     const double change = *std::prev(behind), span = to.time - change;
     PathPiece last{.particle = particle, .from = change, .to = to.time};
-    last.acceleration = pieces_.back().acceleration;
+    last.acceleration = pieces.back().acceleration;
     last.velocity = to.velocity - span * last.acceleration;
     last.place = to.place - span * (to.velocity - 0.5 * span * last.acceleration);
     if (change > forward) {
@@ -107,9 +119,9 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to) {
         way -= (period_ > 0.0).select(period_ * (way / period_).round(), 0.0);
         piece.to = change;
         piece.velocity = way / between - 0.5 * between * piece.acceleration;
-        pieces_.push_back(piece);
+        pieces.push_back(piece);
     }
-    pieces_.push_back(last);
+    pieces.push_back(last);
 }
 
 }  // namespace carom

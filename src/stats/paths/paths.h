@@ -52,27 +52,49 @@ class Paths {
     /// in order of time.
     void operator()(const Sample& sample, std::span<const Collision> collisions,
                     std::invocable<const PathPiece&> auto&& see) {
-        const bool is_first = last_.empty();
-        if (!is_first && sample.time > time_) {
-            for (const Collision& one : collisions) {
-                advance(one.first, {one.time, one.first_position, one.first_before}, &one, see);
-                last_[static_cast<std::size_t>(one.first)].velocity = one.first_after;
-                if (!one.second.is_particle()) continue;
-                const std::int32_t second = one.second.particle();
-                advance(second, {one.time, one.second_position, one.second_before}, &one, see);
-                last_[static_cast<std::size_t>(second)].velocity = one.second_after;
-            }
-            for (Eigen::Index i = 0; i < sample.position.rows(); ++i)
-                advance(i, at(sample, i), nullptr, see);
+        if (!last_.empty() && sample.time > time_) {
+            collide(collisions, see);
+            cut(sample, see);
         }
-        last_.resize(static_cast<std::size_t>(sample.position.rows()));
-        for (Eigen::Index i = 0; i < sample.position.rows(); ++i)
-            last_[static_cast<std::size_t>(i)] = at(sample, i);
+        take(sample, last_);
         time_ = sample.time;
     }
 
+    /// The same with flights whole, for what takes long to do with each piece: a sample ends
+    /// pieces only if velocities have changed without a collision since the previous one. The
+    /// pieces do not depend on when samples are taken, except near such a change.
+    void see_whole(const Sample& sample, std::span<const Collision> collisions,
+                   std::invocable<const PathPiece&> auto&& see) {
+        const bool is_first = last_.empty();
+        if (!is_first && sample.time > time_) {
+            collide(collisions, see);
+            if (changes_in(time_, sample.time)) {
+                cut(sample, see);
+                take(sample, last_);
+            }
+        }
+        if (is_first) take(sample, last_);
+        if (!is_straight_) take(sample, now_);
+        time_ = sample.time;
+    }
+
+    /// Calls `see(piece)` for the pieces from where see_whole() has left off to the last sample.
+    void see_open(std::invocable<const PathPiece&> auto&& see) const {
+        std::vector<PathPiece> pieces;
+        for (std::size_t i = 0; i < last_.size(); ++i) {
+            if (last_[i].time >= time_) continue;
+            const auto particle = static_cast<Eigen::Index>(i);
+            if (is_straight_) {
+                see(straight(particle, last_[i], time_));
+                continue;
+            }
+            part(particle, last_[i], now_[i], pieces);
+            for (const PathPiece& piece : pieces) see(piece);
+        }
+    }
+
     /// Writes or reads the last known state of the particles.
-    void archive(auto& archive) { archive(last_, time_); }
+    void archive(auto& archive) { archive(last_, now_, time_); }
 
   private:
     struct Point {
@@ -81,22 +103,46 @@ class Paths {
         void archive(auto& archive) { archive(time, place, velocity); }
     };
     static Point at(const Sample& sample, Eigen::Index particle);
-    void part(Eigen::Index particle, const Point& from, const Point& to);
+    static void take(const Sample& sample, std::vector<Point>& points);
+    bool changes_in(double after, double until) const;
+    void part(Eigen::Index particle, const Point& from, const Point& to,
+              std::vector<PathPiece>& pieces) const;
     double rest_of(const Point& from, const Point& to, Eigen::Index axis, bool is_changed) const;
+
+    static PathPiece straight(Eigen::Index particle, const Point& from, double to) {
+        return {.particle = particle,
+                .from = from.time,
+                .to = to,
+                .place = from.place,
+                .velocity = from.velocity};
+    }
+
+    void collide(std::span<const Collision> collisions, auto&& see) {
+        for (const Collision& one : collisions) {
+            advance(one.first, {one.time, one.first_position, one.first_before}, &one, see);
+            last_[static_cast<std::size_t>(one.first)].velocity = one.first_after;
+            if (!one.second.is_particle()) continue;
+            const std::int32_t second = one.second.particle();
+            advance(second, {one.time, one.second_position, one.second_before}, &one, see);
+            last_[static_cast<std::size_t>(second)].velocity = one.second_after;
+        }
+    }
+
+    void cut(const Sample& sample, auto&& see) {
+        for (Eigen::Index i = 0; i < sample.position.rows(); ++i)
+            advance(i, at(sample, i), nullptr, see);
+    }
 
     void advance(Eigen::Index particle, const Point& to, const Collision* by, auto&& see) {
         Point& from = last_[static_cast<std::size_t>(particle)];
         if (to.time < from.time) return;             // a collision before the first sample
         if (to.time > from.time || by != nullptr) {  // also of zero length, if two coincide
             if (is_straight_) {
-                see(PathPiece{.particle = particle,
-                              .from = from.time,
-                              .to = to.time,
-                              .place = from.place,
-                              .velocity = from.velocity,
-                              .ended_by = by});
+                PathPiece piece = straight(particle, from, to.time);
+                piece.ended_by = by;
+                see(piece);
             } else {
-                part(particle, from, to);
+                part(particle, from, to, pieces_);
                 pieces_.back().ended_by = by;
                 for (const PathPiece& piece : pieces_) see(piece);
             }
@@ -109,8 +155,9 @@ class Paths {
     std::vector<double> changes_;
     bool is_straight_ = true;        ///< no gravity and no changes
     std::vector<PathPiece> pieces_;  ///< scratch: between two points of a path
-    std::vector<Point> last_;  ///< state of each particle at its last collision or the last sample
-    double time_ = 0.0;        ///< of the last sample
+    std::vector<Point> last_;        ///< state of each particle at the end of its last piece
+    std::vector<Point> now_;  ///< at the last sample, of see_whole(); none if paths are straight
+    double time_ = 0.0;       ///< of the last sample
 };
 
 }  // namespace carom

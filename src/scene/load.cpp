@@ -191,12 +191,20 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
         errors.add(*draft.written_run.step, problem->message, problem->hint);
 }
 
-void complete_film(SceneDraft& draft, const Tree& tree, const SceneResources& resources,
-                   Reading& reading) {
+// Returns whether the scene itself says how long its film is.
+bool gives_length(const Node& root) {
+    const Node* film = find(root, "film");
+    return film != nullptr && film->is_mapping() &&
+           (find(*film, "seconds") != nullptr || find(*film, "pace") != nullptr);
+}
+
+// With `has_length`, the film is as long as it says, and is checked for it.
+void complete_film(SceneDraft& draft, const Tree& tree, bool has_length,
+                   const SceneResources& resources, Reading& reading) {
     draft.film =
-        read_film({tree.film, tree.template_file, tree.root}, tree.template_name, resources.panels,
-                  resources.templates, draft.written_run.pauses, reading);
-    if (reading.errors.empty())
+        read_film({tree.film, tree.template_file, tree.root, has_length}, tree.template_name,
+                  resources.panels, resources.templates, draft.written_run.pauses, reading);
+    if (has_length && reading.errors.empty())
         check_captions(draft, draft.written_run.captions, tree.root, reading.errors);
     if (!draft.captions.empty()) draft.film.layout = with_caption_line(draft.film.layout);
 }
@@ -207,15 +215,16 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
     scene_table(resources.panels, tree.dimension).read(tree.root, draft, reading);
     complete_physics(draft, tree.root, errors);
     const bool has_film = find(tree.root, "film") != nullptr;
-    if (tree.template_file.is_mapping() && (has_film || wanted == Wanted::film))
-        complete_film(draft, tree, resources, reading);
+    const bool has_length = wanted == Wanted::film || gives_length(tree.root);
+    if (tree.template_file.is_mapping() && (has_film || wanted != Wanted::physics))
+        complete_film(draft, tree, has_length, resources, reading);
     if (draft.figures_node != nullptr)
         draft.figures =
             figures_notation(resources.panels).read(*draft.figures_node, reading).value();
     errors.throw_if_any();
     if (draft.run.sample_every == 0.0) draft.run.sample_every = usual_sample_every(draft, has_film);
     if (resources.is_classroom) {
-        hold_to_classroom(draft, tree.root, has_film || wanted == Wanted::film, errors);
+        hold_to_classroom(draft, tree.root, has_length, errors);
         errors.throw_if_any();
     }
     if (draft.description.empty()) draft.description = describe(draft);
@@ -286,8 +295,9 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
     scene.source = source_of(tree, source, resources, overrides);
     if (!part.is_whole()) return scene;
     refuse_many_scenes(scene);
+    const Wanted compared = wanted == Wanted::physics ? wanted : Wanted::figures;
     load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
-        return load(source, path, resources, others, wanted, {.figure = name});
+        return load(source, path, resources, others, compared, {.figure = name});
     });
     load_sweep_figures(scene, resources);
     load_beside(scene, tree.root, overrides,
@@ -301,29 +311,54 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
     return scene;
 }
 
-Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
-                Wanted wanted, const ScenePart& part) {
+// The path of a scene as messages name it.
+fs::path name_of(const fs::path& path) { return path == standard_input ? "<stdin>" : path; }
+
+// The text of a scene's file, or of standard input, which can be read only once.
+Source source_at(const fs::path& path, const SceneResources& resources) {
     if (const auto found = resources.files.find(path.string()); found != resources.files.end())
-        return load({path.string(), found->second}, path, resources, overrides, wanted, part);
-    const bool streamed = path == standard_input;
-    const fs::path name = streamed ? "<stdin>" : path;
+        return {path.string(), found->second};
+    const fs::path name = name_of(path);
     Source source{.name = name.empty() ? "\"\"" : name.string()};
     Errors errors;
-    auto text = streamed ? text_of(*stdin, source, errors) : file_text(path, source, errors);
+    auto text =
+        path == standard_input ? text_of(*stdin, source, errors) : file_text(path, source, errors);
     errors.throw_if_any();
     source.text = std::move(text.value());
-    return load(std::move(source), name, resources, overrides, wanted, part);
+    return source;
+}
+
+Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
+                Wanted wanted, const ScenePart& part) {
+    return load(source_at(path, resources), name_of(path), resources, overrides, wanted, part);
 }
 
 }  // namespace
 
 Scene load_run(const fs::path& path, const SceneResources& resources, const Overrides& overrides) {
-    return load_file(path, resources, overrides, Wanted::film, {.figure = ""});
+    return load_file(path, resources, overrides, Wanted::figures, {.figure = ""});
 }
 
 Scene load_scene(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
                  Wanted wanted) {
     return load_file(path, resources, overrides, wanted, {});
+}
+
+LoadedScene load_for_all(const fs::path& path, const SceneResources& resources,
+                         const Overrides& overrides) {
+    const Source source = source_at(path, resources);
+    const auto loaded = [&](Wanted wanted) {
+        return load(source, name_of(path), resources, overrides, wanted);
+    };
+    try {
+        return {loaded(Wanted::film)};
+    } catch (const SceneError& error) {
+        try {
+            return {loaded(Wanted::figures), error.diagnostics()};
+        } catch (const SceneError&) {
+            throw error;
+        }
+    }
 }
 
 Scene load_run_text(const std::string& text, const std::string& name,

@@ -20,9 +20,11 @@ using Overrides = std::vector<std::string>;
 /// Returns such a change as messages name and quote it: "--set KEY.PATH=VALUE".
 std::string text_of_change(const std::string& change);
 
-/// What the scene is loaded for. A scene without `film` gets a film with 1 second per unit of
-/// simulated time if a film is wanted, and has none if only the physics is.
-enum class Wanted { film, physics };
+/// What the scene is loaded for. If a film is wanted, a scene that gives no length for it gets one
+/// with 1 second per unit of simulated time. Figures take from `film` what it says about pictures;
+/// a length that the scene does not give is not checked for them: a long run has figures even if
+/// no film can show it. If only the physics is wanted, a scene without `film` has none.
+enum class Wanted { film, figures, physics };
 
 /// What loading a scene needs besides its file.
 struct SceneResources {
@@ -40,7 +42,19 @@ inline constexpr std::string_view standard_input = "-";
 Scene load_scene(const std::filesystem::path& path, const SceneResources& resources,
                  const Overrides& overrides = {}, Wanted wanted = Wanted::film);
 
-/// Loads a scene without its `figures`, for figures of other scenes that show its run.
+/// A scene as `carom check` sees it.
+struct LoadedScene {
+    Scene scene;
+    std::vector<Diagnostic> no_film = {};  ///< why no film can be made of it; empty: one can
+};
+
+/// Loads a scene for a film or, if that is refused, for its run and its figures alone. Throws
+/// SceneError, with the reasons why it is refused for a film, if it is refused for these, too.
+LoadedScene load_for_all(const std::filesystem::path& path, const SceneResources& resources,
+                         const Overrides& overrides = {});
+
+/// Loads a scene without its `figures`, for figures of other scenes that show its run
+/// (Wanted::figures).
 Scene load_run(const std::filesystem::path& path, const SceneResources& resources,
                const Overrides& overrides);
 

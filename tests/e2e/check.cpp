@@ -284,6 +284,8 @@ TEST_CASE("a scene without a film may be too long for one") {
     CHECK(checked(physics).at("film") == nullptr);
     const TemporaryFolder folder;
     folder.write("scene.yaml", "title: T\n" + physics + "film: {fps: 30}\n");
+    CHECK(run({program, "check", "scene.yaml"}, folder.path()).exit_code == 0);
+    folder.write("scene.yaml", "title: T\n" + physics + "film: {pace: 1}\n");
     CHECK(run({program, "check", "scene.yaml"}, folder.path()).exit_code == 2);
 }
 

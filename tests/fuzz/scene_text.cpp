@@ -17,10 +17,9 @@ void check(const std::string& text, Wanted wanted) {
     if (describe(scene).empty()) std::abort();
     if (wanted == Wanted::film) refuse_long_words(scene);
     require_letters(scene);
-    const CheckedFile file{
-        .path = "scene.yaml",
-        .facts =
-            facts_of(scene, wanted == Wanted::film ? std::optional(CheckedFilm{}) : std::nullopt)};
+    std::optional<CheckedFilm> film;
+    if (wanted == Wanted::film) film = CheckedFilm{.formats = formats_with_costs()};
+    const CheckedFile file{.path = "scene.yaml", .facts = facts_of(scene, film)};
     if (check_table({&file, 1}).empty() || check_json({&file, 1}).empty()) std::abort();
 }
 
@@ -28,6 +27,6 @@ void check(const std::string& text, Wanted wanted) {
 
 void test::fuzz(const std::uint8_t* data, std::size_t size) {
     const std::string text = test::fuzz_text(data, size);
-    for (const Wanted wanted : {Wanted::film, Wanted::physics})
+    for (const Wanted wanted : {Wanted::film, Wanted::figures, Wanted::physics})
         test::succeeds([&] { check(text, wanted); });
 }

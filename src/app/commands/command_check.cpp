@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/cost/trial_run.h"
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
 #include "app/film/film_path.h"
@@ -14,11 +15,11 @@
 #include "app/progress.h"
 #include "app/report/accessibility.h"
 #include "app/report/check_facts.h"
-#include "app/report/trial_run.h"
 #include "app/resources.h"
 #include "figures/figure_drawing.h"
 #include "figures/sweep_figure.h"
 #include "panels/words/text_panel.h"
+#include "physics/placement/draws.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -32,21 +33,6 @@ struct CheckArguments : SceneOptions {
     std::string format;  // empty: all
     bool json = false, measures = false, accessible = false;
 };
-
-// Loads a scene. One that says nothing about a film, and from which none can be made, is still
-// valid for its physics.
-std::pair<Scene, bool> loaded(const std::string& path, const SceneResources& resources,
-                              const Overrides& overrides) {
-    try {
-        return {load_scene(path, resources, overrides, Wanted::film), true};
-    } catch (const SceneError& error) {
-        try {
-            return {load_scene(path, resources, overrides, Wanted::physics), false};
-        } catch (const SceneError&) {
-            throw error;
-        }
-    }
-}
 
 // Finds barriers if they are asked for, in films of the format asked for.
 void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedFile& found) {
@@ -64,6 +50,30 @@ void check_figure(const Scene& scene, const FigureSpec& figure) {
     if (figure.panel.kind == "sweep" && !figure.panel.sweep.from) check_swept_figure(scene, figure);
 }
 
+// Tries the runs of a scene: its own, with these panels, and those that its figures compare.
+std::optional<RunCounts> tried(const Scene& scene, std::vector<PanelSpec> panels) {
+    const std::vector<PanelSpec> of_figures = panels_to_try(scene.figures);
+    panels.insert(panels.end(), of_figures.begin(), of_figures.end());
+    for (const FigureSpec& figure : scene.figures)
+        for (const ComparedRun& run : figure.compare)
+            try_run(*run.scene, panels_to_try(run.scene->figures));
+    return try_run(scene, panels);
+}
+
+// The collisions that a film shows, at most as many as its runs may have.
+std::optional<double> collisions_of_film(const Scene& scene, const std::optional<RunCounts>& own) {
+    if (!own || !own->collisions) return std::nullopt;
+    const auto limited = [](const Scene& one, double collisions) {
+        const auto most = static_cast<double>(collision_ceiling(one.run, total_count(one.gas)));
+        return std::min(most, collisions);
+    };
+    const double collisions = limited(scene, *own->collisions);
+    if (!scene.film.beside) return collisions;
+    const Scene& other = *scene.film.beside->scene;
+    const std::optional<RunCounts> its = try_run(other);
+    return collisions + (its && its->collisions ? limited(other, *its->collisions) : collisions);
+}
+
 // The words on the title cards of the set's joined film.
 std::string words_on_cards(const FigureSet& set) {
     std::string words = set.title + set.description;
@@ -71,21 +81,32 @@ std::string words_on_cards(const FigureSet& set) {
     return words;
 }
 
+// Notes why a scene of a set, which was loaded for its figures, can have no film.
+void find_missing_film(const Scene& scene, std::vector<CommandsRefused>& refused) {
+    try {
+        scene_from(scene.source);
+    } catch (const SceneError& error) {
+        refused.push_back({{"render", "figures --films"}, error.diagnostics()});
+    }
+}
+
 // Checks a figure set with all its scenes, figures and pages; returns its facts.
 Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
                    const Overrides& overrides, CheckedFile& found) {
     const FigureSet set = load_set(path, resources_of(arguments), overrides);
+    std::vector<CommandsRefused> refused;
     require_letters(words_on_cards(set), path);
     for (const SetPart& part : set.parts) {
         if (!part.compares) find_barriers(arguments, part.scene, found);
         refuse_long_words(part.scene);
-        try_run(part.scene, true);
+        tried(part.scene, panels_to_try(part.scene.film.panels));
+        if (!part.compares) find_missing_film(part.scene, refused);
         for (const std::string& name : part.figures)
             check_figure(part.scene, *figure_spec(part.scene, name));
     }
     for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
     refuse_same_names(set);
-    return facts_of(set);
+    return facts_of(set, refused);
 }
 
 // Measures the cost of a film in the format asked for, or else as MP4.
@@ -97,28 +118,58 @@ FilmCost measured(const CheckArguments& arguments, const std::string& path, cons
     return measured_cost(scene, options, progress);
 }
 
+// Notes the formats that the film of a scene cannot have; returns the others.
+std::vector<const OutputFormat*> formats_of(const Scene& scene,
+                                            std::vector<CommandsRefused>& refused) {
+    std::vector<const OutputFormat*> formats;
+    for (const OutputFormat* format : formats_with_costs()) try {
+            refuse_format(*format, scene);
+            formats.push_back(format);
+        } catch (const UsageError& error) {
+            Diagnostic reason;
+            reason.span.file = scene.source.path;
+            reason.message = error.what();
+            const std::string as = " as " + format->name;
+            refused.push_back({{"render" + as, "plan" + as}, {reason}});
+            if (format->name == "mp4") refused.back().commands.push_back("gallery" + as);
+        }
+    return formats;
+}
+
 CheckedFilm checked_film(const CheckArguments& arguments, const std::string& path,
-                         const Scene& scene, std::optional<double> collisions) {
+                         const Scene& scene, std::optional<double> collisions,
+                         std::vector<CommandsRefused>& refused) {
     CheckedFilm film{.options = arguments.film, .collisions = collisions};
     film.options.threads = threads_of(arguments);
-    if (!arguments.format.empty()) film.format = &output_format(arguments.format);
     refuse_span(film.options, scene);
-    if (film.format != nullptr) refuse_format(*film.format, scene);
+    if (arguments.format.empty()) {
+        film.formats = formats_of(scene, refused);
+    } else {
+        film.formats = {&output_format(arguments.format)};
+        refuse_format(*film.formats.front(), scene);
+    }
     if (arguments.measures) film.measured = measured(arguments, path, scene, film.options);
     return film;
 }
 
 Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
                      const Overrides& overrides, CheckedFile& found) {
-    const auto [scene, has_film] = loaded(path, resources_of(arguments), overrides);
+    const auto [scene, no_film] = load_for_all(path, resources_of(arguments), overrides);
+    const bool has_film = no_film.empty();
     if (has_film) refuse_long_words(scene);
     require_letters(scene);
-    const std::optional<double> collisions = try_run(scene, has_film);
+    const std::optional<RunCounts> counts =
+        tried(scene, has_film ? panels_to_try(scene.film.panels) : std::vector<PanelSpec>{});
     for (const FigureSpec& figure : scene.figures) check_figure(scene, figure);
-    if (has_film) find_barriers(arguments, scene, found);
-    return facts_of(scene, has_film
-                               ? std::optional(checked_film(arguments, path, scene, collisions))
-                               : std::nullopt);
+    std::vector<CommandsRefused> refused;
+    if (!has_film) {
+        refused.push_back({{"render", "still", "plan", "gallery", "figures --films"}, no_film});
+        return facts_of(scene, std::nullopt, refused);
+    }
+    find_barriers(arguments, scene, found);
+    const CheckedFilm film =
+        checked_film(arguments, path, scene, collisions_of_film(scene, counts), refused);
+    return facts_of(scene, film, refused);
 }
 
 CheckedFile checked(const CheckArguments& arguments, const std::string& path,

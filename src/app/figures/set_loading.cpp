@@ -33,10 +33,10 @@ std::vector<std::string> figure_names(const Scene& scene) {
 
 // Of a scene that no file lists, errors are those of the command line.
 SetPart part_of(const SetScene& listed_scene, const SceneResources& resources,
-                const Overrides& overrides) {
+                const Overrides& overrides, Wanted wanted) {
     SetPart part;
     const std::filesystem::path& path = listed_scene.path;
-    part.scene = load_scene(path, resources, overrides);
+    part.scene = load_scene(path, resources, overrides, wanted);
     require_letters(part.scene);
     part.stem = scene_stem(path.string());
     part.title = listed_scene.title.value_or(part.scene.title);
@@ -103,7 +103,8 @@ SetPart part_of(const std::string& path, const SetFile& set, const SetComparison
 }
 
 std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
-                                  const SceneResources& resources, const Overrides& overrides) {
+                                  const SceneResources& resources, const Overrides& overrides,
+                                  Wanted wanted) {
     struct Piece {
         const SetScene* scene;
         const SetComparison* comparison;
@@ -112,7 +113,7 @@ std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
     for (const SetScene& scene : set.scenes) pieces.push_back({&scene, nullptr});
     for (const SetComparison& one : set.comparisons) pieces.push_back({nullptr, &one});
     std::vector<SetPart> parts = all_made(pieces, [&](const Piece& piece) {
-        return piece.scene != nullptr ? part_of(*piece.scene, resources, overrides)
+        return piece.scene != nullptr ? part_of(*piece.scene, resources, overrides, wanted)
                                       : part_of(path, set, *piece.comparison, resources, overrides);
     });
     const auto first = std::ranges::find(parts, true, &SetPart::compares);
@@ -139,15 +140,15 @@ std::vector<PageTemplate> pages_of(const std::vector<std::string>& asked) {
 
 FigureSet load_set(const std::string& path, const SceneResources& resources,
                    const Overrides& overrides, const std::vector<std::string>& formats,
-                   const std::vector<std::string>& pages) {
+                   const std::vector<std::string>& pages, Wanted wanted) {
     const EndsAtOnce whole;
     const bool is_stream = path == standard_input;
     FigureSet set{.of = is_stream ? "stdin" : std::filesystem::path(path).filename().string(),
                   .stem = scene_stem(path)};
     SetFile file;
     if (is_stream || !is_figure_set(path)) {
-        SetPart& part =
-            set.parts.emplace_back(part_of({.path = path, .place = {}}, resources, overrides));
+        SetPart& part = set.parts.emplace_back(
+            part_of({.path = path, .place = {}}, resources, overrides, wanted));
         set.title = part.scene.title;
         set.description = part.scene.description;
     } else {
@@ -157,7 +158,7 @@ FigureSet load_set(const std::string& path, const SceneResources& resources,
     }
     set.formats = in_order(formats.empty() ? file.formats : formats);
     set.pages = pages_of(pages.empty() ? file.templates : pages);
-    if (set.parts.empty()) set.parts = parts_of_set(path, file, resources, overrides);
+    if (set.parts.empty()) set.parts = parts_of_set(path, file, resources, overrides, wanted);
     return set;
 }
 

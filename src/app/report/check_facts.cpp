@@ -189,11 +189,9 @@ std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& fil
                                       std::int64_t particles, double calculated,
                                       const FilmCollisions& collisions) {
     std::vector<FilmCost> costs;
-    for (const OutputFormat& format : output_formats())
-        if (format.film && !format.in_one_piece &&
-            (film.format == nullptr || film.format == &format))
-            costs.push_back(estimated_cost(format, scene, film.options, frames, particles,
-                                           calculated, collisions));
+    for (const OutputFormat* format : film.formats)
+        costs.push_back(estimated_cost(*format, scene, film.options, frames, particles, calculated,
+                                       collisions));
     return costs;
 }
 
@@ -330,6 +328,27 @@ Json error_value(const Diagnostic& error) {
                 {"hint", error.hint.empty() ? Json() : Json(error.hint)}};
 }
 
+// "render, still and plan: a film of 60000 seconds has ...; the limit is ...".
+std::string words_of(const CommandsRefused& refused) {
+    std::vector<std::string> reasons;
+    for (const Diagnostic& one : refused.reasons)
+        reasons.push_back(one.hint.empty() ? one.message : one.message + "; " + one.hint);
+    return fmt::format("{}: {}", listed(refused.commands), fmt::join(reasons, "; "));
+}
+
+Facts refused_rows(const std::vector<CommandsRefused>& all) {
+    Json list = Json::array();
+    std::vector<std::string> lines;
+    for (const CommandsRefused& one : all) {
+        lines.push_back(words_of(one));
+        Json& value = list.emplace_back(Json{{"commands", one.commands}});
+        for (const Diagnostic& reason : one.reasons) value["errors"].push_back(error_value(reason));
+    }
+    Facts rows = rows_of("refused", lines);
+    rows.front().value = std::move(list);
+    return rows;
+}
+
 Fact name_of(const CheckedFile& checked) {
     const std::string errors = counted(static_cast<long long>(checked.errors.size()), "error");
     return {checked.is_set ? "set" : "scene", checked.path, "",
@@ -375,7 +394,15 @@ std::string made_from(const SceneSource& source) {
 
 }  // namespace
 
-Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
+std::vector<const OutputFormat*> formats_with_costs() {
+    std::vector<const OutputFormat*> formats;
+    for (const OutputFormat& format : output_formats())
+        if (format.film && !format.in_one_piece) formats.push_back(&format);
+    return formats;
+}
+
+Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
+               const std::vector<CommandsRefused>& refused) {
     const Box& box = scene.gas.box;
     const Run& run = scene.run;
     const auto gas = draw_gas(scene.gas);
@@ -412,10 +439,11 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film) {
          {{"equilibrate", run.equilibrate},
           collisions(rate ? std::optional(*rate * run.until) : std::nullopt, particles)},
          film ? facts_of_film(*film)
-              : Facts{{"film", nullptr, "film", "none: for `carom run` only"}}});
+              : Facts{{"film", nullptr, "film", "none: for `carom run` and figures only"}},
+         refused_rows(refused)});
 }
 
-Facts facts_of(const FigureSet& set) {
+Facts facts_of(const FigureSet& set, const std::vector<CommandsRefused>& refused) {
     Json sections = Json::array();
     std::size_t figures = 0;
     for (const SetPart& part : set.parts) {
@@ -429,7 +457,8 @@ Facts facts_of(const FigureSet& set) {
          section_rows(set),
          {{"formats", set.formats, "figures",
            fmt::format("{}, each as {}", figures, listed(set.formats))},
-          {"pages", pages, "pages", listed(pages)}}});
+          {"pages", pages, "pages", listed(pages)}},
+         refused_rows(refused)});
 }
 
 std::string check_table(std::span<const CheckedFile> files) {

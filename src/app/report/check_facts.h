@@ -24,22 +24,32 @@ struct CheckedFile {
     std::optional<std::vector<Diagnostic>> barriers = {};  ///< none: not asked for
 };
 
+/// What some commands refuse of a scene that others accept.
+struct CommandsRefused {
+    std::vector<std::string> commands;
+    std::vector<Diagnostic> reasons;
+};
+
 /// The film of a checked scene whose cost is reported.
 struct CheckedFilm {
-    FilmOptions options = {};              ///< the output path is ignored
-    const OutputFormat* format = nullptr;  ///< null: costs are estimated for all formats
+    FilmOptions options = {};                       ///< the output path is ignored
+    std::vector<const OutputFormat*> formats = {};  ///< whose costs are estimated; at least one
     std::optional<FilmCost> measured = {};
     std::optional<double> collisions =
         {};  ///< in all its runs, including those with walls; none: estimated as in equilibrium
 };
 
+/// The formats whose costs are reported, in their order.
+std::vector<const OutputFormat*> formats_with_costs();
+
 /// What a scene contains and what its film will cost; no `film` means that none can be made from
 /// it. Draws the properties of the particles from their distributions, without placing them. Throws
 /// SceneError (a distribution that gives no mass above zero).
-Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film);
+Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
+               const std::vector<CommandsRefused>& refused = {});
 
 /// What a figure set is.
-Facts facts_of(const FigureSet& set);
+Facts facts_of(const FigureSet& set, const std::vector<CommandsRefused>& refused = {});
 
 /// A short table for each valid file, and a line for each invalid one; ends with a line break.
 std::string check_table(std::span<const CheckedFile> files);

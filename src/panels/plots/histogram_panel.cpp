@@ -87,6 +87,7 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
                     all ? context.equilibrium
                         : among(*context.equilibrium, context.particles, choice.members))
                 series.equilibria.push_back(*gas);
+        if (spec.test) require_equilibrium(series);
         record_.series.push_back(std::move(series));
     }
     record_.probes.resize(choices_.size());

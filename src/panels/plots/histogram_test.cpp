@@ -50,14 +50,17 @@ Expected HistogramPanel::expected(const HistogramSeries& series) const {
 
 // With fixed numbers of particles of several masses, counts do not follow one distribution; and
 // particles of infinite mass do not share the energy.
-void HistogramPanel::require_testable(const HistogramSeries& series) const {
-    if (series.equilibria.size() < axes_.runs)
+void HistogramPanel::require_equilibrium(const HistogramSeries& series) const {
+    if (series.equilibria.empty())
         refuse(spec_.place, "there is no equilibrium that these bars could be tested against",
                "leave out `test`, or change the gas so that it comes to one");
     const std::vector<MassGroup>& groups = series.equilibria.front().groups;
     if (groups.size() > 1 || groups.front().count < series.particles)
         refuse(spec_.place, "the test is for particles of one finite mass",
                "choose them in `of`: the name of one species");
+}
+
+void HistogramPanel::require_testable(const HistogramSeries& series) const {
     const Expected classes = expected(series);
     if (!pearson(classes.count, classes))
         refuse(spec_.place,

@@ -186,13 +186,13 @@ std::optional<Problem> too_many(const Gas& gas) {
     return std::nullopt;
 }
 
-Eigen::Index total_count(const Gas& gas) {
+}  // namespace
+
+std::int64_t total_count(const Gas& gas) {
     std::int64_t sum = 0;
     for (const Species& species : gas.species) sum += species.count;
-    return static_cast<Eigen::Index>(sum);
+    return sum;
 }
-
-}  // namespace
 
 FittingRules fitting_rules(const Species& species) {
     const auto fits = [&](const Quantity& quantity) {

@@ -21,6 +21,9 @@ struct FittingRules {
 };
 FittingRules fitting_rules(const Species& species);
 
+/// The number of particles of all species together.
+std::int64_t total_count(const Gas& gas);
+
 /// Draws all particles of a gas and their velocities; their positions are zero. A species with a
 /// speed or a temperature has no total momentum along periodic axes, unless it has only one
 /// particle. Throws PlacementError.

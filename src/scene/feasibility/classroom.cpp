@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/placement/draws.h"
 #include "scene/limits.h"
 #include "scene/time/timeline.h"
 
@@ -17,12 +18,6 @@ const Node& place_in(const Node& root, const char* section, const char* key) {
     if (its == nullptr) return root;
     const Node* value = its->is_mapping() ? find(*its, key) : nullptr;
     return value != nullptr ? *value : *its;
-}
-
-std::int64_t particles_of(const Gas& gas) {
-    std::int64_t count = 0;
-    for (const Species& species : gas.species) count += species.count;
-    return count;
 }
 
 void check_run(const Run& run, std::int64_t particles, const Node& root, Errors& errors) {
@@ -65,7 +60,7 @@ const Limit& most_collisions_of(const Run& run) {
 }  // namespace
 
 void hold_to_classroom(Scene& scene, const Node& root, bool has_film, Errors& errors) {
-    const std::int64_t particles = particles_of(scene.gas);
+    const std::int64_t particles = total_count(scene.gas);
     if (static_cast<double>(particles) > most_classroom_particles.value)
         errors.add(place_in(root, "gas", ""), fmt::format("{} particles in all", particles),
                    to_text(most_classroom_particles));

@@ -418,6 +418,18 @@ KeyTable<FilmDraft> new_template_table(PanelKinds kinds) {
             .choices = film_choices};
 }
 
+// Gives the film of a run whose length nobody asked for, which only figures see, a length that a
+// film can have: if not that at the usual pace, then the usual one, or longer where the run has
+// many parts between reversals.
+void give_some_length(Film& film, const Run& run) {
+    const double frames = std::round(film.seconds * film.fps);
+    const double parts = branch_count(run);
+    if (frames < 2.0 || frames > most_frames.value || parts > moving_steps(film, run))
+        film.seconds = std::max(Film{}.seconds, 8.0 * (parts + 1.0) / film.fps);
+    const double moving = static_cast<double>(moving_steps(film, run)) / film.fps;
+    if (easing_shortage(film.slow, run.until, moving)) film.slow.clear();
+}
+
 }  // namespace
 
 const FixedTable<FilmDraft>& film_table(PanelKinds kinds) {
@@ -461,7 +473,9 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     film.callouts = resolve_callouts(film.written_callouts, film.panels, kinds, reading.errors);
     film.seconds = film.given_seconds.value_or(seconds_at_pace(film.slow, run.until, film.pace) +
                                                card_seconds(film) + pause_seconds(film));
-    if (film.seconds > 0.0 && check_frames(film, node, nodes.root, reading.errors)) {
+    if (!nodes.has_length)
+        give_some_length(film, run);
+    else if (film.seconds > 0.0 && check_frames(film, node, nodes.root, reading.errors)) {
         check_pauses(film, pauses, node, reading.errors);
         check_sound(film, node, reading.errors);
         check_legs(film, run, node, nodes.root, reading.errors);

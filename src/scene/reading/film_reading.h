@@ -35,7 +35,8 @@ const FixedTable<FilmDraft>& template_table(PanelKinds kinds);
 struct FilmNodes {
     const Node& film;  ///< the scene's `film`, completed by its template
     const Node& template_file;
-    const Node& root;  ///< the scene
+    const Node& root;        ///< the scene
+    bool has_length = true;  ///< false: a length that is not given is not checked (Wanted::figures)
 };
 
 /// Returns what the user changes to make a film longer, for messages: `film.seconds`, or, if `film`

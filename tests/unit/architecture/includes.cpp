@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "support/test_root.h"
 
@@ -100,7 +101,7 @@ std::set<std::string> calls(const std::string& text) {
         const bool is_in_namespace =
             before == from - 1 && before > 0 && text[before] == ':' && text[before - 1] == ':';
         const bool follows_sign =
-            std::string("(,=!&|+-*/<?:;{}[").find(text[before]) != std::string::npos;
+            std::string_view("(,=!&|+-*/<?:;{}[").find(text[before]) != std::string_view::npos;
         if (follows_return || (follows_sign && !is_in_namespace))
             names.insert(text.substr(from, bracket - from));
     }

@@ -44,9 +44,9 @@ fs::path folder_of(const FiguresArguments& arguments, const std::string& name) {
 
 // Options of the command line take precedence over the file.
 FigureSet set_of(const FiguresArguments& arguments, const std::string& name) {
-    FigureSet set = load_set(name, resources_of(arguments), overrides_of(arguments),
-                             arguments.formats, arguments.pages,
-                             arguments.options.films ? Wanted::film : Wanted::figures);
+    FigureSet set =
+        load_set(name, resources_of(arguments), overrides_of(arguments), arguments.formats,
+                 arguments.pages, arguments.options.films ? Wanted::film : Wanted::figures);
     set.folder = folder_of(arguments, name);
     return set;
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "physics/collision_error.h"
+#include "stats/bin_number.h"
 
 namespace carom {
 namespace {
@@ -85,14 +86,21 @@ std::int64_t CellAverages::slice_number(double time) const {
     return static_cast<std::int64_t>(std::floor(time * slices_of_window / *wanted_.window));
 }
 
-// -1 for a position outside the cells, as it can be with sides that move.
+// -1 for a position outside the cells, as it can be with sides that move. The last cell includes
+// the upper side, which point disks can touch.
 Eigen::Index CellAverages::cell_at(const Eigen::Array2d& place) const {
     std::array<Eigen::Index, 2> at{0, 0};
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
         const Eigen::Index count = cells_.count[axis];
-        auto k = static_cast<Eigen::Index>(std::floor(place[axis] / cells_.size[axis]));
-        if (box_.is_periodic(axis)) k = (k % count + count) % count;
-        if (k < 0 || k >= count) return -1;
+        const double where = place[axis] / cells_.size[axis];
+        Eigen::Index k = 0;
+        if (box_.is_periodic(axis)) {
+            k = static_cast<Eigen::Index>(bin_number(where)) % count;
+            if (k < 0) k += count;
+        } else {
+            k = bin_among(where, cells_.count[axis]);
+            if (k < 0 || k >= count) return -1;
+        }
         at[static_cast<std::size_t>(axis)] = k;
     }
     return at[0] + at[1] * cells_.count[0];

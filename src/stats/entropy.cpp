@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "stats/bin_number.h"
 #include "util/random.h"
 
 namespace carom {
@@ -71,7 +72,7 @@ double PositionEntropy::of(const Eigen::ArrayXXd& position) const {
     for (Eigen::Index i = 0; i < position.rows(); ++i) {
         Eigen::Index cell = 0, stride = 1;
         for (Eigen::Index axis = 0; axis < position.cols(); ++axis) {
-            const double place = std::floor(position(i, axis) / cells_.size[axis]);
+            const double place = bin_number(position(i, axis) / cells_.size[axis]);
             cell += stride *
                     static_cast<Eigen::Index>(std::clamp(place, 0.0, cells_.count[axis] - 1.0));
             stride *= cells_.count[axis];
@@ -101,7 +102,7 @@ double PositionEntropy::of_even_spread() const {
 int VelocityEntropy::cell_of(double u) const {
     constexpr double reach = 4.0;
     const double place = (u + reach) / (2.0 * reach) * cells_per_axis_;
-    return static_cast<int>(std::clamp(std::floor(place), 0.0, cells_per_axis_ - 1.0));
+    return static_cast<int>(std::clamp(bin_number(place), 0.0, cells_per_axis_ - 1.0));
 }
 
 }  // namespace carom

@@ -62,8 +62,10 @@ double GrowingHistogram::edge(std::int64_t bin) const {
 }
 
 std::int64_t GrowingHistogram::bin_of(double value) const {
-    // With at most 10^5 bins this distance from an edge exceeds any rounding error.
-    constexpr double clear = 1e-9;
+    // Relative to the value, so that it stays in the same bin when bins are joined. With at most
+    // 10^5 bins, rounding errors of the edges are less than `clear`.
+    constexpr double clear = 1e-9, rounding = 1e-12;
+    value += rounding * value;
     const double place = value * bins_per_unit_;
     auto bin = static_cast<std::int64_t>(place);
     const double within = place - static_cast<double>(bin);

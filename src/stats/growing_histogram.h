@@ -9,7 +9,8 @@
 
 namespace carom {
 
-/// Counts between edges: bin k holds [edges[k], edges[k + 1]).
+/// Counts between edges: bin k holds [edges[k], edges[k + 1]); a value that is on an edge but for
+/// rounding errors is in the bin above.
 struct BinnedCounts {
     std::vector<double> edges;  ///< from 0 on; one more than there are counts
     std::vector<std::int64_t> counts;

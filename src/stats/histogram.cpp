@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stats/bin_number.h"
+
 namespace carom {
 
 Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins) {
@@ -14,14 +16,13 @@ Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins) {
                                     : (value - bins.low) / (bins.high - bins.low) * bins.count;
     };
     for (const double value : values) {
-        if (value < bins.low) {
+        const int index = bin_among(place(value), bins.count);
+        if (index < 0)
             ++result.below;
-        } else if (value <= bins.high) {
-            const int index = std::min(static_cast<int>(place(value)), bins.count - 1);
+        else if (index < bins.count)
             ++result.counts[static_cast<std::size_t>(index)];
-        } else {
+        else
             ++result.above;
-        }
     }
     return result;
 }

@@ -27,8 +27,8 @@ struct Histogram {
     void archive(auto& archive) { archive(bins, counts, below, above); }
 };
 
-/// Counts values in bins: bin k holds [edge(k), edge(k + 1)), the last bin also its upper edge. NaN
-/// counts as above.
+/// Counts values in bins: bin k holds [edge(k), edge(k + 1)), the last bin also its upper edge, but
+/// for rounding errors (bin_number.h). NaN counts as above.
 Histogram histogram(const Eigen::ArrayXd& values, const Bins& bins);
 
 /// The bin width by Freedman and Diaconis (1981), 2 IQR n^(-1/3), for `n` values with the

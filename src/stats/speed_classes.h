@@ -7,9 +7,10 @@
 namespace carom {
 
 /// The class of a speed relative to a mean speed: 0 slow, 1 medium, 2 fast (the bounds themselves
-/// are medium).
+/// are medium, within rounding).
 inline int speed_class(double speed, double mean) {
-    return speed < 0.5 * mean ? 0 : speed > 1.5 * mean ? 2 : 1;
+    constexpr double rounding = 1e-9;
+    return speed < (0.5 - rounding) * mean ? 0 : speed > (1.5 + rounding) * mean ? 2 : 1;
 }
 
 /// The shares of slow, medium and fast among `speeds`, which must not be empty; they add up to 1.

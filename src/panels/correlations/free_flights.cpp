@@ -9,6 +9,7 @@
 #include "panels/correlations/curve_panel.h"
 #include "panels/plots/window.h"
 #include "panels/registry.h"
+#include "stats/bin_number.h"
 #include "stats/histogram.h"
 #include "stats/paths/sliding_sum.h"
 #include "stats/thinning.h"
@@ -113,7 +114,7 @@ class FlightMeter : public CurveMeter {
 
     // Flights beyond the reach are counted in bin number flight_bins.
     void add(std::size_t k, double value, double now) {
-        const double bin = std::floor(value / *reach_ * flight_bins);
+        const double bin = bin_number(value / *reach_ * flight_bins);
         sums_[k].at(now)[static_cast<Eigen::Index>(std::min(bin, double(flight_bins)))] += 1.0;
     }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "stats/bin_number.h"
 #include "stats/paths/near_pairs.h"
 
 namespace carom {
@@ -304,9 +305,9 @@ void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array
     }
     const double to = std::sqrt((place + span * velocity).square().sum());
     // The usual case: the flight stays in one ring and does not pass its closest approach.
-    const auto ring = static_cast<Eigen::Index>(from / width_);
+    const auto ring = static_cast<Eigen::Index>(from / width_ + edge_rounding);
     const bool is_one_way = along >= 0.0 || along + square * span <= 0.0;
-    if (is_one_way && ring == static_cast<Eigen::Index>(to / width_)) {
+    if (is_one_way && ring == static_cast<Eigen::Index>(to / width_ + edge_rounding)) {
         if (ring < wanted_.rings) time[ring] += span;
         return;
     }
@@ -323,7 +324,7 @@ void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array
 }
 
 void PairCorrelation::add_at(double distance, double time, Eigen::ArrayXd& sums) const {
-    const double ring = std::floor(distance / width_);
+    const double ring = bin_number(distance / width_);
     if (ring < wanted_.rings) sums[static_cast<Eigen::Index>(ring)] += time;
 }
 
@@ -335,7 +336,7 @@ void PairCorrelation::add_between(double from, double to, double least, double s
         return std::sqrt(std::max(0.0, (distance - least) * (distance + least))) / speed;
     };
     double before = when(from);
-    for (int ring = static_cast<int>(std::min(from / width_, double(wanted_.rings)));
+    for (int ring = static_cast<int>(std::min(bin_number(from / width_), double(wanted_.rings)));
          ring < wanted_.rings; ++ring) {
         const double outer = (ring + 1) * width_;
         const double at = when(std::min(outer, to));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "stats/bin_number.h"
+
 namespace carom {
 
 void Residence::add(const MotionStretch& stretch) {
@@ -60,7 +62,7 @@ void Residence::make_room(double place) {
 }
 
 void Residence::add(double place, double time) {
-    const auto number = static_cast<int>(std::floor(place / width_));
+    const auto number = static_cast<int>(bin_number(place / width_));
     if (number < first_) {
         times_.insert(times_.begin(), static_cast<std::size_t>(first_ - number), 0.0);
         first_ = number;

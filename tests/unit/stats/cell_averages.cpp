@@ -70,6 +70,22 @@ TEST_CASE("a particle that crosses cells is in each as long as it takes") {
     }
 }
 
+TEST_CASE("a point on a side of the box is in the cell at this side") {
+    const Box box = box_of(4.0, 2.0);
+    CellAverages averages(box, particles_of({1.0, 1.0, 1.0}), square_cells(box, 4), {}, {});
+    const double below = 1.0 - 1e-15;  // on an edge between cells but for a rounding error
+    averages.see(sample_of(0.0, {{4.0, 2.0, 0, 0}, {0.0, 0.0, 0, 0}, {below, below, 0, 0}}), {});
+    for (int k = 0; k < 2; ++k) {
+        const Eigen::ArrayXd particles = averages.sums().particles;
+        CHECK(particles.sum() == 3.0);
+        CHECK(particles[7] == 1.0);
+        CHECK(particles[0] == 1.0);
+        CHECK(particles[5] == 1.0);
+        averages.see(sample_of(1.0, {{4.0, 2.0, 0, 0}, {0.0, 0.0, 0, 0}, {below, below, 0, 0}}),
+                     {});
+    }
+}
+
 TEST_CASE("a collision on the way, a reversal and a periodic side are on the path") {
     Box box = box_of(4.0, 1.0);
     box.walls[0] = Wall::periodic;

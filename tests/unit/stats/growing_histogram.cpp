@@ -123,3 +123,25 @@ TEST_CASE("tiny and huge values have bins of their size") {
         CHECK(bins.edges.back() < 4.0 * scale);
     }
 }
+
+TEST_CASE("one speed with rounding errors is in one bin, also after bins have been joined") {
+    for (const double speed : {1.0, 0.3, 0.07, 5.0, 1e-5}) {
+        CAPTURE(speed);
+        GrowingHistogram histogram;
+        const Eigen::ArrayXd equal{
+            {speed, speed * (1.0 + 5e-16), speed * (1.0 - 5e-16), speed * (1.0 - 2e-14)}};
+        histogram.make_room(speed);
+        histogram.hold(equal);
+        histogram.count_held();
+        const auto bars = [&] {
+            std::vector<std::int64_t> counts = histogram.counts().counts;
+            std::erase(counts, 0);
+            return counts;
+        };
+        CHECK(bars() == std::vector<std::int64_t>{4});
+        histogram.make_room(1e4 * speed);
+        histogram.replace(equal, Eigen::ArrayXd::Constant(4, 1e4 * speed));
+        histogram.count_held();
+        CHECK(bars() == std::vector<std::int64_t>{4, 4});
+    }
+}

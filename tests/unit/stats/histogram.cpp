@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,20 @@ TEST_CASE("every value is in one bin, below or above") {
     CHECK(h.counts == std::vector<std::int64_t>{2, 1, 1, 1});
     CHECK(h.below == 1);
     CHECK(h.above == 2);
+}
+
+TEST_CASE("values on an edge but for rounding errors are in the bin above, equal ones in one bin") {
+    const Bins bins{0.0, 3.0, 60};
+    for (int k = 0; k <= bins.count; ++k) {
+        CAPTURE(k);
+        const double edge = bins.edge(k);
+        const Histogram h =
+            histogram(Eigen::ArrayXd{{edge, edge * (1.0 + 4e-16), edge * (1.0 - 4e-16),
+                                      edge + 1e-13, edge - 1e-13}},
+                      bins);
+        CHECK(h.counts[static_cast<std::size_t>(std::min(k, bins.count - 1))] == 5);
+    }
+    CHECK(histogram(Eigen::ArrayXd{{-1e-6, 0.05 - 1e-6, 3.0 + 1e-6}}, bins).counts[0] == 1);
 }
 
 TEST_CASE("bins as narrow as the smallest numbers hold every value") {

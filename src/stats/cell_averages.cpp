@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "physics/collision_error.h"
-#include "stats/bin_number.h"
+#include "stats/paths/bin_number.h"
 
 namespace carom {
 namespace {

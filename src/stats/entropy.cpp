@@ -5,7 +5,7 @@
 #include <map>
 #include <utility>
 
-#include "stats/bin_number.h"
+#include "stats/paths/bin_number.h"
 #include "util/random.h"
 
 namespace carom {

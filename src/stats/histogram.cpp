@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/bin_number.h"
+#include "stats/paths/bin_number.h"
 
 namespace carom {
 

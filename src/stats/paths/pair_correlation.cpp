@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "stats/bin_number.h"
+#include "stats/paths/bin_number.h"
 #include "stats/paths/near_pairs.h"
 
 namespace carom {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "stats/bin_number.h"
+#include "stats/paths/bin_number.h"
 
 namespace carom {
 

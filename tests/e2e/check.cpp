@@ -84,6 +84,32 @@ TEST_CASE("a wire has a line fraction") {
           json{{"length", 20}, {"walls", {{"left", "solid"}, {"right", "solid"}}}});
 }
 
+// Of a normal distribution with mean and deviation 1: truncated at 0, mean 1.2876 and deviation
+// 0.7935; folded, 1.1666 and 0.7994 (tables of both distributions).
+TEST_CASE("carom check says what is cut from normal distributions, if it is more than 1 %") {
+    const json found = checked(
+        "box: {size: [40, 30]}\ngas:\n"
+        "  - {name: a, count: 5, mass: {normal: [1, 1]}, speed: {normal: [1, 1]}}\n"
+        "  - {name: b, count: 5, radius: {normal: [0.5, 0.25]}, density: {normal: [1, 0.42]}}\n"
+        "run: {until: 12}\n");
+    const json& cut = found.at("cut_distributions");
+    REQUIRE(cut.size() == 3);
+    const auto check_cut = [](const json& one, const char* species, const char* key, double mean,
+                              double deviation) {
+        CHECK(one.at("species") == species);
+        CHECK(one.at("key") == key);
+        CHECK(std::abs(one.at("mean").get<double>() - mean) < 1e-4);
+        CHECK(std::abs(one.at("deviation").get<double>() - deviation) < 1e-4);
+    };
+    check_cut(cut[0], "a", "mass", 1.2876, 0.7935);
+    check_cut(cut[1], "a", "speed", 1.1666, 0.7994);
+    check_cut(cut[2], "b", "radius", 0.5138, 0.2354);
+    CHECK(checked("box: {size: [40, 30]}\ngas: [{count: 5, mass: {normal: [1, 0.42]}}]\n"
+                  "run: {until: 12}\n")
+              .at("cut_distributions")
+              .empty());
+}
+
 // 20,000 collisions scatter by less than 1 %, theory is off by as much.
 TEST_CASE("estimates are plain numbers of two digits") {
     const auto collisions = [](const std::string& until) {

@@ -9,6 +9,7 @@
 #include "app/chunks/source_fingerprint.h"
 #include "app/film/frame_span.h"
 #include "app/progress.h"
+#include "app/report/cut_distributions.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/formats.h"
@@ -113,6 +114,19 @@ Facts rows_of(const char* label, const std::vector<std::string>& lines) {
     if (lines.empty()) return {{label, Json::array()}};
     rows.push_back({label, Json(lines), label, lines.front()});
     for (std::size_t k = 1; k < lines.size(); ++k) rows.push_back(shown(" ", lines[k]));
+    return rows;
+}
+
+Facts distribution_rows(const Gas& gas) {
+    std::vector<std::string> lines;
+    Json list = Json::array();
+    for (CutDistribution& cut : cut_distributions(gas)) {
+        lines.push_back(std::move(cut.words));
+        list.push_back(std::move(cut.value));
+    }
+    Facts rows = rows_of("cut_distributions", lines);
+    rows.front().value = std::move(list);
+    if (!lines.empty()) rows.front().label = "drawn";
     return rows;
 }
 
@@ -430,9 +444,9 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
           {"dimension", box.dimension},
           box_fact(box)},
          rows_of("surfaces", words_of_surfaces(Language::english, scene.gas)),
-         {{"particles", particles},
-          species(scene.gas, particles),
-          {"packing_fraction", packing, "packing",
+         {{"particles", particles}, species(scene.gas, particles)},
+         distribution_rows(scene.gas),
+         {{"packing_fraction", packing, "packing",
            fmt::format("{:.4g} of the {}", packing, box.dimension == 1 ? "length" : "area")},
           {"time", run.until, "run", run_words(run)}},
          event_rows(scene),

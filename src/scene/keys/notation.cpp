@@ -65,14 +65,20 @@ KeyTable<Distribution> distribution(Range range) {
         return std::nullopt;
     };
     const Range spread{0.0, range.most};
-    return {.name = "a distribution",
-            .keys = {bind_key("uniform", &Distribution::value,
-                              parsed(pair_of(range, "[low, high]"), ordered),
-                              "A uniform distribution between two numbers."),
-                     bind_key("normal", &Distribution::value,
-                              parsed(pair_of(spread, "[mean, deviation]"), positive_mean),
-                              "A normal distribution with this mean and standard deviation.")},
-            .choices = {{{"uniform", "normal"}, true}}};
+    return {
+        .name = "a distribution",
+        .keys =
+            {bind_key("uniform", &Distribution::value,
+                      parsed(pair_of(range, "[low, high]"), ordered),
+                      "A uniform distribution between two numbers."),
+             bind_key(
+                 "normal", &Distribution::value,
+                 parsed(pair_of(spread, "[mean, deviation]"), positive_mean),
+                 "A normal distribution with this mean and standard deviation. Of radii, masses "
+                 "and densities, values below 0 are drawn again; speeds lose their "
+                 "sign. Where this is more than 1 % of the values, `carom check` "
+                 "gives the mean and the deviation that result.")},
+        .choices = {{{"uniform", "normal"}, true}}};
 }
 
 }  // namespace

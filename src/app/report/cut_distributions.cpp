@@ -1,0 +1,51 @@
+#include "app/report/cut_distributions.h"
+
+#include <fmt/format.h>
+
+#include <variant>
+
+#include "physics/placement/cut_normal.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double least_share = 0.01;
+
+void add(std::vector<CutDistribution>& all, const Species& species, const char* key,
+         const Quantity& quantity, bool is_folded) {
+    const auto* normal = std::get_if<NormalDistribution>(&quantity);
+    if (normal == nullptr) return;
+    const CutNormal cut = is_folded ? folded_at_zero(*normal) : truncated_at_zero(*normal);
+    if (!(cut.share > least_share)) return;
+    all.push_back({fmt::format("{} of {}: {} % of the normal distribution is below 0 and {}; the "
+                               "mean is {}, not {}, the deviation {}, not {}",
+                               key, species.name, three_digits(100.0 * cut.share),
+                               is_folded ? "loses its sign" : "is drawn again",
+                               three_digits(cut.mean), three_digits(normal->mean),
+                               three_digits(cut.deviation), three_digits(normal->deviation)),
+                   Json{{"species", species.name},
+                        {"key", key},
+                        {"below_zero", cut.share},
+                        {"instead", is_folded ? "sign removed" : "drawn again"},
+                        {"mean", cut.mean},
+                        {"deviation", cut.deviation}}});
+}
+
+}  // namespace
+
+std::vector<CutDistribution> cut_distributions(const Gas& gas) {
+    std::vector<CutDistribution> all;
+    for (const Species& species : gas.species) {
+        add(all, species, "radius", species.radius, false);
+        if (const auto* mass = std::get_if<Quantity>(&species.mass))
+            add(all, species, "mass", *mass, false);
+        if (const auto* density = std::get_if<Density>(&species.mass))
+            add(all, species, "density", density->value, false);
+        if (const auto* speed = std::get_if<Speed>(&species.velocity))
+            add(all, species, "speed", speed->value, true);
+    }
+    return all;
+}
+
+}  // namespace carom

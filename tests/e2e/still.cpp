@@ -124,6 +124,33 @@ TEST_CASE("an SVG of a still says what it is; two runs give the same bytes") {
     CHECK(title.out.find("One collision, two to one") != std::string::npos);
 }
 
+TEST_CASE("a quick still says that it knows the run from some frames only") {
+    const TemporaryFolder folder;
+    const auto draw_one = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> command{program,   "still", library_scene("one-hot-particle"),
+                                         "--at",    "6",     "--size",
+                                         "960x540", "-o",    "one.svg"};
+        command.insert(command.end(), options.begin(), options.end());
+        return run(command, folder.path());
+    };
+    const auto remark = [&] {
+        const std::string svg = contents(folder.path() / "one.svg");
+        const std::size_t begin = svg.find("<desc>"), end = svg.find("</desc>");
+        const std::string words = svg.substr(begin, end - begin);
+        const std::size_t at = words.find(" Axes, ");
+        return at == std::string::npos ? "" : words.substr(at);
+    };
+    const Outcome quick = draw_one({"--quick"});
+    CHECK(quick.err.find("32 of the film's 900 frames (--quick)") != std::string::npos);
+    CHECK(remark() ==
+          " Axes, curves, averages and trails are those of 32 of the film’s 900 frames.");
+    const Outcome whole = draw_one({});
+    CHECK(whole.err.find("--quick") == std::string::npos);
+    CHECK(remark() == "");
+    draw_one({"--quick", "--set", "film.fps=1"});  // a film of no more frames is seen whole
+    CHECK(remark() == "");
+}
+
 TEST_CASE("a still of an unknown kind is refused with the kinds there are") {
     const TemporaryFolder folder;
     for (const std::string output : {"still.gif", "still.mp4", "still", "still.svg.gz"}) {

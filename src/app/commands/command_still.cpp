@@ -73,9 +73,14 @@ void make_still(const StillArguments& arguments) {
     std::optional<Output> stream;  // before the work
     if (Output::is_stream(arguments.output)) stream.emplace(arguments.output);
     const EndsAtOnce whole;
-    Canvas picture = draw_still_alone(scene, arguments.at, arguments.is_quick, arguments.cache,
-                                      format, progress);
-    const std::vector<std::uint8_t> bytes = picture.file();
+    Still still = draw_still_alone(scene, arguments.at, arguments.is_quick, arguments.cache, format,
+                                   progress);
+    const std::vector<std::uint8_t> bytes = still.picture.file();
+    if (still.frames_seen < still.frames && !arguments.quiet)
+        fmt::print(stderr,
+                   "carom: axes, curves, averages and trails are those of {} of the film's {} "
+                   "frames (--quick)\n",
+                   still.frames_seen, still.frames);
     if (stream) return stream->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     write_file(output, bytes);
     if (depfile) depfile->commit();
@@ -104,8 +109,8 @@ Command still_command() {
             joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
                              {"--at T", "simulated time; the nearest frame is drawn", &its.at},
                              {"--quick",
-                              "get axes and colour scales from thirty samples of the run, not from "
-                              "all frames",
+                              "draw axes, colour scales, curves, averages and trails from thirty "
+                              "samples of the run, not from all frames",
                               &its.is_quick},
                              cache_option(its.cache),
                              {"-o,--output PICTURE",

@@ -30,12 +30,31 @@ std::string recipe(const Scene& scene, const FilmOptions& options) {
     return text + "\n" + scene.source.text;
 }
 
-Canvas blank_still(const Scene& scene, double time, const OutputFormat& format) {
+// `remark` is added to the description.
+Canvas blank_still(const Scene& scene, double time, const std::string& remark,
+                   const OutputFormat& format) {
     if (!format.vector) return FramePainter::blank(scene.film);
+    const std::string description =
+        say(scene.film.language, "The frame at time {}. {}",
+            localised(scene.film.language, fmt::format("{:.4g}", time)), scene.description);
     return Canvas({scene.film.size.width, scene.film.size.height}, *format.vector,
-                  {scene.title, say(scene.film.language, "The frame at time {}. {}",
-                                    localised(scene.film.language, fmt::format("{:.4g}", time)),
-                                    scene.description)});
+                  {scene.title, description + (remark.empty() ? "" : " ") + remark});
+}
+
+Canvas paint_still(const PanelSet& panels, const FrameData& frame, const std::string& remark,
+                   const OutputFormat& format) {
+    FramePainter painter(panels);
+    Canvas canvas = blank_still(panels.scene(), frame.tick.time, remark, format);
+    painter.paint_on(canvas, frame);
+    return canvas;
+}
+
+// What is to be known of a still whose panels have seen only some frames.
+std::string remark_on(Language language, std::size_t frames_seen, std::size_t frames) {
+    if (frames_seen == frames) return "";
+    return say(language,
+               "Axes, curves, averages and trails are those of {} of the film’s {} frames.",
+               frames_seen, frames);
 }
 
 // Draws each frame as a page of one document, in order.
@@ -232,10 +251,7 @@ double time_of_poster(const Scene& scene, const FilmOptions& options) {
 }
 
 Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputFormat& format) {
-    FramePainter painter(panels);
-    Canvas canvas = blank_still(panels.scene(), frame.tick.time, format);
-    painter.paint_on(canvas, frame);
-    return canvas;
+    return paint_still(panels, frame, "", format);
 }
 
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
@@ -254,17 +270,21 @@ Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, P
     return paint_still(*panels, frame, format);
 }
 
-Canvas draw_still_alone(const Scene& asked, double at, bool is_quick,
-                        const std::filesystem::path& folder, const OutputFormat& format,
-                        Progress& progress) {
-    if (asked.film.beside)
-        return draw_still(prepare(asked, {.cache = folder}, progress), at, format, progress);
+Still draw_still_alone(const Scene& asked, double at, bool is_quick,
+                       const std::filesystem::path& folder, const OutputFormat& format,
+                       Progress& progress) {
+    if (asked.film.beside) {
+        const FilmPlan plan = prepare(asked, {.cache = folder}, progress);
+        const std::size_t frames = plan.run.ticks().size();
+        return {draw_still(plan, at, format, progress), frames, frames};
+    }
     const AxesCache cache(folder, asked);
     std::optional<SettledAxes> settled = cache.find();
     FilmPlan plan;
     auto [scene, start] = start_scene(settled ? with_bits(asked, settled->bits) : asked, progress);
     plan.scene = std::move(scene);
     std::vector<Tick> ticks = timeline(plan.scene);
+    const std::size_t frames = ticks.size();
     const int still =
         ticks[static_cast<std::size_t>(frame_nearest_to(plan.scene.film, ticks, at))].frame;
     plan.particles = start.particles();
@@ -293,7 +313,8 @@ Canvas draw_still_alone(const Scene& asked, double at, bool is_quick,
     const FrameData frame = again ? frame_of(*panels, std::move(*again), ticks, still)
                                   : frame_of(*panels, std::move(kept));
     progress.finish();
-    return paint_still(*panels, frame, format);
+    const std::string remark = remark_on(plan.scene.film.language, ticks.size(), frames);
+    return {paint_still(*panels, frame, remark, format), ticks.size(), frames};
 }
 
 }  // namespace carom

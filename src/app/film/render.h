@@ -60,6 +60,12 @@ double time_of_poster(const Scene& scene, const FilmOptions& options = {});
 /// Draws a frame as a picture in a still format.
 Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputFormat& format);
 
+/// A still, and the frames of the film from which its panels know the run.
+struct Still {
+    Canvas picture;
+    std::size_t frames_seen, frames;  ///< equal: it is the same picture as in the film
+};
+
 /// Draws the frame nearest to the simulated time `at`, in a still format. Throws what render()
 /// throws.
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress);
@@ -67,10 +73,11 @@ Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, P
 /// Draws the frame of the film of `scene` nearest to the simulated time `at`, in a still format:
 /// the same picture as draw_still() with the plan of the whole film. With `is_quick` the panels see
 /// the run at about thirty times only, so that axes, colour scales and accumulated data are
-/// approximate, unless `cache`, the folder of an AxesCache, has the axes already. Throws SceneError
-/// (the gas cannot be placed, or does not return), SystemError, Interrupted.
-Canvas draw_still_alone(const Scene& scene, double at, bool is_quick,
-                        const std::filesystem::path& cache, const OutputFormat& format,
-                        Progress& progress);
+/// approximate, unless `cache`, the folder of an AxesCache, has the axes already; the picture's
+/// description then says so. Throws SceneError (the gas cannot be placed, or does not return),
+/// SystemError, Interrupted.
+Still draw_still_alone(const Scene& scene, double at, bool is_quick,
+                       const std::filesystem::path& cache, const OutputFormat& format,
+                       Progress& progress);
 
 }  // namespace carom

@@ -22,7 +22,7 @@ Scene scene_of(const std::string& run, const std::string& film) {
 bool is_the_frame_of_the_film(const Scene& scene, double at, bool is_quick) {
     Progress silent(Progress::Form::silent, "");
     const OutputFormat& png = output_format("png");
-    return draw_still_alone(scene, at, is_quick, "", png, silent).file() ==
+    return draw_still_alone(scene, at, is_quick, "", png, silent).picture.file() ==
            draw_still(prepare(scene, {}, silent), at, png, silent).file();
 }
 

@@ -130,10 +130,9 @@ class SurfaceComparison {
     void check_bath(const Collision& found) {
         const auto& mover = slow_.movers()[static_cast<std::size_t>(found.second.surface())];
         Eigen::Array2d normal = found.first_position - found.second_position;
-        if (particles_.radius[found.first] == 0.0) {
+        if (particles_.radius[found.first] == 0.0) {  // on the wall; it came from the other side
             normal = 0.0;
-            normal[mover.axis] =
-                found.first_position[mover.axis] - static_cast<double>(mover.place);
+            normal[mover.axis] = found.first_before[mover.axis] > 0.0 ? -1.0 : 1.0;
         }
         normal /= std::sqrt(normal.square().sum());
         const double temperature = std::get<Bath>(mover.behaviour).temperature;

@@ -66,7 +66,10 @@ SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Disk& disk, std::int32_t 
             if (gap > slack_ || (gap < -slack_ && !is_membrane)) continue;
             if (!part.is_line && size(m.r) == 0.0L) continue;
             const Vector n = part.is_line ? left_of(part.along) : (1.0L / size(m.r)) * m.r;
-            const long double side = part.is_line ? side_of(part, dot(n, m.r)) : 1.0L;
+            // A point comes from the side that its velocity shows; its place is lost in round-off.
+            const long double place =
+                disk.radius == 0.0L && part.surface >= 4 ? -dot(n, m.v) : dot(n, m.r);
+            const long double side = part.is_line ? side_of(part, place) : 1.0L;
             const long double approach = side * dot(n, m.v);
             const long double other = moves ? mover->inverse_mass : 0.0L;
             const long double share =

@@ -234,7 +234,9 @@ long double SlowSurfaces::time_to_part(const Disk& disk, const Part& part, const
         before * (std::abs(dot(normal, m.v)) + 0.5L * before * std::abs(dot(normal, m.a)));
     if (std::abs(dot(normal, m.r)) > std::abs(reach) + way) return infinite;
     const Polynomial foot = along(part.along, m.r, m.v, m.a);
-    const long double side = side_of(part, dot(normal, m.r));
+    // A point on a line goes to the side that its velocity shows.
+    const bool is_on_line = disk.radius == 0.0L && std::abs(dot(normal, m.r)) < slack_;
+    const long double side = side_of(part, is_on_line ? dot(normal, m.v) : dot(normal, m.r));
     long double first = infinite;
     for (const long double from : {side, -side}) {
         if (part.surface < 4 && from != side) continue;

@@ -93,7 +93,7 @@ Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, double let
     };
     const Scalar x = dot(line.normal, m.x), v = dot(line.normal, m.v), a = dot(line.normal, m.a);
     const double side = line.side_of(x);
-    const bool is_let_in = side * x < let_in;
+    const bool is_let_in = let_in > 0.0 && side * x < let_in;
     Scalar first = never<double>;
     if (!is_let_in || side * v > 0.0) {
         const Scalar t = fall_time<Scalar>(side * x - m.radius, side * v, side * a);

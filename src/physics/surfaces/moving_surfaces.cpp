@@ -10,9 +10,8 @@
 namespace carom {
 namespace {
 
-// The radius that surfaces attribute to a point, in units of the box, so that it lies on a definite
-// side of a line.
-constexpr double side_of_points = 1e-13;
+// The largest distance, in units of the box, that counts as round-off.
+constexpr double round_off_of_places = 1e-13;
 
 // The end of a barrier along an axis that a mover coming from `place` meets; infinite if `place`
 // lies within the barrier.
@@ -27,7 +26,7 @@ template <typename Scalar>
 MovingSurfaces<Scalar>::MovingSurfaces(const Box& box, double reach,
                                        const std::array<double, 2>& registered)
     : box_(box),
-      least_radius_(side_of_points * box.size.maxCoeff()),
+      slack_(round_off_of_places * box.size.maxCoeff()),
       behaviours_(behaviours_of(box)),
       is_open_(behaviours_.size()),
       is_held_(behaviours_.size()),
@@ -199,9 +198,13 @@ std::optional<std::size_t> MovingSurfaces<Scalar>::process_mover(std::size_t k, 
     const Scalar wait = next_obstacle(mover, other) - now;
     mover.advance(now);
     double speed = std::abs(static_cast<double>(mover.velocity));
-    if (other >= 0) speed += std::abs(static_cast<double>(at(movers_, other).velocity_at(now)));
-    const bool has_reached =
-        wait < never<double> && !(static_cast<double>(wait) * speed > least_radius_);
+    double pull = std::abs(static_cast<double>(mover.acceleration));  // it may just be turning back
+    if (other >= 0) {
+        speed += std::abs(static_cast<double>(at(movers_, other).velocity_at(now)));
+        pull += std::abs(static_cast<double>(at(movers_, other).acceleration));
+    }
+    const auto left = static_cast<double>(wait);
+    const bool has_reached = left < never<double> && !(left * (speed + 0.5 * left * pull) > slack_);
     register_mover(mover);
     if (!has_reached) return std::nullopt;
     const bool is_driven = mover.inverse_mass == 0.0;

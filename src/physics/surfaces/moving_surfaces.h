@@ -97,8 +97,7 @@ class MovingSurfaces {
     Vector place_of(const Barrier& barrier, const Scalar& now) const;
 
     Box box_;
-    double least_radius_;  ///< smallest radius that surfaces attribute to a disk, so that points
-                           ///< lie on a definite side of a line
+    double slack_;                       ///< distances up to this are attributed to round-off
     std::vector<Behaviour> behaviours_;  ///< behaviour of each surface
     std::vector<bool> is_open_, is_held_;
     std::vector<Barrier> barriers_;

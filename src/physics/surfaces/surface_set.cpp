@@ -19,6 +19,9 @@ namespace {
 // ever faster without end.
 constexpr double most_times_energy = 1e5;
 
+// Where numbers with very many bits have units in the last place that no double can hold.
+constexpr double least_clearance = 1e-290;
+
 template <typename Scalar>
 Scalar dot(const std::array<Scalar, 2>& a,
            const std::array<Scalar, 2>& b) requires(!std::same_as<Scalar, double>) {
@@ -41,6 +44,7 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
                                const std::array<double, 2>& registered, int bits)
     : Base(box, reach, registered),
       bits_(bits),
+      clearance_(std::max(std::ldexp(8.0 * box.size.maxCoeff(), -bits), least_clearance)),
       size_of_box_(box.size.maxCoeff()),
       totals_(behaviours_.size()),
       has_gravity_((box.surfaces.gravity != 0.0).any()) {
@@ -52,8 +56,7 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
 template <typename Scalar>
 BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barrier& barrier,
                                                     const Scalar& now) const {
-    BarrierMotion<Scalar> m{
-        .x = {}, .v = {}, .a = body.a, .radius = std::max(body.radius, least_radius_)};
+    BarrierMotion<Scalar> m{.x = {}, .v = {}, .a = body.a, .radius = body.radius};
     const Vector place = this->place_of(barrier, now);
     for (std::size_t k = 0; k < 2; ++k) {
         m.x[k] = position_at(body, k, now) - place[k];
@@ -84,11 +87,13 @@ bool SurfaceSet<Scalar>::may_touch(const DiskView& disk, double radius, std::int
 template <typename Scalar>
 Scalar SurfaceSet<Scalar>::time_to(const Body& body, std::int32_t k, const Scalar& now) const {
     const Barrier& its = this->barrier(k);
-    const BarrierMotion<Scalar> m = motion_of(body, its, now);
+    BarrierMotion<Scalar> m = motion_of(body, its, now);
     const bool is_let_in = (body.passing & bit_of(its.surface)) != 0;
-    const double let_in = is_let_in ? m.radius + least_radius_ : 0.0;
-    if (its.kind == Barrier::Kind::circle) return circle_time(its, m, let_in, bits_);
-    return line_time(its, m, let_in);
+    if (its.kind == Barrier::Kind::line)  // a point that it has let in is beyond it at once
+        return line_time(its, m, is_let_in && !is_point(body) ? m.radius + slack_ : 0.0);
+    // At a corner, where two lines meet, round-off might let a point through.
+    if (its.radius == 0.0) m.radius = std::max(m.radius, clearance_);
+    return circle_time(its, m, is_let_in ? m.radius + slack_ : 0.0, bits_);
 }
 
 template <typename Scalar>
@@ -195,35 +200,46 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scala
     ++hit.changes;
 }
 
-// A fast point may have passed through the line within the rounding error of a time. Puts it back
-// on the side that it came from, which for a wall is the inside.
+// The side of a line that a body which reaches it comes from, 1 or -1. That of a point follows from
+// its velocity, because its distance from the line is lost in round-off.
 template <typename Scalar>
-void SurfaceSet<Scalar>::keep_on_its_side(Body& body, const Barrier& line,
+double SurfaceSet<Scalar>::side_of_origin(const Body& body, const Barrier& line,
                                           const Scalar& now) const {
     const BarrierMotion<Scalar> m = motion_of(body, line, now);
-    const double side = line.is_wall() || dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
+    if (line.is_wall() || !is_point(body)) return line.side_of(dot(line.normal, m.x));
+    return dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
+}
+
+// Puts a point that touches a line clear of it on one side. Walls act from one side only: a point
+// may lie exactly on them, but not beyond.
+template <typename Scalar>
+void SurfaceSet<Scalar>::put_on_side(Body& body, const Barrier& line, double side,
+                                     const Scalar& now) const {
+    if (!is_point(body)) return;
+    const double least = line.is_wall() ? 0.0 : std::max(body.radius, clearance_);
+    const BarrierMotion<Scalar> m = motion_of(body, line, now);
     const double distance = side * static_cast<double>(dot(line.normal, m.x));
-    if (distance >= 0.5 * least_radius_) return;
+    if (distance >= 0.5 * least) return;
     for (std::size_t k = 0; k < 2; ++k)
-        body.x[k] += Scalar(side * (least_radius_ - distance) * line.normal[k]);
+        body.x[k] += Scalar(side * (least - distance) * line.normal[k]);
 }
 
 template <typename Scalar>
 bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
     const Barrier& its = this->barrier(k);
     const Behaviour& behaviour = at(behaviours_, its.surface);
-    if (its.kind == Barrier::Kind::line && body.radius < least_radius_)
-        keep_on_its_side(body, its, now);
+    const bool is_line = its.kind == Barrier::Kind::line;
+    const double side = is_line ? side_of_origin(body, its, now) : 1.0;
+    if (is_line) put_on_side(body, its, side, now);
     const BarrierMotion<Scalar> m = motion_of(body, its, now);
-    const Scalar approach = its.kind == Barrier::Kind::line
-                                ? Scalar(its.side_of(dot(its.normal, m.x)) * dot(its.normal, m.v))
-                                : dot(m.x, m.v);
+    const Scalar approach = is_line ? Scalar(side * dot(its.normal, m.v)) : dot(m.x, m.v);
     if (!(approach < 0.0)) return false;
     if (const auto* membrane = std::get_if<Membrane>(&behaviour)) {
         const auto& speeds =
             body.v[at(movers_, its.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
             body.passing |= bit_of(its.surface);
+            if (is_line) put_on_side(body, its, -side, now);
             return false;
         }
     }

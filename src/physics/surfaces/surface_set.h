@@ -87,7 +87,9 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
   private:
     BarrierMotion<Scalar> motion_of(const Body& body, const Barrier& barrier,
                                     const Scalar& now) const;
-    void keep_on_its_side(Body& body, const Barrier& line, const Scalar& now) const;
+    bool is_point(const Body& body) const { return body.radius < slack_; }
+    double side_of_origin(const Body& body, const Barrier& line, const Scalar& now) const;
+    void put_on_side(Body& body, const Barrier& line, double side, const Scalar& now) const;
     void reflect(Body& body, const Barrier& barrier, const Scalar& now);
     void leave_bath(Body& body, const Barrier& barrier, double temperature, std::int64_t hit,
                     const Scalar& now);
@@ -95,9 +97,12 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     double energy_of(const LargeVector<Body>& bodies) const;
 
     using Base::at, Base::barriers_, Base::behaviours_, Base::box_, Base::driven_work_,
-        Base::is_held_, Base::is_open_, Base::least_radius_, Base::most_work_, Base::movers_;
+        Base::is_held_, Base::is_open_, Base::most_work_, Base::movers_, Base::slack_;
 
     int bits_;
+    double clearance_;  ///< the distance from a line that a point keeps where its side would
+                        ///< otherwise be lost in round-off, and the radius of corners for points:
+                        ///< a few units in the last place of a coordinate
     double size_of_box_;
     std::vector<std::int32_t> floors_;  ///< lines from wall to wall, on which disks can rest
     std::vector<SurfaceTotals> totals_;

@@ -89,7 +89,7 @@ TEST_CASE("equal beads on a line meet exactly as often as expected") {
         gas.species = {{.name = "rods",
                         .count = 20,
                         .radius = 0.25,
-                        .velocity = Speed{UniformDistribution{0.5, 3.0}}}};
+                        .velocity = Temperature{2.0}}};
         const double time = 20000.0;
         const double most_apart = 190.0 / (expected(gas) * time);
         agree(gas, 0.0, time, most_apart);

@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "physics/placement/cut_normal.h"
+#include "physics/sampling/cut_normal.h"
 #include "util/text.h"
 
 namespace carom {

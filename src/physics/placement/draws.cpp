@@ -3,15 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <string_view>
 
 #include "physics/mechanics.h"
+#include "physics/sampling/directions.h"
+#include "physics/placement/members.h"
 #include "physics/placement/problem.h"
 #include "util/random.h"
 
@@ -65,6 +69,19 @@ void remove_momentum(const Box& box, const Eigen::ArrayXd& inverse_masses,
                 sum_in_order(masses * velocities.col(axis)) / sum_in_order(masses);
 }
 
+// Whether the momenta of all particles with a `speed` must sum to zero along each axis: where the
+// gas conserves them.
+std::array<bool, 2> balanced_axes(const Gas& gas) {
+    const bool has_infinite = std::ranges::any_of(gas.species, [](const Species& species) {
+        return species.count > 0 && std::holds_alternative<Infinite>(species.mass);
+    });
+    std::array<bool, 2> axes{};
+    for (int axis = 0; axis < gas.box.dimension; ++axis)
+        axes[static_cast<std::size_t>(axis)] =
+            !has_infinite && conserves_momentum(gas.box, Eigen::Index{axis});
+    return axes;
+}
+
 Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const Quantity& speed,
                                      Eigen::Index count) {
     Random random = stream(gas, species, "velocity");
@@ -77,22 +94,15 @@ Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const 
     return velocities;
 }
 
-// To the left or to the right with equal probability. On a ring, where the total momentum will be
-// removed, exactly half of the beads go each way; otherwise two beads alone would end up at rest
-// half of the time.
+// To the left or to the right with equal probability.
 Eigen::ArrayXXd left_or_right(const Gas& gas, std::size_t species, const Quantity& speed,
                               Eigen::Index count) {
     Random random = stream(gas, species, "velocity");
+    random.below(2);  // not used; without it the velocities that seeds give would change
     Eigen::ArrayXXd velocities(count, 1);
-    const bool ring = gas.box.is_periodic(0);
-    Eigen::Index to_the_right = (count + static_cast<Eigen::Index>(random.below(2))) / 2;
     for (Eigen::Index i = 0; i < count; ++i) {
         const double v = draw_one(speed, i, random);
-        const auto left = static_cast<std::uint64_t>(count - i);
-        const bool right = ring ? random.below(left) < static_cast<std::uint64_t>(to_the_right)
-                                : random.below(2) == 1;
-        if (right) --to_the_right;
-        velocities(i, 0) = right ? v : -v;
+        velocities(i, 0) = random.below(2) == 1 ? v : -v;
     }
     return velocities;
 }
@@ -144,10 +154,118 @@ Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
         velocities = gas.box.dimension == 1
                          ? left_or_right(gas, species, speed->value, count)
                          : in_random_directions(gas, species, speed->value, count);
-    if (const auto* temperature = std::get_if<Temperature>(&rule))
+    if (const auto* temperature = std::get_if<Temperature>(&rule)) {
         velocities = thermal(gas, species, temperature->value, inverse_masses);
-    remove_momentum(gas.box, inverse_masses, velocities);
+        remove_momentum(gas.box, inverse_masses, velocities);
+    }
     return velocities;
+}
+
+// The particles of a gas that have a `speed`, with the same random numbers as before.
+struct SpeedDraws {
+    std::vector<Eigen::Index> particles;
+    std::vector<double> speed, angle;
+    Eigen::ArrayXd momentum;
+
+    SpeedDraws(const Gas& gas, const Particles& drawn) {
+        for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
+            const auto* rule = std::get_if<Speed>(&gas.species[s].velocity);
+            if (rule == nullptr) return;
+            Random random = stream(gas, s, "velocity");
+            for (Eigen::Index i = 0; i < count; ++i) {
+                particles.push_back(first + i);
+                speed.push_back(draw_one(rule->value, i, random));
+                angle.push_back(
+                    gas.box.dimension == 1 ? 0.0 : random.uniform(0.0, 2.0 * std::numbers::pi));
+            }
+        });
+        momentum.resize(std::ssize(particles));
+        for (Eigen::Index k = 0; k < momentum.size(); ++k)
+            momentum[k] = std::abs(speed[static_cast<std::size_t>(k)]) /
+                          drawn.inverse_mass[particles[static_cast<std::size_t>(k)]];
+    }
+    bool are_at_rest() const { return !(momentum > 0.0).any(); }
+};
+
+// The problem if the momenta cannot sum to zero, at the species of the largest one.
+Problem unbalanced(const SpeedDraws& draws, const Particles& particles) {
+    Eigen::Index largest = 0;
+    const double most = draws.momentum.maxCoeff(&largest);
+    const auto k = static_cast<std::size_t>(largest);
+    return {.kind = Problem::Kind::momentum,
+            .species = static_cast<std::size_t>(particles.species[draws.particles[k]]),
+            .particle = draws.particles[k],
+            .count = (draws.momentum > 0.0).count(),
+            .value = most,
+            .bound = draws.momentum.sum() - most};
+}
+
+bool balance_in_plane(const Gas& gas, const std::array<bool, 2>& axes, const SpeedDraws& draws,
+                      Sample& start) {
+    Random random(gas.seed, "directions that sum to zero");
+    Eigen::ArrayXd angles =
+        Eigen::Map<const Eigen::ArrayXd>(draws.angle.data(), std::ssize(draws.angle));
+    if (!balance_angles(draws.momentum, axes, random, angles)) return false;
+    for (std::size_t k = 0; k < draws.particles.size(); ++k) {
+        const double angle = angles[static_cast<Eigen::Index>(k)];
+        start.velocity.row(draws.particles[k]) << draws.speed[k] * std::cos(angle),
+            draws.speed[k] * std::sin(angle);
+    }
+    return true;
+}
+
+// The numbers of the beads of each momentum, with the largest momenta first.
+std::pair<std::vector<EqualMomenta>, std::vector<std::size_t>> equal_momenta(
+    const Eigen::ArrayXd& momenta) {
+    std::vector<std::size_t> order(static_cast<std::size_t>(momenta.size())), group(order.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto momentum = [&](std::size_t k) { return momenta[static_cast<Eigen::Index>(k)]; };
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return momentum(a) > momentum(b); });
+    std::vector<EqualMomenta> groups;
+    for (const std::size_t k : order) {
+        constexpr double rounding = 1e-15;
+        if (groups.empty() || momentum(k) < (1.0 - rounding) * groups.back().momentum)
+            groups.push_back({momentum(k), 0, 0});
+        ++groups.back().count;
+        group[k] = groups.size() - 1;
+    }
+    return {std::move(groups), std::move(group)};
+}
+
+// Of the beads with the same momentum, all choices of those to the right are equally probable.
+bool balance_on_ring(const Gas& gas, const SpeedDraws& draws, Sample& start) {
+    Random balance(gas.seed, "directions that sum to zero");
+    auto [groups, group] = equal_momenta(draws.momentum);
+    if (!balance_signs(groups, balance)) return false;
+    std::vector<Random> random;
+    for (std::size_t s = 0; s < gas.species.size(); ++s) {
+        random.push_back(stream(gas, s, "velocity"));
+        random.back().below(2);  // as in left_or_right()
+    }
+    std::size_t k = 0;
+    for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
+        if (!std::holds_alternative<Speed>(gas.species[s].velocity)) return;
+        for (Eigen::Index i = first; i < first + count; ++i, ++k) {
+            EqualMomenta& its = groups[group[k]];
+            const bool right = random[s].below(static_cast<std::uint64_t>(its.count--)) <
+                               static_cast<std::uint64_t>(its.to_the_right);
+            if (right) --its.to_the_right;
+            start.velocity(i, 0) = right ? draws.speed[k] : -draws.speed[k];
+        }
+    });
+    return true;
+}
+
+// Turns the velocities of all particles with a `speed`, of whatever species, so that their momenta
+// sum to zero where momentum is conserved. Throws PlacementError if no directions do that.
+void balance_speeds(const Gas& gas, const Particles& particles, Sample& start) {
+    const std::array<bool, 2> axes = balanced_axes(gas);
+    if (!axes[0] && !axes[1]) return;
+    const SpeedDraws draws(gas, particles);
+    if (draws.are_at_rest()) return;
+    const bool is_balanced = gas.box.dimension == 1 ? balance_on_ring(gas, draws, start)
+                                                    : balance_in_plane(gas, axes, draws, start);
+    if (!is_balanced) throw PlacementError(unbalanced(draws, particles), gas);
 }
 
 // Scales the velocities of a species, which have no drift, to its temperature.
@@ -258,6 +376,11 @@ std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& prob
         first += its_count;
     }
     if (!problems.empty()) return {std::move(particles), std::move(start)};
+    try {
+        balance_speeds(gas, particles, start);
+    } catch (const PlacementError& error) {
+        problems.push_back(error.problem());
+    }
     for (std::size_t s = 0; s < gas.species.size(); ++s) try {
             scale_to_temperature(gas, s, particles, start);
         } catch (const PlacementError& error) {

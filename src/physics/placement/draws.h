@@ -24,9 +24,11 @@ FittingRules fitting_rules(const Species& species);
 /// The number of particles of all species together.
 std::int64_t total_count(const Gas& gas);
 
-/// Draws all particles of a gas and their velocities; their positions are zero. A species with a
-/// speed or a temperature has no total momentum along periodic axes, unless it has only one
-/// particle. Throws PlacementError.
+/// Draws all particles of a gas and their velocities; their positions are zero. Along periodic axes
+/// a species with a temperature has no total momentum, unless it has only one particle. Where
+/// momentum is conserved (conserves_momentum()), the momenta of all particles with a speed sum to
+/// zero, while each keeps its speed (directions.h). Throws PlacementError, also if that is
+/// impossible.
 std::pair<Particles, Sample> draw_gas(const Gas& gas);
 
 /// The same without throwing: appends what cannot be drawn to `problems`, one entry per species.

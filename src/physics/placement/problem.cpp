@@ -59,6 +59,27 @@ Eigen::Array2d size_of_region(const Species& species) {
     return region.high - region.low;
 }
 
+ProblemText momentum(const Problem& p, const Gas& gas) {
+    const bool is_line = on_line(gas);
+    if (p.count == 1)
+        return {
+            fmt::format("a single {} with `speed` has a momentum, which a periodic {} conserves: "
+                        "the gas would drift",
+                        nouns(gas).particle, is_line ? "wire" : "box"),
+            "give its `velocity` instead, `speed` to others too, or solid walls"};
+    if (is_line)
+        return {
+            fmt::format("no directions let the momenta of the {} beads with `speed` sum to zero, "
+                        "as a periodic wire requires",
+                        p.count),
+            "an even number of beads of each mass and speed, a `temperature`, or a `velocity` "
+            "for each"};
+    return {fmt::format("{} has momentum {:.6g}, more than all others with `speed` together "
+                        "({:.6g}): no directions let them sum to zero, as a periodic box requires",
+                        called(gas, p.particle), p.value, p.bound),
+            "more of the others, a lower speed or mass, or its `velocity` instead"};
+}
+
 ProblemText too_large(const Problem& p, const Gas& gas) {
     const auto& [particle, room, smaller, larger] = nouns(gas);
     return {fmt::format("a {} of radius {:.6g} does not fit {}", particle, p.value,
@@ -204,6 +225,8 @@ ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
                                 p.value),
                     "particles of infinite mass, and a single one in a periodic box, have no "
                     "temperature"};
+        case Kind::momentum:
+            return momentum(p, gas);
         case Kind::too_large:
             return too_large(p, gas);
         case Kind::too_dense:

@@ -21,6 +21,9 @@ struct Problem {
         not_positive,       ///< the distribution of its `quantity` gives `value`
         no_mass,            ///< a point particle whose mass would follow from a density
         no_temperature,     ///< no particle moves that could be scaled to temperature `value`
+        momentum,           ///< the momenta of the `count` particles with a speed cannot sum to
+                            ///< zero: the largest, of `particle`, is `value`, all others together
+                            ///< have `bound`
         too_large,          ///< radius `value` is too large for the box
         too_dense,          ///< all particles cover the fraction `value` of the box
         region_outside,     ///< the region of the species extends outside the box

@@ -50,6 +50,8 @@ const Node& node_of(const Problem& problem, const Gas& gas,
             return at_key(draft, "density");
         case Kind::no_temperature:
             return at_key(draft, "temperature");
+        case Kind::momentum:
+            return at_key(draft, "speed");
         case Kind::too_large:
             return at_key(draft, "radius");
         case Kind::region_outside:

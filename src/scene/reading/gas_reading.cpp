@@ -138,8 +138,11 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                      wire ? "Instead of `mass`: mass = density * 2 radius."
                           : "Instead of `mass`: mass = density * pi * radius^2."),
             bind_key("speed", &Species::velocity, as<Speed>(quantity(not_negative)),
-                     fmt::format("The speed of each particle, {}.",
-                                 wire ? "to the left or to the right" : "in a random direction")),
+                     fmt::format("The speed of each particle, {}. Where momentum is conserved, as "
+                                 "in a periodic {}, the directions are such that all momenta of "
+                                 "particles with a `speed` sum to zero.",
+                                 wire ? "to the left or to the right" : "in a random direction",
+                                 wire ? "wire" : "box")),
             bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension)),
                      "One velocity for all particles, or a list with one for each."),
             bind_key("temperature", &Species::velocity, temperature_notation(),

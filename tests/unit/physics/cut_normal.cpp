@@ -1,5 +1,5 @@
 // What is left of normal distributions, against tables and against what is drawn.
-#include "physics/placement/cut_normal.h"
+#include "physics/sampling/cut_normal.h"
 
 #include <doctest/doctest.h>
 

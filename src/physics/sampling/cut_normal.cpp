@@ -1,4 +1,4 @@
-#include "physics/placement/cut_normal.h"
+#include "physics/sampling/cut_normal.h"
 
 #include <algorithm>
 #include <cmath>

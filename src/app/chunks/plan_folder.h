@@ -91,7 +91,7 @@ class PlanFolder {
         try {
             return read(contents_);
         } catch (const Json::exception& error) {
-            refuse(error.what());
+            refuse(cause_of(error));
         }
     }
 

@@ -65,7 +65,7 @@ const std::map<std::string, Parts> parts_of_module{
      {{"chunks", "sweep", "film", "cost", "figures", "pages", "report", "manual", "commands",
        "app"},
       {"command.h", "depfile.h", "json.h", "means.h", "output.h", "progress.h", "resources.h",
-       "scratch_folder.h", "simulate.h"}}},
+       "simulate.h"}}},
 };
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a

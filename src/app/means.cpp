@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "draw/text.h"
-#include "util/on_threads.h"
 #include "util/text.h"
+#include "util/threads/on_threads.h"
 
 namespace carom {
 namespace {

@@ -8,7 +8,7 @@
 #include "panels/frame.h"
 #include "panels/shared_panel.h"
 #include "panels/sweep/sweep_panel.h"
-#include "util/on_threads.h"
+#include "util/threads/on_threads.h"
 
 namespace carom {
 namespace {
@@ -229,7 +229,7 @@ void FigureRun::fix_axes(const FigureSpec& spec, const Parts& parts) {
 Figure FigureRun::sweep_figure(const FigureSpec& spec, int threads,
                                const RunsCallbacks& on_progress) {
     const auto panel = std::make_shared<SweepPanel>(
-        PanelContext{scene_, particles(), 1, no_equilibrium_, false}, spec.panel);
+        PanelContext{scene_, particles(), 1, no_gas_, false}, spec.panel);
     panel->show(swept_numbers(scene_, spec, threads, [&] { on_progress.go_on(scene_.run.until); }));
     sweeps_.push_back(panel);
     return {&spec, panel.get(), {{scene_.run.until, {}, panel->state()}}};

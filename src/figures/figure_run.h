@@ -81,7 +81,7 @@ class FigureRun {
     Scene scene_;
     std::vector<std::unique_ptr<OneRun>>
         runs_;  ///< of the scene's own seed, of those after it, and those that figures compare
-    std::optional<EquilibriumGas> no_equilibrium_;
+    BoxedGas no_gas_;
     std::vector<std::shared_ptr<Panel>> sweeps_;  ///< of figures that show a sweep
     std::vector<Figure> figures_;
 };

@@ -7,79 +7,50 @@
 #include <functional>
 #include <utility>
 
-#include "physics/mechanics.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
-#include "physics/theory/equation_of_state.h"
-#include "physics/theory/theory.h"
-#include "stats/pressure.h"
+#include "physics/theory/law.h"
 
 namespace carom {
 namespace {
-
-struct DrawnGas {
-    const Scene& scene;
-    const Particles& particles;
-    const Sample& sample;
-
-    const Box& box() const { return scene.gas.box; }
-    ThermalMotion thermal() const { return thermal_motion(box(), particles, sample); }
-};
 
 bool is_pressure(const std::string& number) {
     return number == "wall pressure" || number == "virial pressure";
 }
 
-std::optional<double> pressure(const DrawnGas& gas) {
-    if (gas.box().dimension == 1) return pressure_of_rods(gas.box(), gas.particles, gas.thermal());
-    return pressure_of_disks(EquationOfState::kolafa_rottner, gas.box(), gas.particles,
-                             gas.thermal());
+// The particles of the species with this name; none if there is no such species.
+std::optional<std::vector<Eigen::Index>> of_species(const std::string& name, const Gas& gas,
+                                                    const Particles& particles) {
+    const auto found = std::ranges::find(gas.species, name, &Species::name);
+    if (found == gas.species.end()) return std::nullopt;
+    std::vector<Eigen::Index> list;
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        if (particles.species[i] == found - gas.species.begin()) list.push_back(i);
+    return list;
 }
 
-// Collisions per particle and unit of time.
-std::optional<double> collision_rate(const DrawnGas& gas) {
-    const auto rate = expected_collision_rate(gas.box(), gas.particles, gas.sample);
-    if (!rate) return std::nullopt;
-    return 2.0 * *rate / static_cast<double>(gas.particles.count());
-}
-
-// The equilibrium of all particles, or of the species that the number names.
-std::optional<EquilibriumGas> equilibrium_of(const std::string& number, const std::string& prefix,
-                                             const DrawnGas& gas) {
-    if (number == prefix) return equilibrium(gas.box(), gas.particles, gas.sample);
-    const std::vector<Species>& all = gas.scene.gas.species;
-    for (std::size_t k = 0; k < all.size(); ++k)
-        if (number == prefix + " of " + all[k].name)
-            return equilibrium(gas.box(), gas.particles, gas.sample, {static_cast<int>(k)});
-    return std::nullopt;
-}
-
-std::optional<double> value_of(const std::string& number, const DrawnGas& gas) {
-    if (is_pressure(number)) return pressure(gas);
-    if (number == "collision rate") return collision_rate(gas);
-    if (number == "temperature") {
-        const double temperature = gas.thermal().temperature();
-        if (equilibrium(gas.box(), gas.particles, gas.sample)) return temperature;
-        return std::nullopt;
+// What theory knows of a number of runs: nothing of one that has no law.
+std::optional<Law> law_of_number(const std::string& number, const Gas& gas, const BoxedGas& boxed) {
+    if (is_pressure(number)) return law(boxed, LawOf::pressure);
+    if (number == "collision rate") return law(boxed, LawOf::collision_rate);
+    if (number == "temperature") return law(boxed, LawOf::temperature);
+    if (number == "mean free path") return law(boxed, LawOf::mean_free_path);
+    for (const auto& [name, quantity] :
+         {std::pair{"mean energy", LawOf::mean_energy}, {"mean speed", LawOf::mean_speed}}) {
+        if (number == name) return law(boxed, quantity);
+        const std::string of = std::string(name) + " of ";
+        if (!number.starts_with(of)) continue;
+        if (auto list = of_species(number.substr(of.size()), gas, *boxed.particles))
+            return law(boxed, quantity, {.of = std::move(list)});
     }
-    if (number == "mean free path") {
-        if ((gas.particles.inverse_mass == 0.0).any()) return std::nullopt;
-        const auto all = equilibrium(gas.box(), gas.particles, gas.sample);
-        const auto rate = collision_rate(gas);
-        if (!all || !rate || !(*rate > 0.0)) return std::nullopt;
-        return mean_speed(*all) / *rate;
-    }
-    if (const auto its = equilibrium_of(number, "mean energy", gas)) return mean_energy(*its);
-    if (const auto its = equilibrium_of(number, "mean speed", gas)) return mean_speed(*its);
     return std::nullopt;
 }
 
 // The mean over the seeds, because velocities and radii may be random.
 std::optional<double> mean_over_seeds(
     const Scene& scene, const SeedRange& seeds,
-    const std::function<std::optional<double>(const DrawnGas&)>& value) {
+    const std::function<std::optional<Law>(const BoxedGas&)>& law_of) {
     constexpr std::int64_t most = 16;
-    if (!scene.gas.box.surfaces.are_plain() || !scene.run.events.empty()) return std::nullopt;
     const std::int64_t count = std::min(most, seeds.count());
     double sum = 0.0;
     for (std::int64_t k = 0; k < count; ++k) {
@@ -87,9 +58,9 @@ std::optional<double> mean_over_seeds(
         gas.seed = seeds.first + static_cast<std::uint64_t>(k);
         const auto drawn = try_draw_gas(gas);
         if (!drawn) return std::nullopt;
-        const auto its = value({scene, drawn->first, drawn->second});
-        if (!its || !std::isfinite(*its)) return std::nullopt;
-        sum += *its;
+        const auto found = law_of(BoxedGas(gas.box, scene.run.events, drawn->first, drawn->second));
+        if (!found || !*found || !std::isfinite(found->value)) return std::nullopt;
+        sum += found->value;
     }
     return sum / static_cast<double>(count);
 }
@@ -98,15 +69,15 @@ std::optional<double> mean_over_seeds(
 
 std::optional<double> theory_of_number(const std::string& number, const Scene& scene,
                                        const SeedRange& seeds) {
-    return mean_over_seeds(scene, seeds,
-                           [&](const DrawnGas& gas) { return value_of(number, gas); });
+    return mean_over_seeds(
+        scene, seeds, [&](const BoxedGas& gas) { return law_of_number(number, scene.gas, gas); });
 }
 
 std::optional<double> ideal_gas_of_number(const std::string& number, const Scene& scene,
                                           const SeedRange& seeds) {
     if (!is_pressure(number)) return std::nullopt;
-    return mean_over_seeds(scene, seeds, [](const DrawnGas& gas) {
-        return std::optional(pressure_of_points(gas.box(), gas.thermal().energy));
+    return mean_over_seeds(scene, seeds, [](const BoxedGas& gas) {
+        return std::optional(law(gas, LawOf::ideal_pressure));
     });
 }
 

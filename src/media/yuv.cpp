@@ -7,7 +7,7 @@
 #include <cstring>
 #include <vector>
 
-#include "util/processors.h"
+#include "util/threads/processors.h"
 
 #define CAROM_SIMD CAROM_FOR_PROCESSORS("arch=x86-64-v4", "arch=x86-64-v3")
 #define CAROM_INLINE [[gnu::always_inline]] inline

@@ -15,7 +15,7 @@
 #include "draw/style.h"
 #include "panels/table.h"
 #include "physics/simulation.h"
-#include "physics/theory/theory.h"
+#include "physics/theory/law.h"
 #include "scene/scene.h"
 #include "scene/time/timeline.h"
 
@@ -27,8 +27,8 @@ class Archive;
 struct PanelContext {
     const Scene& scene;
     const Particles& particles;
-    int frames;                                        ///< of the film
-    const std::optional<EquilibriumGas>& equilibrium;  ///< of all particles; none: draw no curve
+    int frames;           ///< of the film
+    const BoxedGas& gas;  ///< at the start, for law()
     bool in_film = true;  ///< then a present is marked, and names fade out after a while
     Language language() const { return scene.film.language; }  ///< of the program's texts
 };

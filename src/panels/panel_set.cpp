@@ -16,15 +16,6 @@
 namespace carom {
 namespace {
 
-// None if the energy or a wall changes during the run.
-std::optional<EquilibriumGas> lasting_equilibrium(const Scene& scene, const Particles& particles,
-                                                  const Sample& start) {
-    const bool changes = std::ranges::any_of(scene.run.events, [&](const RunEvent& event) {
-        return !words_of_surface_event(Language::english, event, scene.gas).empty();
-    });
-    return changes ? std::nullopt : equilibrium(scene.gas.box, particles, start);
-}
-
 std::optional<Showing> showing_of(const Scene& scene, std::size_t panel) {
     const TimeSpan& span = scene.film.panels[panel].show;
     if (span.from <= 0.0 && !span.until) return std::nullopt;
@@ -38,7 +29,7 @@ void RunStart::archive(Archive& archive) { archive(particles, sample); }
 PanelSet::Run::Run(const Scene& its_scene, const Particles& its_particles, const Sample& start)
     : scene(its_scene),
       particles(its_particles),
-      equilibrium(lasting_equilibrium(its_scene, its_particles, start)) {}
+      gas(scene.gas.box, scene.run.events, particles, start) {}
 
 FrameInput PanelSet::Run::input(const Tick& tick, const Sample& sample,
                                 const AdvanceResult& advanced) {
@@ -63,13 +54,13 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
     constexpr bool in_film = false;
     is_film_ = in_film;
     Run& run = *runs_.emplace_back(std::make_unique<Run>(scene, particles, start));
-    const PanelContext context{scene, run.particles, frames, run.equilibrium, in_film};
+    const PanelContext context{scene, run.particles, frames, run.gas, in_film};
     for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});
 }
 
 PanelContext PanelSet::context_of(std::size_t run) const {
     const Run& its = *runs_[run];
-    return {its.scene, its.particles, frame_count(scene().film), its.equilibrium};
+    return {its.scene, its.particles, frame_count(scene().film), its.gas};
 }
 
 // Adds the box and the row of numbers. For two runs: a box for each with a line of its own numbers

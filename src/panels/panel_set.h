@@ -151,7 +151,7 @@ class PanelSet {
         Run(const Scene& its_scene, const Particles& its_particles, const Sample& start);
         const Scene& scene;
         Particles particles;
-        std::optional<EquilibriumGas> equilibrium;
+        BoxedGas gas;                            ///< refers to the particles
         Eigen::ArrayXd speed = {}, energy = {};  ///< of the present frame
         FrameInput input(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
     };

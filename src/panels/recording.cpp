@@ -9,7 +9,7 @@
 #include "panels/archived.h"
 #include "scene/limits.h"
 #include "util/interrupt.h"
-#include "util/relay.h"
+#include "util/threads/relay.h"
 
 namespace carom {
 namespace {

@@ -12,7 +12,7 @@
 #include "panels/line/line_panel.h"
 #include "panels/plots/histogram_panel.h"
 #include "panels/sweep/sweep_keys.h"
-#include "physics/theory/error_growth.h"
+#include "physics/theory/law.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/reading/panel_reading.h"
@@ -39,8 +39,10 @@ void check_return_distance(PanelSpec& panel, const Node& node, Reading& reading)
     const Node* asked = given(node, "theory");
     if (asked == nullptr || !panel.theory || reading.gas.species.empty()) return;
     if (asked->source->origin == Origin::template_file) return;
-    if (const auto reason = why_no_growth_law(reading.gas))
-        reading.errors.add(*asked, *reason,
+    if (const auto reason = why_no_law(reading.gas, reading.run, LawOf::error_growth))
+        reading.errors.add(*asked,
+                           "the law by which errors grow is not known for this gas: " +
+                               to_text(Language::english, *reason, reading.gas.species),
                            "leave out `theory`; the curve is then drawn where there is one");
 }
 

@@ -16,8 +16,8 @@
 #include "physics/ways_back.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
-#include "util/relay.h"
 #include "util/stopwatch.h"
+#include "util/threads/relay.h"
 
 namespace carom {
 namespace {

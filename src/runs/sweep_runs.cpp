@@ -9,7 +9,7 @@
 
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
-#include "util/on_threads.h"
+#include "util/threads/on_threads.h"
 
 namespace carom {
 namespace {

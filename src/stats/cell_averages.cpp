@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "physics/collision_error.h"
-#include "stats/paths/bin_number.h"
+#include "util/bin_number.h"
 
 namespace carom {
 namespace {

@@ -45,7 +45,7 @@ Below velocities_below(double b, double root) {
 
 Below below(const EquilibriumGas& gas, TestedQuantity quantity, double edge) {
     const MassGroup& group = gas.groups.front();
-    const double most = gas.energy * group.largest_share;
+    const double most = gas.energy * group.largest_share[0];
     if (quantity == TestedQuantity::energy) return energies_below(gas.alpha, gas.beta, edge / most);
     const double root = std::sqrt(0.5 * group.mass / most) * edge;
     if (quantity == TestedQuantity::speed)
@@ -155,7 +155,7 @@ Expected expected_counts(const EquilibriumGas& gas, TestedQuantity quantity,
     expected.conserved.push_back({{}, values * part / (gas.alpha + gas.beta), values});
     if (is_velocity)
         expected.conserved.push_back(
-            {{}, particles * (1.0 - gas.groups.front().largest_share), values});
+            {{}, particles * (1.0 - gas.groups.front().largest_share[0]), values});
     Below last{0.0, 0.0, 0.0};
     for (std::size_t k = 0; k <= edges.size(); ++k) {
         const Below next = k < edges.size() ? below(gas, quantity, edges[k]) : Below{1.0, 0.0, 0.0};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stats/paths/bin_number.h"
+#include "util/bin_number.h"
 
 namespace carom {
 

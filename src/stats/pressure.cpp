@@ -75,8 +75,4 @@ std::optional<double> virial_pressure(const Box& box, const Particles& particles
     return (2.0 * thermal_energy + impulses.virial / time) / room;
 }
 
-double pressure_of_points(const Box& box, double thermal_energy) {
-    return 2.0 * thermal_energy / (box.dimension * size_of_room(box, 0.0));
-}
-
 }  // namespace carom

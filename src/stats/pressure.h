@@ -58,8 +58,4 @@ std::optional<double> virial_pressure(const Box& box, const Particles& particles
                                       double thermal_energy, const ImpulseTotals& impulses,
                                       double time);
 
-/// The pressure of a gas of point particles with this energy in the same box: d P V = 2 K, with V
-/// as above.
-double pressure_of_points(const Box& box, double thermal_energy);
-
 }  // namespace carom

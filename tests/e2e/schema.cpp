@@ -125,7 +125,6 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"theory_drifts", several_places},
     {"theory_equal_masses", several_places},
     {"theory_growth_mixed", several_places},
-    {"theory_one_axis", several_places},
     {"theory_piston", several_places},
     {"total_too_large", several_places},
     {"wire_filling", several_places},

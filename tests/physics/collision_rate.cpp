@@ -1,6 +1,4 @@
 // The rate of collisions that kinetic theory expects, against simulations.
-#include "physics/theory/collision_rate.h"
-
 #include <doctest/doctest.h>
 
 #include <array>
@@ -11,6 +9,7 @@
 
 #include "physics/placement/draws.h"
 #include "physics/simulation.h"
+#include "physics/theory/law.h"
 
 using namespace carom;
 
@@ -18,7 +17,8 @@ namespace {
 
 double expected(const Gas& gas) {
     const auto [particles, sample] = draw_gas(gas);
-    return expected_collision_rate(gas.box, particles, sample).value();
+    return 0.5 * static_cast<double>(particles.count()) *
+           law(BoxedGas(gas.box, {}, particles, sample), LawOf::collision_rate).value;
 }
 
 double simulated(const Gas& gas, double begin, double end) {
@@ -86,10 +86,7 @@ TEST_CASE("a mixture of sizes and masses between walls collides as often as expe
 TEST_CASE("equal beads on a line meet exactly as often as expected") {
     for (const Wall wall : {Wall::solid, Wall::periodic}) {
         Gas gas = line(wall, 30.0);
-        gas.species = {{.name = "rods",
-                        .count = 20,
-                        .radius = 0.25,
-                        .velocity = Temperature{2.0}}};
+        gas.species = {{.name = "rods", .count = 20, .radius = 0.25, .velocity = Temperature{2.0}}};
         const double time = 20000.0;
         const double most_apart = 190.0 / (expected(gas) * time);
         agree(gas, 0.0, time, most_apart);
@@ -119,7 +116,8 @@ TEST_CASE("there is no expected rate where there is none") {
                     .velocity = Velocity{{Eigen::Array2d{1.0, 0.0}}}},
                    {.name = "gas", .count = 5}};
     const auto [particles, sample] = draw_gas(gas);
-    CHECK(!expected_collision_rate(gas.box, particles, sample));
+    CHECK(law(BoxedGas(gas.box, {}, particles, sample), LawOf::collision_rate).none->why ==
+          NoLaw::Why::moving_infinite_mass);
     gas.species[0].velocity = AtRest{};
     CHECK(expected(gas) == 0.0);
     gas.species.pop_back();
@@ -127,5 +125,6 @@ TEST_CASE("there is no expected rate where there is none") {
     Gas full = line(Wall::solid, 4.0);
     full.species = {{.name = "rods", .count = 4, .radius = 0.5, .velocity = Temperature{1.0}}};
     const auto [rods, start] = draw_gas(full);
-    CHECK(!expected_collision_rate(full.box, rods, start));
+    CHECK(law(BoxedGas(full.box, {}, rods, start), LawOf::collision_rate).none->why ==
+          NoLaw::Why::no_room);
 }

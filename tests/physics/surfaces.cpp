@@ -12,7 +12,7 @@
 #include "physics/simulation.h"
 #include "physics/surface.h"
 #include "physics/theory/collision_rate.h"
-#include "physics/theory/equilibrium.h"
+#include "physics/theory/law.h"
 #include "physics/theory/theory.h"
 #include "support/blocks.h"
 #include "support/relative.h"
@@ -390,13 +390,13 @@ TEST_CASE("theory that takes a plain box for granted does not answer for others"
     Gas gas;
     gas.box.size = {10.0, 10.0};
     gas.species = {{.name = "disks", .count = 10, .radius = 0.4, .velocity = Temperature{1.0}}};
-    CHECK_FALSE(why_no_equilibrium(gas));
+    CHECK_FALSE(why_no_law(gas, {}, LawOf::distribution));
     const auto [particles, start] = place(gas);
-    CHECK(expected_collision_rate(gas.box, particles, start));
+    CHECK(law(BoxedGas(gas.box, {}, particles, start), LawOf::collision_rate));
     gas.box.surfaces.gravity = {0.0, -1.0};
-    REQUIRE(why_no_equilibrium(gas));
-    CHECK(why_no_equilibrium(gas)->why == NoEquilibrium::Why::surfaces);
-    CHECK_FALSE(expected_collision_rate(gas.box, particles, start));
+    REQUIRE(why_no_law(gas, {}, LawOf::distribution));
+    CHECK(why_no_law(gas, {}, LawOf::distribution)->why == NoLaw::Why::gravity);
+    CHECK_FALSE(law(BoxedGas(gas.box, {}, particles, start), LawOf::collision_rate));
     CHECK_FALSE(equilibrium(gas.box, particles, start));
 }
 

@@ -28,7 +28,7 @@ struct SeenPanel {
     Scene scene;
     std::vector<double> times;
     Particles particles;
-    std::optional<EquilibriumGas> equilibrium = {};
+    BoxedGas gas;
     std::unique_ptr<Panel> panel;
     std::vector<EnergyAccount> accounts = {};  ///< one for each time
 
@@ -36,7 +36,9 @@ struct SeenPanel {
         : scene(std::move(of)),
           times(std::move(at)),
           particles(Simulation(scene.gas, scene.run).particles()),
-          panel(make_panel({scene, particles, static_cast<int>(times.size()), equilibrium}, spec)) {
+          gas(scene.gas.box, scene.run.events, particles,
+              Simulation(scene.gas, scene.run).sample()),
+          panel(make_panel({scene, particles, static_cast<int>(times.size()), gas}, spec)) {
         run(panel->surveys_collisions(), [&](const FrameInput& input, Simulation& simulation) {
             panel->survey(input);
             accounts.push_back(simulation.energy_account());

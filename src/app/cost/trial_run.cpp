@@ -10,8 +10,7 @@
 #include "panels/registry.h"
 #include "physics/collision_error.h"
 #include "physics/placement/draws.h"
-#include "physics/theory/collision_rate.h"
-#include "physics/theory/error_growth.h"
+#include "physics/theory/law.h"
 #include "scene/panel_kind.h"
 #include "util/diagnostics.h"
 
@@ -50,7 +49,9 @@ int expected_bits(const Scene& scene, double collisions) {
     const auto [particles, sample] = draw_gas(scene.gas);
     const double each =
         2.0 * collisions / static_cast<double>(std::max<Eigen::Index>(1, particles.count()));
-    const double rate = bits_lost_per_collision(scene.gas.box, particles).value_or(1.0);
+    const Law growth =
+        law(BoxedGas(scene.gas.box, scene.run.events, particles, sample), LawOf::error_growth);
+    const double rate = growth ? growth.value : 1.0;
     const std::vector<double> turns = reversal_times(scene.run);
     const double share = turns.empty() ? 1.0 : std::min(1.0, turns.front() / scene.run.until);
     const double lost = each * share * rate;
@@ -163,8 +164,10 @@ RunCounts counts_of(const Scene& scene, std::span<const PanelSpec> panels) {
     if (const std::optional<RunCounts> counts = try_run(scene, panels)) return *counts;
     RunCounts counts{.bits = scene.run.bits.value_or(bits_of_double)};
     const auto [particles, sample] = draw_gas(scene.gas);
-    if (const auto rate = expected_collision_rate(scene.gas.box, particles, sample))
-        counts.collisions = *rate * scene.run.until;
+    const BoxedGas gas(scene.gas.box, scene.run.events, particles, sample);
+    if (const Law rate = law(gas, LawOf::collision_rate))
+        counts.collisions =
+            0.5 * static_cast<double>(particles.count()) * rate.value * scene.run.until;
     const double steps = scene.run.time_step ? scene.run.until / *scene.run.time_step : 0.0;
     counts.events =
         std::max(counts.collisions.value_or(0.0), steps * static_cast<double>(particles.count()));

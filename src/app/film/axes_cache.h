@@ -8,7 +8,6 @@
 
 #include "scene/scene.h"
 #include "util/archive.h"
-#include "util/files/stored_file.h"
 
 namespace carom {
 
@@ -37,19 +36,18 @@ struct SettledAxes {
 /// mathematical functions of the machine. Any number of processes may share the folder.
 class AxesCache {
   public:
-    /// With an empty path nothing is found or kept. Throws SystemError if something else than a
-    /// folder has the path, or stands on the way there.
+    /// Creates the folder if it is missing. With an empty path nothing is found or kept. Throws
+    /// SystemError if the folder cannot be created.
     AxesCache(const std::filesystem::path& folder, const Scene& asked);
 
-    /// What is kept for the scene; nothing if there is no file, or it is damaged or cannot be read.
+    /// What is kept for the scene; nothing if there is no file or it is damaged.
     std::optional<SettledAxes> find() const;
 
-    /// Replaces what is kept for the scene, and creates the folder if it is missing. If that fails,
-    /// warns: the cache only saves time. Throws Interrupted.
+    /// Replaces what is kept for the scene. Throws SystemError, Interrupted.
     void keep(SettledAxes settled) const;
 
   private:
-    StoredFile file_;  ///< with an empty name: there is no cache
+    std::filesystem::path file_;  ///< empty: there is no cache
 };
 
 }  // namespace carom

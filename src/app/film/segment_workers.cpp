@@ -5,8 +5,8 @@
 
 #include "util/interrupt.h"
 #include "util/memory/kept_blocks.h"
-#include "util/on_threads.h"
 #include "util/stopwatch.h"
+#include "util/threads/on_threads.h"
 
 namespace carom {
 namespace {

@@ -18,6 +18,7 @@
 #include "panels/plots/window.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
+#include "physics/theory/law.h"
 #include "scene/describe.h"
 #include "scene/time/timeline.h"
 #include "scene/words.h"
@@ -88,16 +89,15 @@ Fact species(const Gas& gas, std::int64_t particles) {
     return {"species", std::move(list), "species", species_words(gas, particles)};
 }
 
-// Expected between particles up to `until`; none: no theory.
-Fact collisions(std::optional<double> expected, std::int64_t particles) {
-    Fact fact{"expected_collisions", number_or_null(expected), "collisions",
-              "no estimate: the theory needs an equilibrium, and this gas has none"};
-    if (expected)
-        fact.words =
+// Expected between particles up to the end of the run.
+Fact collisions(const Scene& scene, const Law& rate, double expected, std::int64_t particles) {
+    if (rate.none)
+        return {"expected_collisions", nullptr, "collisions",
+                "no estimate: " + to_text(Language::english, *rate.none, scene.gas.species)};
+    return {"expected_collisions", number_or_null(expected), "collisions",
             fmt::format("{} between particles, {} for each (kinetic theory, in equilibrium)",
-                        (*expected < 0.01 ? "" : "about ") + about(*expected),
-                        about(2.0 * *expected / static_cast<double>(particles)));
-    return fact;
+                        (expected < 0.01 ? "" : "about ") + about(expected),
+                        about(2.0 * expected / std::max(1.0, static_cast<double>(particles))))};
 }
 
 std::string run_words(const Run& run) {
@@ -424,11 +424,12 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
     const Sample& sample = gas.second;
     const std::int64_t particles = drawn.count();
     const double packing = packing_fraction(box, drawn);
-    const auto rate = expected_collision_rate(box, drawn, sample);
+    const Law of_each = law(BoxedGas(box, run.events, drawn, sample), LawOf::collision_rate);
+    const double rate = 0.5 * static_cast<double>(particles) * (of_each ? of_each.value : 0.0);
     const auto facts_of_film = [&](const CheckedFilm& its) {
         const std::optional<RunStart> beside = start_beside(scene.film);
         const PanelSet panels(scene, drawn, sample, beside ? &*beside : nullptr);
-        const double expected = (beside ? 2.0 : 1.0) * rate.value_or(0.0) * run.until;
+        const double expected = (beside ? 2.0 : 1.0) * rate * run.until;
         const FilmCollisions collisions{its.collisions.value_or(expected),
                                         panels.wants_collisions()};
         return joined<Fact>({film_facts(scene, its, particles, collisions),
@@ -451,7 +452,7 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
           {"time", run.until, "run", run_words(run)}},
          event_rows(scene),
          {{"equilibrate", run.equilibrate},
-          collisions(rate ? std::optional(*rate * run.until) : std::nullopt, particles)},
+          collisions(scene, of_each, rate * run.until, particles)},
          film ? facts_of_film(*film)
               : Facts{{"film", nullptr, "film", "none: for `carom run` and figures only"}},
          refused_rows(refused)});

@@ -71,6 +71,6 @@ class PlannedSweep {
 };
 
 /// The path at which `carom join` always writes the summary.
-StoredFile summary_in(const std::filesystem::path& folder);
+std::filesystem::path summary_in(const std::filesystem::path& folder);
 
 }  // namespace carom

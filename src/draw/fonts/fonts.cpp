@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "util/diagnostics.h"
-#include "util/on_threads.h"
+#include "util/threads/on_threads.h"
 
 namespace carom {
 namespace {
@@ -65,13 +65,12 @@ bool have_used_weights(std::span<FcPattern* const> fonts) {
 // again.
 [[noreturn]] void refuse(const std::string& file) {
     const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    const int error = descriptor >= 0 ? EMFILE : errno;
     const std::string reason = descriptor >= 0
                                    ? "it can be opened now; there was no memory for it, or too "
                                      "many files were open"
-                                   : std::generic_category().message(error);
+                                   : std::generic_category().message(errno);
     if (descriptor >= 0) close(descriptor);
-    throw_system_error(fmt::format("cannot read the font {}: {}", file, reason), error);
+    throw SystemError(fmt::format("cannot read the font {}: {}", file, reason));
 }
 
 // GLib terminates the program if it has no memory or cannot start a thread, and leaves what was

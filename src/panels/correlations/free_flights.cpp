@@ -10,9 +10,9 @@
 #include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "stats/histogram.h"
-#include "stats/paths/bin_number.h"
 #include "stats/paths/sliding_sum.h"
 #include "stats/thinning.h"
+#include "util/bin_number.h"
 #include "util/text.h"
 
 namespace carom {
@@ -159,18 +159,6 @@ plot::Line law_of(const plot::Plot& plot, double mean) {
     return line;
 }
 
-// The exact mean for a single particle among fixed disks. There is none between walls alone, where
-// the particle keeps its speed along each axis and the mean depends on these speeds.
-std::optional<double> exact_mean(const PanelContext& context, const PanelSpec& spec, Flown flown,
-                                 double speed) {
-    const Box& box = context.scene.gas.box;
-    if (context.particles.count() != 1 || !velocity_changes(context.scene.run).empty() ||
-        box.surfaces.obstacles.empty())
-        return {};
-    const auto path = mean_path_of_billiard(box, context.particles.radius[0], spec.ends_at_walls);
-    return path && flown == Flown::time ? std::optional(*path / speed) : path;
-}
-
 struct FlightNotes {
     PanelContext context;
     std::vector<Chosen> chosen;
@@ -180,18 +168,19 @@ struct FlightNotes {
     void operator()(const CurveValues* values, plot::Plot& plot) const {
         const Language language = context.language();
         plot::Note note{.wraps = true, .changes = true};
+        const bool has_law = spec.theory && law(context.gas, LawOf::memoryless);
         for (std::size_t k = 0; k < chosen.size(); ++k) {
             const plot::Stroke stroke = stroke_of_law(context, chosen, k);
             static const std::vector<double> unknown{NAN, NAN, 1.0};
             const std::vector<double>& numbers = values != nullptr ? values->numbers[k] : unknown;
             add_mean(k, numbers, note, plot);
-            if (!spec.theory || !std::isfinite(numbers.front())) continue;
+            if (!has_law || !std::isfinite(numbers.front())) continue;
             plot::Line line = law_of(plot, numbers.front());
             line.of = column_name_of(context.scene, chosen[k]);
             line.stroke = stroke;
             plot.layers.emplace_back(std::move(line));
         }
-        if (spec.theory)
+        if (has_law)
             note.entries.push_back(
                 {.sample = stroke_of_law(context, chosen, 0),
                  .words = {say(language, "Boltzmann, memoryless"), say(language, "memoryless")}});
@@ -211,8 +200,11 @@ struct FlightNotes {
         marker.stroke.width = 0.12;
         marker.stroke.role =
             is_one ? plot::Role{plot::Role::Of::ink} : choice_role(context, chosen[k], k);
-        const auto exact =
-            spec.theory ? exact_mean(context, spec, flown, numbers.back()) : std::nullopt;
+        const Law path =
+            law(context.gas, LawOf::free_flight, {.ends_at_walls = spec.ends_at_walls});
+        std::optional<double> exact;
+        if (spec.theory && path)
+            exact = flown == Flown::time ? path.value / numbers.back() : path.value;
         const auto words = [&](const std::string& number) {
             std::string all = say(language, "mean {}", number);
             if (exact) all = say(language, "{}, exactly {}", all, three_digits(language, *exact));

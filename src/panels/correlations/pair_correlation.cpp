@@ -11,7 +11,6 @@
 #include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
-#include "physics/theory/collision_rate.h"
 #include "util/text.h"
 
 namespace carom {
@@ -19,7 +18,6 @@ namespace {
 
 constexpr double usual_diameters = 5.0;  // up to where g(r) is shown
 constexpr double rings_along = 100.0;    // about
-constexpr double densest_fluid = 0.69;   // beyond, disks freeze
 
 // What determines the rings for a scene.
 struct Rings {
@@ -75,21 +73,6 @@ class PairMeter : public CurveMeter {
     PairCorrelation::Wanted wanted_;
     std::optional<PairCorrelation> pairs_;  ///< with the rings of the axis
 };
-
-// For equal disks in a fluid on which nothing but walls acts.
-std::optional<double> value_at_contact(const PanelContext& context) {
-    const Gas& gas = context.scene.gas;
-    const double packing = packing_fraction(gas.box, context.particles);
-    const bool is_fluid = packing > 0.0 && packing < densest_fluid;
-    const bool is_still = std::ranges::none_of(gas.box.surfaces.sides, [](const Behaviour& side) {
-        return std::holds_alternative<Driven>(side) || std::holds_alternative<Piston>(side);
-    });
-    if (gas.box.dimension != 2 || !context.particles.are_equal() || !is_fluid || !is_still ||
-        (gas.box.surfaces.gravity != 0.0).any())
-        return {};
-    const double radius = context.particles.radius[0];
-    return contact_correlation(gas.box, context.particles, radius, radius);
-}
 
 void add_contact(Language language, double contact, double value, plot::Plot& plot) {
     const plot::Mark mark{.role = {.of = plot::Role::Of::accent}, .radius = 0.35, .halo = 0.1};
@@ -147,11 +130,12 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
         return say(language, "the pair correlation is highest, {}, at a distance of {}",
                    three_digits(language, *highest), three_digits(language, at));
     };
-    const std::optional<double> contact = value_at_contact(context);
+    const Law contact = law(context.gas, LawOf::contact);
     if (spec.theory && contact) {
-        subject.least_top = 1.1 * *contact;
-        subject.add = [language, rings, contact](const CurveValues*, plot::Plot& plot) {
-            add_contact(language, rings.contact, *contact, plot);
+        subject.least_top = 1.1 * contact.value;
+        subject.add = [language, rings, contact = contact.value](const CurveValues*,
+                                                                 plot::Plot& plot) {
+            add_contact(language, rings.contact, contact, plot);
         };
     }
     return std::make_unique<CurvePanel>(context, std::move(subject));

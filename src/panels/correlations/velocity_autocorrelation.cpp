@@ -18,8 +18,9 @@ const plot::Stroke of_slope{.role = {.of = plot::Role::Of::accent},
                             .shade = plot::Shade::legible};
 
 // In equilibrium a collision with a mass M removes on average the fraction 4 / d M / (m + M) of the
-// velocity of a particle of mass m. The initial slope -d C / d t at t = 0 is therefore the sum of
-// this fraction over all collisions per particle and unit time. A wall is an infinite mass.
+// velocity of a particle of mass m, up to a factor near 1 for finite numbers. The initial slope -d
+// C / d t at t = 0 is therefore the sum of this fraction over all collisions per unit time, each
+// with the weight of the particle's mean squared velocity, 1 / m. A wall is an infinite mass.
 class AutocorrelationMeter : public LagMeter {
   public:
     AutocorrelationMeter(const PanelContext& context,
@@ -30,10 +31,13 @@ class AutocorrelationMeter : public LagMeter {
           from_(from),
           lists_of_(static_cast<std::size_t>(context.particles.count())),
           sizes_(members.size()),
-          loss_(members.size()) {
+          weights_(members.size()),
+          loss_(members.size()),
+          ends_(members.size()) {
         for (std::size_t k = 0; k < members.size(); ++k) {
             for (const Eigen::Index i : members[k]) {
                 lists_of_[static_cast<std::size_t>(i)].push_back(k);
+                weights_[k] += context.particles.inverse_mass[i];
                 if (context.particles.inverse_mass[i] > 0.0) sizes_[k] += 1.0;
             }
         }
@@ -45,12 +49,13 @@ class AutocorrelationMeter : public LagMeter {
         for (const Collision& one : input.advanced.collisions) {
             if (one.time < from_) continue;
             const bool is_pair = one.second.is_particle();
-            add(one.first, is_pair ? inverse_mass(one.second.particle()) : 0.0);
-            if (is_pair) add(one.second.particle(), inverse_mass(one.first));
+            add(one.first, is_pair ? inverse_mass(one.second.particle()) : 0.0, is_pair);
+            if (is_pair) add(one.second.particle(), inverse_mass(one.first), is_pair);
         }
     }
 
-    // The number of each line is the slope at 0.
+    // The numbers of each line are the slope at 0 for very many particles, and the collisions of
+    // each particle.
     CurveValues values() const override {
         CurveValues now;
         const Eigen::ArrayXXd means = averages_.means();
@@ -58,43 +63,36 @@ class AutocorrelationMeter : public LagMeter {
             const auto its = means.row(static_cast<Eigen::Index>(k));
             const Eigen::ArrayXd shares = its / its[0];
             now.curves.emplace_back(shares.begin(), shares.end());
-            const double time = sizes_[k] * (time_ - from_);
-            now.numbers.push_back({time > 0.0 ? -loss_[k] / time : NAN});
+            const double time = time_ - from_;
+            now.numbers.push_back({time > 0.0 ? -loss_[k] / (weights_[k] * time) : NAN,
+                                   sizes_[k] > 0.0 ? ends_[k] / sizes_[k] : 0.0});
         }
         return now;
     }
 
     void archive(Archive& archive) override {
         LagMeter::archive(archive);
-        archive(loss_);
+        archive(loss_, ends_);
     }
 
   private:
     double inverse_mass(Eigen::Index i) const { return context_.particles.inverse_mass[i]; }
 
-    void add(Eigen::Index particle, double others_inverse_mass) {
+    void add(Eigen::Index particle, double others_inverse_mass, bool is_pair) {
         const double sum = inverse_mass(particle) + others_inverse_mass;
         if (!(sum > 0.0)) return;  // two infinite masses
         const double lost = 4.0 / context_.scene.gas.box.dimension * inverse_mass(particle) / sum;
-        for (const std::size_t k : lists_of_[static_cast<std::size_t>(particle)]) loss_[k] += lost;
+        for (const std::size_t k : lists_of_[static_cast<std::size_t>(particle)]) {
+            loss_[k] += lost * inverse_mass(particle);
+            if (is_pair) ends_[k] += 1.0;
+        }
     }
 
     PanelContext context_;
     double from_, time_ = 0.0;
-    std::vector<std::vector<std::size_t>> lists_of_;  // of each particle
-    std::vector<double> sizes_, loss_;
+    std::vector<std::vector<std::size_t>> lists_of_;     // of each particle
+    std::vector<double> sizes_, weights_, loss_, ends_;  // of each list
 };
-
-// Whether velocities change by collisions with particles and with reflecting walls only.
-bool has_slope(const PanelContext& context) {
-    const Surfaces& surfaces = context.scene.gas.box.surfaces;
-    const auto reflects = [](const auto& surface) {
-        return std::holds_alternative<Reflecting>(surface);
-    };
-    return context.equilibrium && velocity_changes(context.scene.run).empty() &&
-           (surfaces.gravity == 0.0).all() && std::ranges::all_of(surfaces.sides, reflects) &&
-           std::ranges::all_of(surfaces.partitions, reflects, &Partition::behaviour);
-}
 
 void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, double lags,
                 const CurveValues* values, plot::Plot& plot) {
@@ -103,7 +101,12 @@ void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, 
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         plot::Stroke stroke = of_slope;
         if (chosen.size() > 1) stroke.role = choice_role(context, chosen[k], k);
-        const double slope = values != nullptr ? values->numbers[k].front() : 0.0;
+        double slope = 0.0;
+        if (values != nullptr)
+            if (const Law found =
+                    law(context.gas, LawOf::autocorrelation,
+                        {.of = members(context, chosen[k]), .collisions = values->numbers[k][1]}))
+                slope = found.value * values->numbers[k][0];
         const auto words = [&](const std::string& number) {
             return plot::Text(say(language, "slope {}", number));
         };
@@ -153,7 +156,7 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
         return say(language, "{}: half of the velocity is forgotten after a time of {}",
                    name_of(context.scene, chosen[line]), three_digits(language, at));
     };
-    if (spec.theory && has_slope(context))
+    if (spec.theory && law(context.gas, LawOf::autocorrelation))
         subject.add = [context, chosen, lags](const CurveValues* values, plot::Plot& plot) {
             add_slopes(context, chosen, lags, values, plot);
         };

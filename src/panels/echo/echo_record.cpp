@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "physics/reversal/precision.h"
-#include "physics/theory/error_growth.h"
 
 namespace carom {
 namespace {
@@ -20,6 +19,10 @@ int stride_of(const Scene& scene, Eigen::Index particles, int frames) {
     const double bytes =
         static_cast<double>(particles) * scene.gas.box.dimension * bytes_of(bits_of(scene.run));
     return std::max(1, static_cast<int>(std::ceil(bytes * frames / most_kept)));
+}
+
+std::optional<double> known(const Law& law) {
+    return law ? std::optional(law.value) : std::nullopt;
 }
 
 bool is_kept(const Tick& tick, int stride, const std::vector<double>& reversals, double end) {
@@ -42,7 +45,7 @@ std::vector<double> return_times(const Scene& scene, Eigen::Index particles,
 EchoRecord::EchoRecord(const PanelContext& context)
     : context_(context),
       reversals_(reversal_times(context.scene.run)),
-      bits_per_collision_(bits_lost_per_collision(context.scene.gas.box, context.particles)),
+      bits_per_collision_(known(law(context.gas, LawOf::error_growth))),
       stride_(stride_of(context.scene, context.particles.count(), context.frames)) {}
 
 void EchoRecord::survey(const FrameInput& input) {

@@ -27,10 +27,9 @@ class FluxTheory {
 };
 
 /// Returns the theory for some particles at a line, at which there may be a partition; nullptr if
-/// there is no theory for the case, and if there are particles of infinite mass. There is one
+/// there is none for the case (LawOf::flux and LawOf::gap_flux). There is one
 /// - for a gas in equilibrium, at a line across the whole box: exact along a periodic axis; between
-///   solid walls, for points on a line and for dilute disks. It uses the mean of |v| for this
-///   finite number of particles;
+///   solid walls, for points on a line and for dilute disks;
 /// - for a partition whose gaps are small compared with it, and a dilute gas on each side: from the
 ///   present number and temperature of the gas, while its mean free path is at most the width of
 ///   its side and at least twice the width that the widest gap leaves to a particle.

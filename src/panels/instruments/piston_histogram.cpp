@@ -22,11 +22,11 @@ constexpr int shown_bins = 40;            // or fewer
 constexpr double fine_bins_in_box = 240;  // several fine bins make one that is shown
 
 // The numbers of a line: the parameters of the law, or none.
-struct Law {
-    explicit Law(const PistonOverGas& of)
+struct LawNumbers {
+    explicit LawNumbers(const PistonOverGas& of)
         : numbers{of.law.count, of.law.energy, of.law.force, double(of.law.dimension),
                   of.zero,      of.direction} {}
-    explicit Law(std::vector<double> of) : numbers(std::move(of)) {}
+    explicit LawNumbers(std::vector<double> of) : numbers(std::move(of)) {}
     std::vector<double> numbers;
 
     PistonOverGas piston() const {
@@ -87,7 +87,7 @@ class PistonMeter : public CurveMeter {
                     (std::min(high, bin + 1.0) - std::max(low, bin));
         }
         CurveValues now{.curves = {std::move(shares)}};
-        if (law_) now.numbers = {Law(*law_).numbers};
+        if (law_) now.numbers = {LawNumbers(*law_).numbers};
         return now;
     }
 
@@ -199,12 +199,13 @@ std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const 
         return say(language, "at most {} % of the time in one bar",
                    three_digits(language, *highest));
     };
-    if (spec.theory && is_over_gas_alone(context, surface))
+    if (spec.theory && law(context.gas, LawOf::piston, {.surface = surface}))
         subject.add = [language](const CurveValues* values, plot::Plot& plot) {
             plot.notes.push_back(
                 {.entries = {{.sample = of_law, .words = {say(language, "ideal gas")}}}});
             if (values != nullptr)
-                plot.layers.emplace_back(curve_of(Law(values->numbers.front()).piston(), plot));
+                plot.layers.emplace_back(
+                    curve_of(LawNumbers(values->numbers.front()).piston(), plot));
         };
     return std::make_unique<CurvePanel>(context, std::move(subject));
 }

@@ -19,31 +19,9 @@ double force_to_gas(const Piston& piston, std::int32_t surface) {
 
 }  // namespace
 
-bool is_over_gas_alone(const PanelContext& context, std::int32_t surface) {
-    const Surfaces& surfaces = context.scene.gas.box.surfaces;
-    if (!Surfaces::is_side(surface)) return false;
-    const auto side = static_cast<std::size_t>(surface);
-    const auto* piston = std::get_if<Piston>(&surfaces.sides.at(side));
-    if (piston == nullptr || !(force_to_gas(*piston, surface) > 0.0) ||
-        !context.scene.run.events.empty() || !surfaces.partitions.empty() ||
-        !surfaces.obstacles.empty() || (surfaces.gravity != 0.0).any() ||
-        (context.particles.inverse_mass == 0.0).any())
-        return false;
-    // All share the energy: one disk keeps that of its motion along the piston, and a gas that
-    // periodic sides let through along it keeps its momentum.
-    const Box& box = context.scene.gas.box;
-    if (box.dimension == 2 &&
-        (context.particles.count() < 2 ||
-         conserves_momentum(box, context.particles, 1 - surfaces.axis_of(surface))))
-        return false;
-    for (std::size_t k = 0; k < surfaces.sides.size(); ++k)
-        if (k != side && !std::holds_alternative<Reflecting>(surfaces.sides[k])) return false;
-    return true;
-}
-
 std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::int32_t surface,
                                              const FrameInput& start) {
-    if (!is_over_gas_alone(context, surface)) return std::nullopt;
+    if (!law(context.gas, LawOf::piston, {.surface = surface})) return std::nullopt;
     const Box& box = context.scene.gas.box;
     const auto side = static_cast<std::size_t>(surface);
     const auto& piston = std::get<Piston>(box.surfaces.sides[side]);

@@ -34,12 +34,7 @@ struct PistonOverGas {
     }
 };
 
-/// Whether this surface is a free side on which only the gas and a constant force act, and on the
-/// gas act only this side and walls at rest. The energy must be shared among all particles, which
-/// excludes a single disk and a gas whose momentum is conserved between periodic sides.
-bool is_over_gas_alone(const PanelContext& context, std::int32_t surface);
-
-/// Returns the law for the state at the start; none unless is_over_gas_alone().
+/// Returns the law for the state at the start, where there is one (LawOf::piston).
 std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::int32_t surface,
                                              const FrameInput& start);
 

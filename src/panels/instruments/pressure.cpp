@@ -15,7 +15,6 @@
 #include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
-#include "physics/theory/equation_of_state.h"
 
 namespace carom {
 namespace {
@@ -73,23 +72,23 @@ std::string time_words(Language language, const Over& over, const Box& box) {
 // The pressure of an ideal gas with the energy of this one, and of hard disks or rods.
 ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalMotion>& thermal) {
     if (!thermal) return {};
-    const Box& box = context.scene.gas.box;
-    const Particles& particles = context.particles;
-    ReferenceLevels all{ReferenceLevel{"ideal gas", pressure_of_points(box, thermal->energy)}};
-    const bool is_filled = (particles.radius > 0.0).any() && box.surfaces.obstacles.empty();
-    if (!is_filled) return all;
-    if (const auto rods = pressure_of_rods(box, particles, *thermal))
-        all.push_back(ReferenceLevel{"hard rods", *rods});
-    const auto henderson = pressure_of_disks(EquationOfState::henderson, box, particles, *thermal);
-    const auto better =
-        pressure_of_disks(EquationOfState::kolafa_rottner, box, particles, *thermal);
-    if (!henderson || !better) return all;
+    const auto pressure_by = [&](LawOf quantity, EquationOfState equation) {
+        return law(context.gas, quantity, {.thermal = thermal, .equation = equation});
+    };
+    const Law ideal = pressure_by(LawOf::ideal_pressure, {});
+    const Law henderson = pressure_by(LawOf::pressure, EquationOfState::henderson);
+    const Law better = pressure_by(LawOf::pressure, EquationOfState::kolafa_rottner);
+    if (!ideal) return {};
+    ReferenceLevels all{ReferenceLevel{"ideal gas", ideal.value}};
+    if (!henderson || !better || (context.particles.radius == 0.0).all()) return all;
     constexpr double alike = 0.01;  // relative difference: one line in a plot
-    if (std::abs(*henderson / *better - 1.0) < alike) {
-        all.push_back(ReferenceLevel{"hard disks", *better});
+    if (context.scene.gas.box.dimension == 1) {
+        all.push_back(ReferenceLevel{"hard rods", better.value});
+    } else if (std::abs(henderson.value / better.value - 1.0) < alike) {
+        all.push_back(ReferenceLevel{"hard disks", better.value});
     } else {
-        all.push_back(ReferenceLevel{"Henderson", *henderson});
-        all.push_back(ReferenceLevel{"Kolafa–Rottner", *better});
+        all.push_back(ReferenceLevel{"Henderson", henderson.value});
+        all.push_back(ReferenceLevel{"Kolafa–Rottner", better.value});
     }
     return all;
 }

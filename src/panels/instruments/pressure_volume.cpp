@@ -19,13 +19,6 @@ namespace {
 
 constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
-// Whether the gas alone fills the area with uniform density, for which the curves hold.
-bool fills_area(const PanelContext& context) {
-    const Surfaces& surfaces = context.scene.gas.box.surfaces;
-    return surfaces.partitions.empty() && surfaces.obstacles.empty() &&
-           (surfaces.gravity == 0.0).all() && (context.particles.inverse_mass > 0.0).all();
-}
-
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
 const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::highlight}, .dashes = {0.5, 0.3}};
 
@@ -168,7 +161,7 @@ void PressureVolumePanel::make_axes() {
     const bool begin_alike = std::ranges::all_of(record_.runs, [&](const PressureVolumeRun& run) {
         return run.begins_as(record_.runs.front());
     });
-    if (spec_.theory && begin_alike && fills_area(context_)) add_curves();
+    if (spec_.theory && begin_alike && law(context_.gas, LawOf::isotherm)) add_curves();
 }
 
 void PressureVolumePanel::add_curves() {

@@ -11,8 +11,6 @@
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
-#include "physics/theory/collision_rate.h"
-#include "physics/theory/equation_of_state.h"
 
 namespace carom {
 namespace {
@@ -73,26 +71,6 @@ class Parts {
         return all;
     }
 
-    // Whether the two sides are equal in equilibrium by symmetry: the partition is in the middle,
-    // lets all particles through and does nothing else.
-    bool are_alike(const Scene& scene, const Particles& particles) const {
-        const Surfaces& surfaces = box_.surfaces;
-        const double diameter = 2.0 * particles.radius.maxCoeff();
-        const auto lets_all_through = [&](const Partition& one) {
-            return one.is_open || (std::holds_alternative<Reflecting>(one.behaviour) &&
-                                   std::ranges::any_of(one.gaps, [&](const auto& gap) {
-                                       return gap.second - gap.first > diameter;
-                                   }));
-        };
-        const bool is_alike = (surfaces.gravity == 0.0).all() && surfaces.obstacles.empty() &&
-                              std::ranges::all_of(surfaces.partitions, lets_all_through) &&
-                              (particles.inverse_mass > 0.0).all() && surfaces.sides_reflect() &&
-                              !acts_on_box(scene.run.events);
-        if (!is_alike || !regions_.empty()) return false;
-        const double place = box_.place_of(static_cast<std::size_t>(surfaces_.front()));
-        return place == 0.5 * box_.size[axis()];
-    }
-
   private:
     int axis() const { return box_.surfaces.axis_of(surfaces_.front()); }
 
@@ -101,32 +79,21 @@ class Parts {
     std::vector<NamedRegion> regions_;
 };
 
-// The level is half of all particles, with the standard deviation of their number. The number is
-// binomial for points, with variance N / 4; for equal disks the variance is smaller by the relative
-// compressibility of the fluid.
-ReferenceLevels levels_of_count(const PanelContext& context) {
-    const Particles& particles = context.particles;
-    const auto count = static_cast<double>(particles.count());
-    ReferenceLevel level = ReferenceLevel{"half of all", 0.5 * count};
-    const double packing = packing_fraction(context.scene.gas.box, particles);
-    const bool are_points = (particles.radius == 0.0).all();
-    const bool is_fluid =
-        (particles.radius == particles.radius[0]).all() && packing < largest_packing_of_fluid;
-    if (context.scene.gas.box.dimension == 2 && (are_points || is_fluid))
-        level.deviation = std::sqrt(
-            0.25 * count * relative_compressibility(EquationOfState::kolafa_rottner, packing));
-    return {level};
+LawOf law_of(PartMeasure measure) {
+    if (measure == PartMeasure::count) return LawOf::side_count;
+    return measure == PartMeasure::temperature ? LawOf::side_temperature : LawOf::side_energy;
 }
 
-// Each degree of freedom has the same mean energy; the energy of half of them has a beta
-// distribution.
-ReferenceLevels levels_of_energy(const PanelContext& context, const ThermalMotion& start,
-                                 PartMeasure measure) {
-    const double freedom = start.degrees_of_freedom;
-    const double value = measure == PartMeasure::temperature
-                             ? start.temperature()
-                             : start.energy / static_cast<double>(context.particles.count());
-    return {ReferenceLevel{"equipartition", value, value * std::sqrt(2.0 / (freedom + 2.0))}};
+// What theory knows of the two sides of a partition.
+ReferenceLevels levels_of_sides(const PanelContext& context, const PanelSpec& spec) {
+    if (!spec.regions.empty() || spec.measure == PartMeasure::center) return {};
+    const Law found = law(context.gas, law_of(spec.measure), {.surface = spec.surfaces.front()});
+    if (!found) return {};
+    ReferenceLevel level = spec.measure == PartMeasure::count ? ReferenceLevel{"half of all"}
+                                                              : ReferenceLevel{"equipartition"};
+    level.value = found.value;
+    level.deviation = found.deviation;
+    return {level};
 }
 
 double measured(const PanelContext& context, const FrameInput& o, PartMeasure measure, int axis,
@@ -163,19 +130,13 @@ std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& 
         subject.lines.push_back({columns[k], surface_role(k, parts.count())});
     title_with_names(subject, language, say(language, title));
     const int axis = spec.component == Component::y ? 1 : 0;
-    const auto start = std::make_shared<std::optional<ThermalMotion>>();
-    subject.measure = [context, parts, measure = spec.measure, axis, start](const FrameInput& o) {
-        if (!*start) *start = thermal_motion(context.scene.gas.box, context.particles, o.sample);
+    subject.measure = [context, parts, measure = spec.measure, axis](const FrameInput& o) {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : parts.members(o))
             now.push_back(measured(context, o, measure, axis, list));
         return now;
     };
-    if (parts.are_alike(context.scene, context.particles) && spec.measure != PartMeasure::center)
-        subject.references = [context, start, measure = spec.measure] {
-            return measure == PartMeasure::count ? levels_of_count(context)
-                                                 : levels_of_energy(context, **start, measure);
-        };
+    subject.references = [context, spec] { return levels_of_sides(context, spec); };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 

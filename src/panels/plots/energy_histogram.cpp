@@ -13,7 +13,7 @@ std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const 
                              .density = energy_density,
                              .unit = reduced::energy,
                              .tested = TestedQuantity::energy};
-    if (context.equilibrium && context.equilibrium->alpha < 1.0)
+    if (context.scene.gas.box.dimension == 1)  // infinite at 0
         subject.probability = energy_probability;
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }

@@ -2,7 +2,6 @@
 // same counting gives in equilibrium.
 #include "stats/entropy.h"
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "physics/theory/velocity_entropy.h"
 
 namespace carom {
 namespace {
@@ -19,31 +19,6 @@ struct Entropies {
     std::optional<VelocityEntropy> velocities;  ///< none of a gas at rest
     bool is_known = false;
 };
-
-// Whether the gas fills its box uniformly in equilibrium: there is nothing in the box that prevents
-// it, no gravity, and no change of surfaces.
-bool spreads_evenly(const Scene& scene) {
-    const bool changes = std::ranges::any_of(scene.run.events, [](const RunEvent& event) {
-        return std::holds_alternative<ChangeSurface>(event.action) ||
-               std::holds_alternative<MoveSurface>(event.action);
-    });
-    const Surfaces& surfaces = scene.gas.box.surfaces;
-    const auto reflects = [](const Behaviour& side) {
-        return std::holds_alternative<Reflecting>(side) || std::holds_alternative<Bath>(side);
-    };
-    const auto can_open = [&](const Partition& one) {
-        if (one.is_open || !one.gaps.empty()) return true;
-        const auto number = static_cast<std::int32_t>(&one - surfaces.partitions.data()) +
-                            Surfaces::first_partition;
-        return std::ranges::any_of(scene.run.events, [&](const RunEvent& event) {
-            const auto* open = std::get_if<SetOpen>(&event.action);
-            return open != nullptr && open->surface == number;
-        });
-    };
-    return !changes && surfaces.obstacles.empty() && (surfaces.gravity == 0.0).all() &&
-           std::ranges::all_of(surfaces.sides, reflects) &&
-           std::ranges::all_of(surfaces.partitions, can_open);
-}
 
 const plot::Role of_velocities{.of = plot::Role::Of::bar};
 const plot::Role of_positions{.of = plot::Role::Of::highlight};
@@ -94,13 +69,16 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
         return now;
     };
     add_titles(context.language(), what, subject);
-    subject.references = [context, known, places, what] {
+    subject.references = [context, places, what] {
         ReferenceLevels levels;
-        if (what != EntropyOf::positions && context.equilibrium && known->velocities)
-            levels.push_back(ReferenceLevel{
-                "equilibrium", known->velocities->in_equilibrium(context.scene.gas.box.dimension)});
-        if (what != EntropyOf::velocities && spreads_evenly(context.scene))
-            levels.push_back(ReferenceLevel{"evenly spread", places.of_even_spread()});
+        const Law velocities = law(context.gas, LawOf::velocity_entropy);
+        if (what != EntropyOf::positions && velocities)
+            levels.push_back(ReferenceLevel{"equilibrium", velocities.value});
+        const Law positions =
+            law(context.gas, LawOf::position_entropy,
+                {.cells = places.cells().count[0], .cells_up = places.cells().count[1]});
+        if (what != EntropyOf::velocities && positions)
+            levels.push_back(ReferenceLevel{"evenly spread", positions.value});
         return levels;
     };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));

@@ -81,12 +81,8 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
         const Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen)});
         HistogramSeries series{.name = column_name_of(context.scene, chosen),
                                .particles = static_cast<double>(choice.members.size())};
-        const bool all = !chosen.species && !chosen.particle;
-        if (context.equilibrium)
-            if (const auto gas =
-                    all ? context.equilibrium
-                        : among(*context.equilibrium, context.particles, choice.members))
-                series.equilibria.push_back(*gas);
+        if (const Law found = law(context.gas, LawOf::distribution, {.of = choice.members}))
+            series.equilibria.push_back(*found.equilibrium);
         if (spec.test) require_equilibrium(series);
         record_.series.push_back(std::move(series));
     }

@@ -12,7 +12,6 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/window.h"
 #include "panels/registry.h"
-#include "stats/barometric_law.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
 #include "stats/thinning.h"
@@ -89,18 +88,6 @@ Over over_of(const PanelContext& context, const PanelSpec& spec) {
     return spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
 }
 
-// Whether the barometric law holds: energy is conserved and shared by all particles, and nothing
-// but gravity and walls acts. A single disk conserves its energy along each axis, and beads on a
-// line keep the order of their masses.
-bool has_law(const Scene& scene, const Particles& particles, FieldOf quantity, int axis) {
-    const Surfaces& surfaces = scene.gas.box.surfaces;
-    return scene.gas.box.dimension == 2 && particles.count() > 1 &&
-           (particles.inverse_mass > 0.0).all() && quantity == FieldOf::density &&
-           !acts_on_box(scene.run.events) && surfaces.gravity[axis] != 0.0 &&
-           surfaces.gravity[1 - axis] == 0.0 && !scene.gas.box.is_periodic(axis) &&
-           surfaces.partitions.empty() && surfaces.obstacles.empty() && surfaces.sides_reflect();
-}
-
 class ProfilePanel : public RecordPanel<ProfileRecord> {
   public:
     ProfilePanel(const PanelContext& context, const PanelSpec& spec);
@@ -123,6 +110,7 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
     void take_axes(const RecordPanel& of) override;
 
   private:
+    void add_laws();
     bool is_up() const { return axis_ == 1; }
     // A slab without particles has a density, 0, but no temperature.
     Eigen::ArrayXd values_of(const CellQuantity& quantity) const {
@@ -168,12 +156,20 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
     shown_ = surveyed_;
 }
 
+// The law of each choice, if all have one.
+void ProfilePanel::add_laws() {
+    std::vector<std::vector<double>>& laws = record_.runs.front().laws;
+    for (const Chosen& chosen : choices_) {
+        Law found =
+            law(context_.gas, LawOf::heights,
+                {.of = members(context_, chosen), .axis = axis_, .cells = cells_.count[axis_]});
+        if (!found) return laws.clear();
+        laws.push_back(std::move(found.curve));
+    }
+}
+
 void ProfilePanel::survey(const FrameInput& input) {
-    if (frames_seen_ == 0 && spec_.theory &&
-        has_law(context_.scene, context_.particles, spec_.quantity, axis_))
-        record_.runs.front().laws =
-            barometric_densities(context_.scene.gas.box, context_.particles, input.sample, axis_,
-                                 cells_, carom::members(context_, choices_));
+    if (frames_seen_ == 0 && spec_.theory && spec_.quantity == FieldOf::density) add_laws();
     const auto slabs = static_cast<double>(cells_.all());
     for (CellQuantity& one : surveyed_) {
         one.see(input);

@@ -17,10 +17,14 @@ std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, cons
                                          : component == Component::x ? Phrase{"velocity along x"}
                                                                      : Phrase{"velocity along y"},
                              .values = {},
-                             .density = velocity_density,
+                             .density = {},
                              .symmetric = true,
                              .means = false,
                              .tested = TestedQuantity::velocity};
+    const std::optional<int> along = both ? std::nullopt : std::optional(static_cast<int>(first));
+    subject.density = [along](const EquilibriumGas& gas, double v) {
+        return velocity_density(gas, v, along);
+    };
     subject.values = [both, first](const FrameInput& o) {
         return both ? values_in(o.sample.velocity) : values_in(o.sample.velocity, first);
     };

@@ -6,7 +6,7 @@
 
 #include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
-#include "util/processors.h"
+#include "util/threads/processors.h"
 
 namespace carom {
 namespace {

@@ -1,7 +1,7 @@
 #include "physics/plane/plane.h"
 
 #include "physics/collision/pair_collision.h"
-#include "util/processors.h"
+#include "util/threads/processors.h"
 
 namespace carom {
 

@@ -6,7 +6,6 @@
 #include <tuple>
 #include <vector>
 
-#include "physics/mechanics.h"
 #include "physics/placement/members.h"
 
 namespace carom {
@@ -93,22 +92,24 @@ double inverse_size(const Particles& particles) {
     return particles.radius.sum() / particles.radius.square().sum();
 }
 
-double rate_in_plane(const Box& box, const Particles& particles, const Sample& sample) {
+double rate_in_plane(const BoxedGas& gas) {
+    const Particles& particles = *gas.particles;
     const std::vector<Alike> groups = groups_of(particles);
-    const double t = thermal_motion(box, particles, sample).temperature();
-    const double packing = packing_fraction(box, particles), size = inverse_size(particles);
+    const double t = gas.thermal.temperature(), factor = mean_speed_factor(gas.freedoms());
+    const double packing = packing_fraction(gas.box, particles), size = inverse_size(particles);
     return sum_of_pairs(groups, [&](const Alike& a, const Alike& b) {
         const double s = a.radius + b.radius;
+        if (s == 0.0) return 0.0;  // points never meet
         const double chi = correlation_at_contact(packing, size, a.radius, b.radius);
-        const double g = std::sqrt(0.5 * pi * t * (a.inverse_mass + b.inverse_mass));
-        return 2.0 * s * chi * g * contact_density(box, s);
+        const double g = factor * std::sqrt(0.5 * pi * t * (a.inverse_mass + b.inverse_mass));
+        return 2.0 * s * chi * g * contact_density(gas.box, s);
     });
 }
 
 // Sums over all pairs of numbers in rising order: the k-th is the greater one in k pairs.
-double rate_of_exchange(const Box& box, const Sample& sample) {
-    const bool ring = box.is_periodic(0);
-    const Eigen::ArrayXd velocity = sample.velocity.col(0);
+double rate_of_exchange(const BoxedGas& gas) {
+    const bool ring = gas.box.is_periodic(0);
+    const Eigen::ArrayXd velocity = gas.line.velocity.col(0);
     Eigen::ArrayXd order = ring ? velocity : velocity.abs();
     std::sort(order.begin(), order.end());
     const auto last = static_cast<double>(order.size() - 1);
@@ -120,13 +121,14 @@ double rate_of_exchange(const Box& box, const Sample& sample) {
     return sum;
 }
 
-double rate_on_line(const Box& box, const Particles& particles, const Sample& sample) {
-    const double room = box.size[0] * (1.0 - packing_fraction(box, particles));
+double rate_on_line(const BoxedGas& gas) {
+    const Particles& particles = *gas.particles;
+    const double room = gas.box.size[0] * (1.0 - packing_fraction(gas.box, particles));
     const bool equal = (particles.inverse_mass == particles.inverse_mass[0]).all();
-    if (equal) return rate_of_exchange(box, sample) / room;
-    const double t = thermal_motion(box, particles, sample).temperature();
+    if (equal) return rate_of_exchange(gas) / room;
+    const double t = gas.thermal.temperature(), factor = mean_speed_factor(gas.freedoms());
     return sum_of_pairs(groups_of(particles), [&](const Alike& a, const Alike& b) {
-        return std::sqrt(2.0 * t * (a.inverse_mass + b.inverse_mass) / pi) / room;
+        return factor * std::sqrt(2.0 * t * (a.inverse_mass + b.inverse_mass) / pi) / room;
     });
 }
 
@@ -146,16 +148,8 @@ double dilute_free_path(double area, double diameters) {
     return area / (2.0 * std::numbers::sqrt2 * diameters);
 }
 
-std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
-                                              const Sample& sample) {
-    if (infinite_mass_moves(particles, sample) || !box.surfaces.are_plain()) return std::nullopt;
-    if (particles.count() < 2 || !(particles.inverse_mass > 0.0).any()) return 0.0;
-    const bool has_fixed_beads = box.dimension == 1 && (particles.inverse_mass == 0.0).any();
-    if (has_fixed_beads) return std::nullopt;  // they divide the others, which need not be alike
-    constexpr double rounding = 1e-12;
-    if (packing_fraction(box, particles) >= 1.0 - rounding) return std::nullopt;
-    return box.dimension == 1 ? rate_on_line(box, particles, sample)
-                              : rate_in_plane(box, particles, sample);
+double collisions_per_time(const BoxedGas& gas) {
+    return gas.box.dimension == 1 ? rate_on_line(gas) : rate_in_plane(gas);
 }
 
 }  // namespace carom

@@ -2,16 +2,15 @@
 // in equilibrium, not a measurement.
 #pragma once
 
-#include <optional>
-
 #include "physics/gas.h"
 #include "physics/particles.h"
+#include "physics/theory/boxed_gas.h"
 
 namespace carom {
 
-/// Expected number of particle-particle collisions of the whole gas per unit of time, 1/time. Uses
-/// the velocities but not the positions. Returns nothing if an infinite mass moves (energy is not
-/// conserved), or on a line if the beads leave no free length or some beads are fixed.
+/// Expected number of particle-particle collisions of the whole gas per unit of time, 1/time, where
+/// law() has one (LawOf::collision_rate, which is per particle). Uses the velocities but not the
+/// positions.
 ///
 /// In a plane this is Enskog's rate, the sum of 2 s chi g / A over all pairs of disks, where s is
 /// the contact distance, g = sqrt(pi T / (2 mu)) the mean relative speed at the temperature T given
@@ -24,11 +23,12 @@ namespace carom {
 /// exchange velocities: each pair meets max(|v|, |w|) / L times per unit of time between walls and
 /// |v - w| / L times on a ring, which is exact over long times. For other masses the rate is the
 /// sum of g / L over all pairs with g = sqrt(2 T / (pi mu)).
-std::optional<double> expected_collision_rate(const Box& box, const Particles& particles,
-                                              const Sample& sample);
+///
+/// In both, g includes the exact factor of finite numbers, mean_speed_factor().
+double collisions_per_time(const BoxedGas& gas);
 
 /// The pair correlation chi at contact of disks with these radii, as used in
-/// expected_collision_rate(); dimensionless.
+/// collisions_per_time(); dimensionless.
 double contact_correlation(const Box& box, const Particles& particles, double radius,
                            double other_radius);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/placement/members.h"
+
 namespace carom {
 namespace {
 
@@ -86,6 +88,10 @@ double relative_compressibility(EquationOfState equation, double packing_fractio
     };
     const double low = packing_fraction * (1.0 - step), high = packing_fraction * (1.0 + step);
     return (high - low) / (pressure(high) - pressure(low));
+}
+
+double pressure_of_points(const Box& box, double thermal_energy) {
+    return 2.0 * thermal_energy / (box.dimension * size_of(box, box.size));
 }
 
 std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,

@@ -30,6 +30,10 @@ double compressibility_factor(EquationOfState equation, double packing_fraction)
 /// of a large fluid divided by that of an ideal gas.
 double relative_compressibility(EquationOfState equation, double packing_fraction);
 
+/// The pressure of a gas of point particles with this thermal energy: 2 K / (d V) with the size V
+/// of the box; in one dimension a force.
+double pressure_of_points(const Box& box, double thermal_energy);
+
 /// The time-averaged pressure, in energy per area, of a gas with this thermal motion in its box, as
 /// virial_pressure() and wall_pressure() measure it. In a plane it follows from an equation of
 /// state; the masses do not matter. Returns nothing on a line, and unless all disks have the same

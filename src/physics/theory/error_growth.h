@@ -3,18 +3,12 @@
 // Nothing is measured here.
 #pragma once
 
-#include <optional>
-#include <string>
-
-#include "physics/gas.h"
-#include "physics/particles.h"
-
 namespace carom {
 
 /// The number of bits s by which the distance between two states of one gas grows per collision of
 /// a particle, as long as it is far below a radius: a distance d becomes d 2^(s c) after c
-/// collisions of each particle with other particles, where c = 2 * collisions / N. Returns 0 for a
-/// packing fraction of 0.
+/// collisions of each particle with other particles, where c = 2 * collisions / N. Which gases it
+/// holds for, law() knows (LawOf::error_growth). Returns 0 for a packing fraction of 0.
 ///
 ///     s = 3.85 log2(1 + 0.115 / packing)
 ///
@@ -24,13 +18,5 @@ namespace carom {
 /// Lyapunov exponent in units of a particle's collision rate (Dellago, Posch and Hoover, Phys. Rev.
 /// E 53, 1485, 1996).
 double bits_lost_per_collision(double packing);
-
-/// The same for this gas, if its growth law is known: at least two equal disks, none of infinite
-/// mass. Returns nothing for mixtures and on a line, where nearby states separate far more slowly.
-std::optional<double> bits_lost_per_collision(const Box& box, const Particles& particles);
-
-/// Why the growth law of a gas is not known, before its particles are placed; nothing if it is
-/// known, or if the gas cannot be drawn.
-std::optional<std::string> why_no_growth_law(const Gas& gas);
 
 }  // namespace carom

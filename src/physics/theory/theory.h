@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -18,29 +19,31 @@ namespace carom {
 struct MassGroup {
     double mass;
     double count;
-    /// The largest share of the total energy that one particle can have: 1 between walls; 1 - m/M
-    /// in a periodic box, where the others must balance its momentum.
-    double largest_share;
+    /// The largest share of the total energy that one particle can have in its motion along each
+    /// axis: 1 between walls; 1 - m/M where momentum is conserved and the others must balance that
+    /// of the particle.
+    std::array<double, 2> largest_share{1.0, 1.0};
     void archive(auto& archive) { archive(mass, count, largest_share); }
 };
 
-/// A gas in equilibrium: energy shares are largest_share * Beta(alpha, beta).
+/// A gas in equilibrium. The momenta, divided by the roots of the masses, are a point uniformly
+/// distributed on a sphere in D dimensions: d for each particle, less one for each axis along which
+/// momentum is conserved. The share of the energy in one component of a particle's velocity is
+/// largest_share * Beta(1/2, (D - 1)/2). Where it is the same along all axes, that of the particle
+/// is largest_share * Beta(alpha, beta); where momentum is conserved along one axis of a plane
+/// only, it is a mixture of these over the direction of motion, of which each has the largest share
+/// 1 - m/M cos^2.
 struct EquilibriumGas {
     double energy = 0.0;            ///< of all particles together
-    double alpha = 1.0;             ///< half the dimension
-    double beta = 1.0;              ///< d/2 (N - 1) between walls, d/2 (N - 2) in a periodic box
+    double alpha = 1.0;             ///< half the dimension of the box, d/2
+    double beta = 1.0;              ///< D/2 - d/2
     std::vector<MassGroup> groups;  ///< the requested particles, by increasing mass
     void archive(auto& archive) { archive(energy, alpha, beta, groups); }
 };
 
-/// The equilibrium that the gas approaches. Returns nothing if there is none: energy is not
-/// conserved (moving infinite masses), momentum is conserved along one axis only or is not zero,
-/// there is no energy, points in a plane never meet, or there are too few particles to share the
-/// energy in more than one way. On a line there is also none if the masses are equal (velocities
-/// are only exchanged), if fixed beads separate those that move, or for two beads between walls or
-/// three on a ring: these move like a point in a triangle (Glashow and Mittag 1997), which need not
-/// come close to all of its states. `species` selects the particles whose distribution is
-/// requested; empty: all particles of finite mass.
+/// The equilibrium that the gas approaches if it has one, by why_no_equilibrium() (equilibrium.h).
+/// `species` selects the particles whose distribution is requested; empty: all particles of finite
+/// mass.
 std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
                                           const Sample& sample,
                                           const std::vector<int>& species = {});
@@ -62,13 +65,24 @@ double energy_probability(const EquilibriumGas& gas, double low, double high);
 double speed_density(const EquilibriumGas& gas, double v);
 
 /// Probability density of one component of a particle's velocity at v (of either sign), averaged
-/// over the groups; time/length. If a point is uniformly distributed on a unit sphere in D
-/// dimensions, each coordinate u has the density (1 - u^2)^((D - 3)/2) / B(1/2, (D - 1)/2); here D
-/// = d N, or d (N - 1) in a periodic box.
-double velocity_density(const EquilibriumGas& gas, double v);
+/// over the groups, and over the axes unless one is given; time/length. If a point is uniformly
+/// distributed on a unit sphere in D dimensions, each coordinate u has the density (1 - u^2)^((D -
+/// 3)/2) / B(1/2, (D - 1)/2).
+double velocity_density(const EquilibriumGas& gas, double v, std::optional<int> axis = {});
 
 /// Standard deviation of that component, whose mean is 0; length/time.
-double velocity_deviation(const EquilibriumGas& gas);
+double velocity_deviation(const EquilibriumGas& gas, std::optional<int> axis = {});
+
+/// The mean of |v| along an axis, averaged over the groups.
+double mean_speed_along(const EquilibriumGas& gas, int axis);
+
+/// D, the number of degrees of freedom that share the energy.
+inline double freedoms(const EquilibriumGas& gas) { return 2.0 * (gas.alpha + gas.beta); }
+
+/// The mean length of a vector of any dimension that D degrees of freedom of fixed energy include,
+/// divided by that for very many degrees of freedom at the same temperature: sqrt(D/2) Gamma(D/2) /
+/// Gamma(D/2 + 1/2), above 1. Relative speeds, too, have this factor.
+double mean_speed_factor(double freedoms);
 
 /// Mean kinetic energy of a particle, averaged over the groups.
 double mean_energy(const EquilibriumGas& gas);

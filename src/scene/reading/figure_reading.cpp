@@ -7,7 +7,7 @@
 #include <set>
 #include <variant>
 
-#include "physics/theory/equilibrium.h"
+#include "physics/theory/law.h"
 #include "scene/keys/made_once.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/panel_reading.h"
@@ -156,6 +156,19 @@ void check_names(const std::vector<Placed<FigureSpec>>& figures, const Node&, Re
                                "each figure writes its own files: give one of them another name");
 }
 
+// Why the bars have no equilibrium that they could be tested against. That they are of particles of
+// one mass is known when these are drawn.
+std::optional<NoLaw> why_no_test(const PanelSpec& panel, const Reading& reading) {
+    for (const LawOf quantity : {LawOf::distribution, LawOf::goodness_of_fit}) {
+        const auto reason = why_no_law(reading.gas, reading.run, quantity);
+        const bool depends_on_choice = reason && !panel.of.empty() &&
+                                       (reason->why == NoLaw::Why::unequal_masses ||
+                                        reason->why == NoLaw::Why::fixed_particles);
+        if (reason && !depends_on_choice) return reason;
+    }
+    return std::nullopt;
+}
+
 // Checks the assumptions of the test, as far as they are known before the run.
 void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
@@ -170,11 +183,12 @@ void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
                            "`test` compares the bars with the theory, which `theory: false` hides",
                            "leave out one of them");
     if (!particles_in(reading.gas)) return;
-    if (const auto reason = why_no_equilibrium(reading.gas))
-        reading.errors.add(
-            *asked,
-            "this gas has no equilibrium to be tested against: " + to_text(*reason, reading.gas),
-            "leave out `test`");
+    const auto reason = why_no_test(panel, reading);
+    if (reason)
+        reading.errors.add(*asked,
+                           "this gas has no equilibrium to be tested against: " +
+                               to_text(Language::english, *reason, reading.gas.species),
+                           "leave out `test`");
 }
 
 // Checks that a comparison draws one line for each run: its legend names the runs, not several

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/theory/equilibrium.h"
+#include "physics/theory/law.h"
 #include "scene/limits.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/overlay_reading.h"
@@ -179,16 +179,17 @@ void check_two_particles(const PanelSpec& panel, const Node& node, const PanelKi
 }
 
 // Reports a missing equilibrium curve only if the scene asks for it; if it is merely the default,
-// it is left out silently.
+// it is left out, and `check` lists it.
 void check_equilibrium(const PanelSpec& panel, const Node& node, const PanelKind& kind,
                        Reading& reading) {
     const Node* asked = given(node, "theory");
     if (asked == nullptr || !panel.theory || !kind.can(Ability::equilibrium)) return;
     if (asked->source->origin == Origin::template_file || reading.gas.species.empty()) return;
-    if (const auto reason = why_no_equilibrium(reading.gas))
-        reading.errors.add(
-            *asked, "there is no equilibrium curve for this gas: " + to_text(*reason, reading.gas),
-            "leave out `theory`; the curve is then drawn where there is one");
+    if (const auto reason = why_no_law(reading.gas, reading.run, LawOf::distribution))
+        reading.errors.add(*asked,
+                           "there is no equilibrium curve for this gas: " +
+                               to_text(Language::english, *reason, reading.gas.species),
+                           "leave out `theory`; the curve is then drawn where there is one");
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
-// Free flights of particles from one collision to the next: their lengths and durations, and the
-// exact means of both.
+// Free flights of particles from one collision to the next: their lengths and durations.
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,12 +53,5 @@ class FreeFlights {
     std::vector<FreeFlight> ended_;
     std::vector<FlightTotals> totals_;
 };
-
-/// The exact mean free path of a single disk among fixed disks, from hit to hit: pi times the area
-/// accessible to its centre, divided by the perimeter of that area. None if the formula does not
-/// hold: with obstacles of other shapes, disks too close for the moving disk to pass between,
-/// partitions, gravity, walls that act on particles other than by reflection, or walls that do not
-/// end a flight.
-std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool ends_at_walls);
 
 }  // namespace carom

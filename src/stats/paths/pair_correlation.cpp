@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "stats/paths/bin_number.h"
 #include "stats/paths/near_pairs.h"
+#include "util/bin_number.h"
 
 namespace carom {
 namespace {

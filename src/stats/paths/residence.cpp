@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "stats/paths/bin_number.h"
+#include "util/bin_number.h"
 
 namespace carom {
 

@@ -1,13 +1,12 @@
 // What a scene says of a gas's equilibrium before anything is drawn, against what theory says of
 // the drawn particles.
 
-#include "physics/theory/equilibrium.h"
-
 #include <doctest/doctest.h>
 
 #include <string>
 
 #include "physics/simulation.h"
+#include "physics/theory/law.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -95,8 +94,8 @@ TEST_CASE("the reasons against an equilibrium are those of theory") {
     for (const Case& one : cases) {
         CAPTURE(one.box + "; " + one.gas);
         const Scene scene = scene_of(one.box, one.gas);
-        const auto reason = why_no_equilibrium(scene.gas);
-        CAPTURE((reason ? to_text(*reason, scene.gas) : "none"));
+        const auto reason = why_no_law(scene.gas, scene.run, LawOf::distribution);
+        CAPTURE((reason ? to_text(Language::english, *reason, scene.gas.species) : "none"));
         CHECK(has_equilibrium(scene.gas) == !reason.has_value());
         without += reason.has_value();
     }

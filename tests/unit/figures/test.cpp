@@ -69,15 +69,22 @@ TEST_CASE("over many seeds p of simulated gases is spread evenly") {
 
 TEST_CASE("what cannot be tested is refused with the reason") {
     const std::string test = "{name: a, kind: speed-histogram, test: true}";
-    CHECK(refusal(scene_of("[{name: a, count: 90, radius: 0.3, speed: 2}, {name: b, count: 9, "
-                           "radius: 0.3, mass: 2}]",
-                           test)) == "the test is for particles of one finite mass");
+    const auto refused = [](const std::string& gas, const std::string& figure) {
+        try {
+            return refusal(scene_of(gas, figure));
+        } catch (const SceneError& error) {  // as soon as the scene is read
+            return error.diagnostics().front().message;
+        }
+    };
+    CHECK(refused("[{name: a, count: 90, radius: 0.3, speed: 2}, {name: b, count: 9, radius: 0.3, "
+                  "mass: 2}]",
+                  test) == "this gas has no equilibrium to be tested against: the masses differ");
     // Fewer than 15 are refused before the run (tests/scenes_bad/figure_test_few.yaml).
     CHECK(refusal(scene_of("[{name: a, count: 15, radius: 0.3, speed: 2}]", test)) ==
           "too few particles for the test: fewer than three bars have 5 expected counts");
-    CHECK(refusal(scene_of("[{name: a, count: 90, radius: 0.3, speed: 2}, {name: b, count: 30, "
-                           "radius: 0.3, mass: infinite}]",
-                           "{name: a, kind: speed-histogram, of: all, test: true}")) ==
+    CHECK(refused("[{name: a, count: 90, radius: 0.3, speed: 2}, {name: b, count: 30, radius: 0.3, "
+                  "mass: infinite}]",
+                  "{name: a, kind: speed-histogram, of: all, test: true}") ==
           "the test is for particles of one finite mass");
     CHECK(refusal(scene_of("[{name: a, count: 90, radius: 0.3, speed: 2}, {name: b, count: 9, "
                            "radius: 0.3, mass: 2}]",

@@ -46,7 +46,7 @@ PanelSpec walk_of(std::int64_t first, std::int64_t second) {
 struct Seen {
     Scene scene;
     Particles particles;
-    std::optional<EquilibriumGas> none = {};
+    BoxedGas none = {};
     std::unique_ptr<Panel> made;
     PlotPanel& panel;
     std::vector<std::shared_ptr<const PanelState>> states = {};

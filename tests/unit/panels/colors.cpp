@@ -80,7 +80,7 @@ TEST_CASE("disks of a class of speed have its colour, and species beside them no
             if (!palette.empty()) scene.film.palette = palette;
             const Particles particles{Eigen::ArrayXd::Constant(3, 0.5), Eigen::ArrayXd::Ones(3),
                                       Eigen::ArrayXi{{0, 0, 1}}};
-            const std::optional<EquilibriumGas> none;
+            const BoxedGas none;
             GasColors colors({scene, particles, 1, none});
             colors.fix_scale();
             for (std::size_t k = 0; k < 3; ++k) {
@@ -350,7 +350,7 @@ TEST_CASE("a direction has its own colour for every viewer, and what rests has n
     const Scene scene = scene_of("{count: 1}", "panels: [], color_by: direction");
     const Particles particles{Eigen::ArrayXd::Constant(1, 0.5), Eigen::ArrayXd::Ones(1),
                               Eigen::ArrayXi::Zero(1)};
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     GasColors colors({scene, particles, 1, none});
     colors.fix_scale();
     for (const ThemeKind kind : all_themes) {
@@ -383,7 +383,7 @@ TEST_CASE("a colour that a species has in its scene is that of its disks, whatev
                                      "panels: [], color_by: " + by);
         const Particles particles{Eigen::ArrayXd::Constant(4, 0.5), Eigen::ArrayXd::Ones(4),
                                   Eigen::ArrayXi{{0, 0, 0, 1}}};
-        const std::optional<EquilibriumGas> none;
+        const BoxedGas none;
         GasColors colors({scene, particles, 1, none});
         colors.fix_scale();
         const auto seen = [&](Eigen::Index i, double speed) {
@@ -422,7 +422,7 @@ TEST_CASE("whether there are infinite masses is found once, not for every disk")
                                  "panels: [], color_by: mass");
     Particles particles{Eigen::ArrayXd::Constant(4, 0.5), Eigen::ArrayXd{{1.0, 1.0, 1.0, 0.0}},
                         Eigen::ArrayXi{{0, 0, 0, 1}}};
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     GasColors colors({scene, particles, 1, none});
     particles.inverse_mass[3] = 1.0;  // a look at all masses now would find none
     CHECK(colors.tells_infinite());

@@ -23,7 +23,7 @@ struct DialSeen {
     Scene scene;
     Simulation simulation;
     Particles particles;
-    std::optional<EquilibriumGas> equilibrium;
+    BoxedGas gas;
     std::unique_ptr<Panel> panel;
     std::vector<double> times = {};
     std::vector<std::shared_ptr<const PanelState>> states = {};
@@ -32,8 +32,8 @@ struct DialSeen {
         : scene(test::scene_from("title: T\n" + text)),
           simulation(scene.gas, scene.run),
           particles(simulation.particles()),
-          equilibrium(carom::equilibrium(scene.gas.box, particles, simulation.sample())),
-          panel(make_panel({scene, particles, steps + 1, equilibrium}, scene.film.panels.at(0))) {
+          gas(scene.gas.box, scene.run.events, particles, simulation.sample()),
+          panel(make_panel({scene, particles, steps + 1, gas}, scene.film.panels.at(0))) {
         simulation.record_collisions(panel->surveys_collisions());
         const Simulation start = simulation;
         each_frame(steps, [&](const FrameInput& input) {

@@ -41,7 +41,7 @@ std::string nudge(double at, int particle, double x, double y) {
 // The record of a pass over frames at these times.
 EchoRecord record_of(const Scene& scene, const std::vector<double>& times) {
     Simulation simulation(scene.gas, scene.run);
-    const std::optional<EquilibriumGas> equilibrium;
+    const BoxedGas equilibrium;
     std::vector<Tick> ticks(times.size());
     for (std::size_t k = 0; k < times.size(); ++k) {
         ticks[k].frame = static_cast<int>(k);

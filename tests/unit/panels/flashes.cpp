@@ -85,7 +85,7 @@ struct Pair {
 // The flashes of a film, frame by frame, as the gas panel chooses them.
 std::vector<std::vector<Flash>> all_flashes(const Scene& scene, std::vector<std::string>& remarks) {
     Simulation simulation(scene.gas, scene.run);
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     const PanelContext context{scene, simulation.particles(), frame_count(scene.film), none};
     Flashes flashes(context);
     simulation.record_collisions(true);

@@ -17,7 +17,7 @@ using test::relative;
 namespace {
 
 EquilibriumGas gas_of(double energy, double count) {
-    return {.energy = energy, .beta = count - 1.0, .groups = {{1.0, count, 1.0}}};
+    return {.energy = energy, .beta = count - 1.0, .groups = {{1.0, count}}};
 }
 
 HistogramRecord record_of(double mean_start, double particles, double energy,

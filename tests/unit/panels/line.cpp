@@ -41,7 +41,7 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
         Simulation simulation(scene.gas, scene.run);
         simulation.record_collisions(true);
         const Particles& particles = simulation.particles();
-        const std::optional<EquilibriumGas> none;
+        const BoxedGas none;
         const PanelContext context{scene, particles, 30, none};
         const LineMap map(context, simulation.sample());
         Eigen::ArrayXd last = map.places(simulation.sample(), {});
@@ -77,7 +77,7 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
 TEST_CASE("beads are drawn with their own radius, the wanted one, or 0.4 of the mean spacing") {
     const Scene scene = scene_of("length: 11", mixture, "seconds: 1");
     Simulation simulation(scene.gas, scene.run);
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     const Particles& particles = simulation.particles();
     const LineMap map({scene, particles, 30, none}, simulation.sample());
     CHECK(map.radius(0) == relative(0.4, 1e-12));

@@ -33,7 +33,7 @@ Scene scene_of(const std::string& film,
 std::vector<std::optional<CameraView>> way_of(const Scene& scene) {
     const StartedScene started = start_scene(scene);
     const Particles particles = started.simulation.particles();
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     const PanelContext context{scene, particles, frame_count(scene.film), none};
     Camera camera(context);
     Simulation run = started.simulation;
@@ -90,7 +90,7 @@ TEST_CASE("a spotlight dims all others to 35 %, and two that follow one another 
     const Scene scene =
         scene_of("spotlight: [{from: 1, to: 2, on: [0, 3]}, {from: 2, to: 3, on: [0, 5]}]");
     const Particles particles = start_scene(scene).simulation.particles();
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     const Spotlights lights({scene, particles, frame_count(scene.film), none});
     for (const Tick& tick : timeline(scene)) {
         const std::vector<float> light = lights.light(tick);

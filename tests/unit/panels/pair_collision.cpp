@@ -30,7 +30,7 @@ Scene scene_of(const std::string& box, const std::string& gas, double until,
 PairCollision pair_collision_in(const Scene& scene, Simulation simulation,
                                 const PanelSpec& spec = {}) {
     const Particles particles = simulation.particles();
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     PairCollisionWatch watch(PanelContext{scene, particles, 10, none}, spec);
     simulation.record_collisions(true);
     const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(particles.count());

@@ -105,7 +105,7 @@ TEST_CASE("the chevrons of joined sides stay within the place of the gas") {
         const Scene scene = test::scene_from("title: T\nbox: {size: [20, 10], walls: " + walls +
                                              "}\ngas: [{count: 3}]\nrun: {until: 1}\n");
         const Simulation simulation(scene.gas, scene.run);
-        const std::optional<EquilibriumGas> none;
+        const BoxedGas none;
         const SurfaceView view(PanelContext{scene, simulation.particles(), 30, none});
         constexpr double unit = 10.0;
         const Rect place{100.0, 50.0, 400.0, 200.0};  // of the shape of the box

@@ -32,7 +32,7 @@ Scene scene_of(const std::string& trails, const std::string& box = "size: [64, 4
 std::string trails_of(const std::string& trails) {
     const Scene scene = scene_of(trails);
     const Simulation simulation(scene.gas, scene.run);
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     const PanelContext context{scene, simulation.particles(), 30, none};
     std::string seconds;
     for (Eigen::Index i = 0; i < 12; ++i) {
@@ -63,7 +63,7 @@ TEST_CASE("a trail is drawn behind the particle that has one, and nowhere else")
 TEST_CASE("on a wire a bead with a trail stands out") {
     const Scene scene = scene_of("trails: {of: 3}", "length: 64");
     const Simulation simulation(scene.gas, scene.run);
-    const std::optional<EquilibriumGas> none;
+    const BoxedGas none;
     const PanelContext context{scene, simulation.particles(), 30, none};
     for (Eigen::Index i = 0; i < 12; ++i) CHECK(stands_out(context, i) == (i == 3 || i >= 9));
 }

@@ -12,7 +12,7 @@
 
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
-#include "stats/barometric_law.h"
+#include "physics/theory/law.h"
 #include "stats/paths/thermal_times.h"
 #include "stats/run_statistics.h"
 #include "support/relative.h"
@@ -149,9 +149,9 @@ TEST_CASE("the barometric law of a gas that drifts is that of the same gas at re
     Simulation simulation(gas, Run{});
     const Particles particles = simulation.particles();
     const auto law = [&](const Sample& start) {
-        return barometric_densities(gas.box, particles, start, 1, slabs(gas.box, 1, 10),
-                                    {all_of(particles)})
-            .at(0);
+        return carom::law(BoxedGas(gas.box, {}, particles, start), LawOf::heights,
+                          {.axis = 1, .cells = 10})
+            .curve;
     };
     Sample drifting = simulation.sample();
     const std::vector<double> at_rest = law(drifting);

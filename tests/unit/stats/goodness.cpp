@@ -31,7 +31,8 @@ EquilibriumGas gas_of(const Draw& draw, double mass) {
     gas.energy = 0.5 * d * n;
     gas.alpha = 0.5 * d;
     gas.beta = 0.5 * d * (n - (draw.periodic ? 2.0 : 1.0));
-    gas.groups = {{mass, double(draw.chosen), draw.periodic ? 1.0 - 1.0 / n : 1.0}};
+    const double share = draw.periodic ? 1.0 - 1.0 / n : 1.0;
+    gas.groups = {{mass, double(draw.chosen), {share, share}}};
     return gas;
 }
 

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "physics/theory/billiard.h"
 #include "stats/paths/bond_order.h"
 #include "stats/paths/free_flights.h"
 #include "stats/paths/lag_averages.h"

@@ -10,6 +10,7 @@
 #include "physics/exact_positions.h"
 #include "physics/mechanics.h"
 #include "physics/placement/overlap.h"
+#include "physics/theory/equation_of_state.h"
 #include "stats/pressure.h"
 #include "support/relative.h"
 #include "util/random.h"

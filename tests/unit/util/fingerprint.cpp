@@ -6,7 +6,6 @@
 
 #include "support/files.h"
 #include "util/diagnostics.h"
-#include "util/files/input_file.h"
 
 using namespace carom;
 

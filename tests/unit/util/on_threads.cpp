@@ -1,5 +1,5 @@
 // Work on several threads: all of it, each once, and of several errors always the same one.
-#include "util/on_threads.h"
+#include "util/threads/on_threads.h"
 
 #include <doctest/doctest.h>
 

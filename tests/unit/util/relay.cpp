@@ -1,4 +1,4 @@
-#include "util/relay.h"
+#include "util/threads/relay.h"
 
 #include <doctest/doctest.h>
 

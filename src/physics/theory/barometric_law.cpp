@@ -1,10 +1,8 @@
-#include "stats/barometric_law.h"
+#include "physics/theory/barometric_law.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "physics/mechanics.h"
 
 namespace carom {
 namespace {
@@ -23,15 +21,15 @@ double variance_of(double a) {
 double log_integral_of(double a) { return a < 1e-9 ? 0.0 : std::log(-std::expm1(-a) / a); }
 
 // All degrees of freedom of the gas except the height of one particle.
-struct Others {
+struct OtherFreedoms {
     double freedoms, gravity;
     std::vector<FallingKind> kinds;
 
     // The sum of `function` over all these particles, evaluated at m g height / T with T = 1 / b.
     double sum(double b, double (*function)(double)) const {
         double all = 0.0;
-        for (const FallingKind& one : kinds)
-            all += one.count * function(b * one.mass * gravity * one.height);
+        for (const FallingKind& kind : kinds)
+            all += kind.count * function(b * kind.mass * gravity * kind.height);
         return all;
     }
 
@@ -59,7 +57,7 @@ struct Others {
 
 BarometricLaw::BarometricLaw(double freedoms, double energy, double gravity,
                              const std::vector<FallingKind>& kinds, std::size_t kind) {
-    Others others{freedoms, gravity, kinds};
+    OtherFreedoms others{freedoms, gravity, kinds};
     others.kinds[kind].count -= 1.0;
     const double weight = kinds[kind].mass * gravity;
     // A column may be much higher than any particle comes; T is not above this.
@@ -89,32 +87,24 @@ double BarometricLaw::share_below(double height) const {
 
 namespace {
 
-constexpr std::size_t most_kinds = 20;
-
 // The particles grouped into kinds that share one law: by mass, and by how far they can fall.
 struct Falling {
-    double energy = 0.0;
     std::vector<FallingKind> kinds = {};
     std::vector<std::size_t> kind_of = {};  // of each particle
 };
 
-// `drift`: the conserved velocity of the centre of mass.
-Falling falling(const Box& box, const Particles& particles, const Sample& start, int axis,
-                const Eigen::ArrayXd& drift) {
-    const double gravity = box.surfaces.gravity[axis], size = box.size[axis];
+Falling falling(const Box& box, const Particles& particles, int axis) {
     Falling all;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        const double mass = 1.0 / particles.inverse_mass[i], radius = particles.radius[i];
-        const double lowest = gravity < 0.0 ? radius : size - radius;
-        const double height = size - 2.0 * radius;
-        const double square = (start.velocity.row(i).transpose() - drift).square().sum();
-        all.energy += mass * (0.5 * square - gravity * (start.position(i, axis) - lowest));
+        const double mass = 1.0 / particles.inverse_mass[i];
+        const double height = box.size[axis] - 2.0 * particles.radius[i];
         auto kind = std::ranges::find_if(all.kinds, [&](const FallingKind& one) {
             return one.mass == mass && one.height == height;
         });
         if (kind == all.kinds.end()) kind = all.kinds.insert(kind, {mass, 0.0, height});
         kind->count += 1.0;
         all.kind_of.push_back(static_cast<std::size_t>(kind - all.kinds.begin()));
+        if (all.kinds.size() > most_falling_kinds) break;
     }
     return all;
 }
@@ -130,34 +120,27 @@ double share_in(const BarometricLaw& law, const Box& box, int axis, double radiu
 
 }  // namespace
 
-std::vector<std::vector<double>> barometric_densities(
-    const Box& box, const Particles& particles, const Sample& start, int axis, const Cells& slabs,
-    const std::vector<std::vector<Eigen::Index>>& groups) {
-    if ((particles.inverse_mass == 0.0).any()) return {};
-    // The motion of the centre of mass along the other axis is conserved: it takes no part in the
-    // energy and the degrees of freedom that the particles share.
-    const bool is_joined = box.dimension == 2 && conserves_momentum(box, particles, 1 - axis);
-    Eigen::ArrayXd drift = Eigen::ArrayXd::Zero(box.dimension);
-    if (is_joined) drift[1 - axis] = momentum(particles, start)[1 - axis] / masses(particles).sum();
-    const Falling all = falling(box, particles, start, axis, drift);
-    const double freedoms = double(box.dimension) * double(particles.count()) - (is_joined ? 1 : 0);
-    if (!(all.energy > 0.0) || freedoms < 3.0 || all.kinds.size() > most_kinds) return {};
-    const double gravity = std::abs(box.surfaces.gravity[axis]), width = slabs.size[axis];
-    std::vector<std::vector<double>> densities;
-    for (const std::vector<Eigen::Index>& group : groups) {
-        std::vector<double>& its = densities.emplace_back(slabs.all(), 0.0);
-        for (std::size_t kind = 0; kind < all.kinds.size(); ++kind) {
-            double count = 0.0;
-            for (const Eigen::Index i : group)
-                count += all.kind_of[static_cast<std::size_t>(i)] == kind ? 1.0 : 0.0;
-            if (count == 0.0) continue;
-            const BarometricLaw law(freedoms, all.energy, gravity, all.kinds, kind);
-            const double radius = 0.5 * (box.size[axis] - all.kinds[kind].height);
-            for (std::size_t slab = 0; slab < its.size(); ++slab) {
-                const double low = static_cast<double>(slab) * width;
-                its[slab] +=
-                    count * share_in(law, box, axis, radius, low, low + width) / slabs.area();
-            }
+std::size_t falling_kinds(const BoxedGas& gas, int axis) {
+    return falling(gas.box, *gas.particles, axis).kinds.size();
+}
+
+std::vector<double> barometric_densities(const BoxedGas& gas, int axis, int slabs,
+                                         const std::vector<Eigen::Index>& members) {
+    const Box& box = gas.box;
+    const Falling all = falling(box, *gas.particles, axis);
+    const double gravity = std::abs(box.surfaces.gravity[axis]), width = box.size[axis] / slabs;
+    const double energy = gas.thermal.energy + gas.falling_energy;
+    std::vector<double> counts(all.kinds.size(), 0.0);
+    for (const Eigen::Index i : members) counts[all.kind_of[static_cast<std::size_t>(i)]] += 1.0;
+    std::vector<double> densities(static_cast<std::size_t>(slabs), 0.0);
+    for (std::size_t kind = 0; kind < counts.size(); ++kind) {
+        if (counts[kind] == 0.0) continue;
+        const BarometricLaw law(gas.freedoms(), energy, gravity, all.kinds, kind);
+        const double radius = 0.5 * (box.size[axis] - all.kinds[kind].height);
+        for (std::size_t slab = 0; slab < densities.size(); ++slab) {
+            const double low = static_cast<double>(slab) * width;
+            densities[slab] += counts[kind] * share_in(law, box, axis, radius, low, low + width) /
+                               (box.size.prod() / slabs);
         }
     }
     return densities;

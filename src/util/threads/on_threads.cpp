@@ -1,4 +1,4 @@
-#include "util/on_threads.h"
+#include "util/threads/on_threads.h"
 
 #include <fmt/format.h>
 #include <sys/mman.h>

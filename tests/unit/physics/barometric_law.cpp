@@ -1,5 +1,5 @@
 // The barometric law of a few particles against the exact volumes of phase space.
-#include "stats/barometric_law.h"
+#include "physics/theory/barometric_law.h"
 
 #include <doctest/doctest.h>
 

@@ -12,7 +12,7 @@
 #include <thread>
 #include <utility>
 
-#include "util/on_threads.h"
+#include "util/threads/on_threads.h"
 
 namespace carom {
 

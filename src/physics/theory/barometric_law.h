@@ -6,10 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "physics/gas.h"
-#include "physics/particles.h"
-#include "physics/simulation.h"
-#include "stats/cell_averages.h"
+#include "physics/theory/boxed_gas.h"
 
 namespace carom {
 
@@ -43,13 +40,17 @@ class BarometricLaw {
     std::vector<double> below_;  ///< the probability to be below each tabulated height
 };
 
-/// The expected density of each group of particles in each slab, for an ideal gas with the energy
-/// of the sample `start`; the slabs lie side by side along `axis`, along which gravity acts.
-/// Indexed [group][slab]; number of particles per area. Empty where there is no such law: with
-/// infinite masses, energy not above 0, fewer than three degrees of freedom or more than twenty
-/// kinds of particles.
-std::vector<std::vector<double>> barometric_densities(
-    const Box& box, const Particles& particles, const Sample& start, int axis, const Cells& slabs,
-    const std::vector<std::vector<Eigen::Index>>& groups);
+/// More kinds than this have no law: the volumes of phase space would take too long.
+inline constexpr std::size_t most_falling_kinds = 20;
+
+/// The number of kinds of particles of a gas by mass and by how far they can fall along an axis; no
+/// more than one above most_falling_kinds.
+std::size_t falling_kinds(const BoxedGas& gas, int axis);
+
+/// The expected density of some particles of an ideal gas in each of `slabs` slabs side by side
+/// along `axis`, along which gravity acts; number of particles per area. Only where law() has one
+/// (LawOf::heights).
+std::vector<double> barometric_densities(const BoxedGas& gas, int axis, int slabs,
+                                         const std::vector<Eigen::Index>& members);
 
 }  // namespace carom

@@ -1,0 +1,227 @@
+#include "physics/theory/boxed_gas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "physics/placement/members.h"
+#include "physics/surfaces/behaviours.h"
+
+namespace carom {
+namespace {
+
+using Why = NoLaw::Why;
+
+// A curve is drawn from a few hundred points. If there are more different masses than this,
+// neighbouring masses are merged, to within a thousandth of the logarithmic range of masses.
+constexpr std::size_t most_groups = 1024;
+
+// Momentum left by round-off carries this part of the energy at most.
+constexpr double negligible_share = 1e-12;
+
+std::vector<MassGroup> group_by_mass(std::vector<double> masses) {
+    std::sort(masses.begin(), masses.end());
+    std::vector<MassGroup> groups;
+    for (const double mass : masses) {
+        if (!groups.empty() && groups.back().mass == mass)
+            groups.back().count += 1.0;
+        else
+            groups.push_back({mass, 1.0});
+    }
+    if (groups.size() <= most_groups) return groups;
+    std::vector<MassGroup> merged;
+    const double ratio = std::pow(masses.back() / masses.front(), 1.0 / double(most_groups));
+    for (const MassGroup& group : groups) {
+        if (!merged.empty() && group.mass < merged.back().mass * ratio)
+            merged.back().count += group.count;
+        else
+            merged.push_back(group);
+    }
+    return merged;
+}
+
+void add_influence(const Behaviour& behaviour, Influences& all) {
+    if (const auto* bath = std::get_if<Bath>(&behaviour)) {
+        const bool is_other = all.bath && all.temperature != bath->temperature;
+        all.temperature = is_other ? std::numeric_limits<double>::quiet_NaN() : bath->temperature;
+        all.bath = true;
+    }
+    all.driven = all.driven || std::holds_alternative<Driven>(behaviour);
+    all.piston = all.piston || std::holds_alternative<Piston>(behaviour);
+    all.membrane = all.membrane || std::holds_alternative<Membrane>(behaviour);
+}
+
+// Whether the partition with this index is open, has gaps or is opened by an event.
+bool lets_through(const Partition& partition, std::size_t index,
+                  const std::vector<RunEvent>& events) {
+    if (partition.is_open || !partition.gaps.empty()) return true;
+    const auto number = static_cast<std::int32_t>(index) + Surfaces::first_partition;
+    return std::ranges::any_of(events, [&](const RunEvent& event) {
+        const auto* open = std::get_if<SetOpen>(&event.action);
+        return open != nullptr && open->surface == number;
+    });
+}
+
+Influences influences_of(const Box& box, const std::vector<RunEvent>& events) {
+    const Surfaces& surfaces = box.surfaces;
+    Influences all;
+    Run run;
+    run.events = events;
+    const std::vector<std::vector<Behaviour>> behaviours = behaviours_in_time(surfaces, run);
+    for (std::size_t k = 0; k < behaviours.size(); ++k) {
+        const bool is_wall =
+            !Surfaces::is_side(k) || (box.has_surface(k) && !box.is_periodic(k / 2));
+        for (const Behaviour& one : behaviours[k])
+            if (is_wall) add_influence(one, all);
+    }
+    all.partitions = !surfaces.partitions.empty();
+    for (std::size_t k = 0; k < surfaces.partitions.size(); ++k)
+        all.divided = all.divided || !lets_through(surfaces.partitions[k], k, events);
+    all.obstacles = !surfaces.obstacles.empty();
+    for (const std::size_t axis : {0, 1})
+        all.gravity.at(axis) = surfaces.gravity[static_cast<Eigen::Index>(axis)] != 0.0;
+    for (const RunEvent& event : events) {
+        const bool heats = std::holds_alternative<Heat>(event.action);
+        const bool changes_wall = acts_on_box({event}) && !heats;
+        all.heat_event = all.heat_event || heats;
+        all.wall_event = all.wall_event || changes_wall;
+        all.velocities = all.velocities || (!heats && !changes_wall);
+    }
+    return all;
+}
+
+// Whether all beads of finite mass lie in a single stretch between beads that never move.
+bool beads_are_together(const Box& box, const Particles& particles, const Sample& sample) {
+    const Beads order = beads_along(sample, 0);
+    const auto moves = [&](std::size_t k) { return particles.inverse_mass[order[k].second] > 0.0; };
+    int stretches = moves(0) && !(box.is_periodic(0) && moves(order.size() - 1)) ? 1 : 0;
+    for (std::size_t k = 1; k < order.size(); ++k) stretches += moves(k) && !moves(k - 1);
+    return stretches <= 1;
+}
+
+bool have_one_mass(const Particles& particles) {
+    const auto finite = particles.inverse_mass > 0.0;
+    const double lightest = particles.inverse_mass.maxCoeff();
+    return (finite.select(particles.inverse_mass, lightest) == lightest).all();
+}
+
+// Additional reasons on a line.
+std::optional<NoLaw> why_not_on_line(const BoxedGas& gas) {
+    const Particles& particles = *gas.particles;
+    if (have_one_mass(particles)) return NoLaw{Why::equal_masses};
+    if (gas.finite < (gas.conserves[0] ? 4.0 : 3.0))
+        return NoLaw{gas.conserves[0] ? Why::few_on_ring : Why::few_between_ends};
+    if (gas.is_placed && !beads_are_together(gas.box, particles, gas.line))
+        return NoLaw{Why::parted};
+    return std::nullopt;
+}
+
+std::optional<NoLaw> why_not(const BoxedGas& gas) {
+    if (const auto reason = why_not_isolated(gas)) return reason;
+    if (gas.finite == 0.0) return NoLaw{Why::no_finite_mass};
+    if (gas.finite == 1.0) return NoLaw{Why::alone};
+    if (gas.finite == 2.0 && gas.conserves_all()) return NoLaw{Why::pair};
+    if (gas.finite == 2.0 && gas.conserves_one()) return NoLaw{Why::few};
+    if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
+    if (gas.drifts) return NoLaw{Why::drifts};
+    if (gas.box.dimension == 1) return why_not_on_line(gas);
+    if (!(gas.particles->radius > 0.0).all()) return NoLaw{Why::points};
+    return std::nullopt;
+}
+
+EquilibriumGas equilibrium_of(const BoxedGas& gas) {
+    EquilibriumGas all;
+    all.energy = gas.energy;
+    all.alpha = 0.5 * gas.box.dimension;
+    all.beta = 0.5 * std::round(gas.freedoms()) - all.alpha;
+    std::vector<double> found;
+    for (const double inverse : gas.particles->inverse_mass)
+        if (inverse > 0.0) found.push_back(1.0 / inverse);
+    all.groups = group_by_mass(std::move(found));
+    for (MassGroup& group : all.groups)
+        for (const std::size_t axis : {0, 1})
+            if (gas.conserves.at(axis)) group.largest_share.at(axis) = 1.0 - group.mass / gas.mass;
+    return all;
+}
+
+}  // namespace
+
+std::optional<NoLaw> why_not_isolated(const BoxedGas& gas) {
+    const Influences& all = gas.influences;
+    if (gas.particles == nullptr) return NoLaw{Why::unknown_gas};
+    if (gas.moving_infinite_mass)
+        return NoLaw{Why::moving_infinite_mass, *gas.moving_infinite_mass};
+    if (all.driven) return NoLaw{Why::driven};
+    if (all.bath) return NoLaw{std::isnan(all.temperature) ? Why::baths_differ : Why::bath};
+    if (all.piston) return NoLaw{Why::piston};
+    if (all.membrane) return NoLaw{Why::membrane};
+    if (all.wall_event || all.heat_event) return NoLaw{Why::event};
+    if (all.has_gravity()) return NoLaw{Why::gravity};
+    if (all.partitions) return NoLaw{Why::partitions};
+    if (all.obstacles) return NoLaw{Why::obstacles};
+    return std::nullopt;
+}
+
+BoxedGas::BoxedGas(const Box& its_box, const std::vector<RunEvent>& events,
+                   const Particles& its_particles, const Sample& start)
+    : box(its_box),
+      particles(&its_particles),
+      influences(influences_of(its_box, events)),
+      finite(static_cast<double>((its_particles.inverse_mass > 0.0).count())),
+      fixed(static_cast<double>(its_particles.count()) - finite),
+      thermal(thermal_motion(its_box, its_particles, start)) {
+    const Eigen::ArrayXd masses =
+        (particles->inverse_mass > 0.0).select(particles->inverse_mass.inverse(), 0.0);
+    const Eigen::ArrayXd square_speed = start.velocity.square().rowwise().sum();
+    mass = masses.sum();
+    is_placed = (start.position != 0.0).any();
+    energy = 0.5 * (masses * square_speed).sum();
+    for (Eigen::Index i = 0; i < particles->count() && !moving_infinite_mass; ++i)
+        if (masses[i] == 0.0 && square_speed[i] > 0.0)
+            moving_infinite_mass = static_cast<std::size_t>(particles->species[i]);
+    for (Eigen::Index axis = 0; axis < box.dimension; ++axis) {
+        conserves.at(static_cast<std::size_t>(axis)) = conserves_momentum(box, *particles, axis);
+        if (conserves.at(static_cast<std::size_t>(axis)))
+            drift[axis] = masses.matrix().dot(start.velocity.col(axis).matrix()) / mass;
+        const double gravity = box.surfaces.gravity[axis];
+        if (gravity == 0.0 || !is_placed) continue;
+        const auto lowest = gravity < 0.0 ? particles->radius : box.size[axis] - particles->radius;
+        falling_energy -= gravity * (masses * (start.position.col(axis) - lowest)).sum();
+    }
+    drifts = 0.5 * mass * drift.square().sum() > negligible_share * energy;
+    if (box.dimension == 1) line = start;
+    no_equilibrium = why_not(*this);
+    if (!no_equilibrium) equilibrium = equilibrium_of(*this);
+}
+
+std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
+                                          const Sample& sample, const std::vector<int>& species) {
+    const BoxedGas boxed(box, {}, particles, sample);
+    if (!boxed.equilibrium || species.empty()) return boxed.equilibrium;
+    std::vector<Eigen::Index> chosen;
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        if (std::ranges::find(species, particles.species[i]) != species.end()) chosen.push_back(i);
+    return among(*boxed.equilibrium, particles, chosen);
+}
+
+std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& particles,
+                                    const std::vector<Eigen::Index>& chosen) {
+    std::vector<double> wanted;
+    for (const Eigen::Index i : chosen)
+        if (particles.inverse_mass[i] > 0.0) wanted.push_back(1.0 / particles.inverse_mass[i]);
+    if (wanted.empty()) return std::nullopt;
+    EquilibriumGas some = gas;
+    some.groups = group_by_mass(std::move(wanted));
+    for (MassGroup& group : some.groups) {
+        const auto heavier =
+            std::upper_bound(gas.groups.begin(), gas.groups.end(), group.mass,
+                             [](double mass, const MassGroup& other) { return mass < other.mass; });
+        group.largest_share = std::prev(heavier)->largest_share;
+    }
+    return some;
+}
+
+}  // namespace carom

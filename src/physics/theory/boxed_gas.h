@@ -1,0 +1,81 @@
+// A gas in its box at the start of its run, as theory sees it: what acts at its walls, what is
+// conserved, and how many particles share it. Everything that decides which laws hold (law.h).
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "physics/gas.h"
+#include "physics/mechanics.h"
+#include "physics/particles.h"
+#include "physics/run.h"
+#include "physics/theory/no_law.h"
+#include "physics/theory/theory.h"
+
+namespace carom {
+
+/// What acts on a gas in the course of its run, by its box and by events.
+struct Influences {
+    bool bath = false, driven = false, piston = false, membrane = false;  ///< at any time
+    bool partitions = false;                                              ///< open or closed
+    bool divided = false;  ///< by a partition without gaps that no event opens
+    bool obstacles = false;
+    std::array<bool, 2> gravity{};
+    bool wall_event = false;   ///< an event opens, closes, moves or changes a wall
+    bool heat_event = false;   ///< an event heats or cools
+    bool velocities = false;   ///< an event reverses velocities or displaces a particle
+    double temperature = 0.0;  ///< of all baths; NaN if they differ
+
+    bool has_gravity() const { return gravity[0] || gravity[1]; }
+    /// Whether energy is conserved and the box is plain: only reflecting or periodic sides.
+    bool is_plain() const {
+        return !bath && !driven && !piston && !membrane && !partitions && !obstacles &&
+               !has_gravity() && !wall_event && !heat_event;
+    }
+};
+
+/// Made once from the start of a run. Refers to the particles, which must outlive it. Copies are
+/// independent of each other.
+struct BoxedGas {
+    /// No gas: there is no law for any quantity of it.
+    BoxedGas() = default;
+
+    /// `start`: velocities and positions at time 0. Positions that are all 0 are not known yet:
+    /// they are taken to allow what other positions allow.
+    BoxedGas(const Box& its_box, const std::vector<RunEvent>& events,
+             const Particles& its_particles, const Sample& start);
+
+    Box box;
+    const Particles* particles = nullptr;  ///< none: no gas
+    Influences influences;
+    std::array<bool, 2> conserves{};   ///< momentum, along each axis
+    double finite = 0.0, fixed = 0.0;  ///< numbers of particles of finite and of infinite mass
+    std::optional<std::size_t> moving_infinite_mass;  ///< the species of one
+    double mass = 0.0;                                ///< of all finite masses
+    double energy = 0.0;                              ///< kinetic, of finite masses
+    double falling_energy = 0.0;                      ///< of gravity, from the lowest place of each
+    ThermalMotion thermal;
+    Eigen::Array2d drift{0.0, 0.0};  ///< of the centre of mass, where it is conserved
+    bool drifts = false;             ///< more than round-off does
+    Sample line;                     ///< the start of beads on a line; empty in a plane
+    bool is_placed = false;          ///< whether positions are known
+    std::optional<NoLaw> no_equilibrium = NoLaw{NoLaw::Why::unknown_gas};
+    std::optional<EquilibriumGas> equilibrium;  ///< of all finite masses; none if no_equilibrium
+
+    /// The degrees of freedom of the velocities: d for each finite mass, less the conserved
+    /// momenta.
+    double freedoms() const { return thermal.degrees_of_freedom; }
+    bool conserves_all() const { return conserves[0] && (box.dimension == 1 || conserves[1]); }
+    bool conserves_one() const { return box.dimension == 2 && conserves[0] != conserves[1]; }
+    bool is_periodic() const {
+        return box.is_periodic(0) && (box.dimension == 1 || box.is_periodic(1));
+    }
+};
+
+/// Why the energy of the particles is not constant and shared by all in a box with nothing but
+/// reflecting or periodic sides; nothing if it is.
+std::optional<NoLaw> why_not_isolated(const BoxedGas& gas);
+
+}  // namespace carom

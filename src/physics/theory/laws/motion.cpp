@@ -1,0 +1,180 @@
+// The laws of collisions and of paths.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "physics/placement/members.h"
+#include "physics/theory/billiard.h"
+#include "physics/theory/collision_rate.h"
+#include "physics/theory/error_growth.h"
+#include "physics/theory/laws/laws.h"
+
+namespace carom::laws {
+namespace {
+
+constexpr double rounding = 1e-12;
+
+bool are_points(const BoxedGas& gas) { return (gas.particles->radius == 0.0).all(); }
+
+// Whether particles have collided often enough for what only collisions bring about.
+std::optional<NoLaw> why_not_yet(const Asked& asked) {
+    constexpr double enough = 5.0;  // of each particle: velocities are forgotten, and spread
+    if (!asked.collisions || *asked.collisions >= enough) return std::nullopt;
+    return NoLaw{*asked.collisions > 0.0 ? Why::few_collisions : Why::no_collisions};
+}
+
+// The length that centres of this radius can reach along an axis.
+double reach(const Box& box, Eigen::Index axis, double radius) {
+    return box.size[axis] - (box.is_periodic(axis) ? 0.0 : 2.0 * radius);
+}
+
+// The mean squared displacement of independent places, of which each is anywhere between the walls:
+// twice the variance of a place, along each axis with walls.
+double plateau_in_plane(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
+    double sum = 0.0;
+    for (const Eigen::Index i : list)
+        for (Eigen::Index axis = 0; axis < 2; ++axis)
+            if (!gas.box.is_periodic(axis))
+                sum += std::pow(reach(gas.box, axis, gas.particles->radius[i]), 2) / 6.0;
+    return sum / static_cast<double>(list.size());
+}
+
+// The k-th of n beads has the k-th of n places on the length that all leave free, whose variance is
+// k (n + 1 - k) / ((n + 1)^2 (n + 2)) of its square.
+double plateau_on_line(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
+    const Beads order = beads_along(gas.line, 0);
+    const double n = gas.finite, free = gas.box.size[0] - 2.0 * gas.particles->radius.sum();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        if (std::ranges::find(list, order[k].second) == list.end()) continue;
+        const double rank = static_cast<double>(k) + 1.0;
+        sum += 2.0 * rank * (n + 1.0 - rank) / ((n + 1.0) * (n + 1.0) * (n + 2.0)) * free * free;
+    }
+    return sum / static_cast<double>(list.size());
+}
+
+Law bounded(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
+    const Influences& all = gas.influences;
+    const bool is_line = gas.box.dimension == 1;
+    const bool has_two = !gas.box.is_periodic(0) && (is_line || !gas.box.is_periodic(1));
+    Law law = none(is_line ? Why::keeps_order : has_two ? Why::bounded : Why::bounded_once);
+    const bool is_even = !all.driven && !all.piston && !all.has_gravity() && !all.partitions &&
+                         !all.obstacles && !all.wall_event && gas.fixed == 0.0 &&
+                         !gas.moving_infinite_mass;
+    if (!is_even) return law;
+    if (!is_line)
+        law.value = plateau_in_plane(gas, list);
+    else if (!gas.box.is_periodic(0) && gas.is_placed)
+        law.value = plateau_on_line(gas, list);
+    return law;
+}
+
+}  // namespace
+
+Law collision_rate(const BoxedGas& gas, const Asked&) {
+    const Particles& particles = *gas.particles;
+    if (const auto reason = why_not_isolated(gas)) return none(*reason);
+    if (particles.count() < 2 || gas.finite == 0.0) return value(0.0);
+    if (gas.box.dimension == 1 && gas.fixed > 0.0) return none(Why::parted);
+    if (packing_fraction(gas.box, particles) >= 1.0 - rounding) return none(Why::no_room);
+    if (!(gas.thermal.energy > 0.0)) return value(0.0);
+    return value(2.0 * collisions_per_time(gas) / static_cast<double>(particles.count()));
+}
+
+Law mean_free_path(const BoxedGas& gas, const Asked& asked) {
+    if (const auto reason = why_not_isolated(gas)) return none(*reason);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    const Law speed = mean_speed(gas, {}), rate = collision_rate(gas, asked);
+    if (!speed) return speed;
+    if (!rate) return rate;
+    return value(speed.value / rate.value);
+}
+
+Law displacement(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    const std::vector<Eigen::Index> list = members(gas, asked);
+    const bool is_line = gas.box.dimension == 1;
+    if (list.empty()) return none(Why::no_finite_mass);
+    if (gas.moving_infinite_mass)
+        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
+    const bool is_moved =
+        all.bath || all.driven || all.piston || all.heat_event || all.has_gravity();
+    if (gas.energy == 0.0 && !is_moved) return none(Why::at_rest);
+    if (!gas.is_periodic()) return bounded(gas, list);
+    if (all.has_gravity()) return none(Why::gravity);
+    if (all.partitions) return none(Why::partitions);
+    const bool has_partner = gas.finite + gas.fixed > 1.0 || all.obstacles;
+    if (!has_partner) return none(Why::unhindered);
+    if (gas.drifts) return none(Why::drifts);
+    if (is_line) return none(gas.fixed > 0.0 ? Why::parted : Why::keeps_order);
+    if (are_points(gas) && !all.obstacles) return none(Why::points);
+    if (gas.finite == 2.0 && gas.conserves_all()) return none(Why::pair);
+    if (const auto reason = why_not_yet(asked)) return none(*reason);
+    return {};
+}
+
+// A collision with a mass M removes on average the fraction 4 / d M / (m + M) of the velocity of a
+// particle of mass m from its autocorrelation, for very many particles. The mean square of the
+// relative velocity along the line of centres, at the collisions, is 2 D / (D + 1) times its mean
+// square at any time instead of 2 times, if D degrees of freedom share the energy; and where
+// momentum is conserved the mean square of a particle's own velocity is less than T / m.
+Law autocorrelation(const BoxedGas& gas, const Asked& asked) {
+    if (gas.no_equilibrium) return none(*gas.no_equilibrium);
+    if (gas.influences.velocities) return none(Why::reversal);
+    const std::vector<Eigen::Index> list = members(gas, asked);
+    if (list.empty()) return none(Why::no_finite_mass);
+    if (const auto reason = why_not_yet(asked)) return none(*reason);
+    const double freedoms = gas.freedoms(), d = gas.box.dimension;
+    const double conserved = double(gas.conserves[0]) + double(gas.conserves[1]);
+    double thermal = 0.0, all = 0.0;  // sums of <v^2> in units of T d
+    for (const Eigen::Index i : list) {
+        const double inverse = gas.particles->inverse_mass[i];
+        thermal += inverse;
+        all += inverse - conserved / (d * gas.mass);
+    }
+    return value(thermal / all * freedoms / (freedoms + 1.0));
+}
+
+Law free_flight(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    if (gas.box.dimension == 1) return none(Why::line);
+    if (gas.finite != 1.0 || gas.fixed > 0.0) return none(Why::many);
+    if (all.velocities || all.wall_event || all.heat_event) return none(Why::event);
+    if (!all.obstacles) return none(Why::unhindered);
+    if (!(gas.energy > 0.0)) return none(Why::at_rest);
+    const auto path = mean_path_of_billiard(gas.box, gas.particles->radius[0], asked.ends_at_walls);
+    return path ? value(*path) : none(Why::shapes);
+}
+
+Law memoryless(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    const bool has_partner = gas.finite + gas.fixed > 1.0 || all.obstacles;
+    const bool is_moved = gas.energy > 0.0 || gas.moving_infinite_mass || all.bath || all.driven ||
+                          all.piston || all.heat_event || all.has_gravity();
+    if (!has_partner) return none(Why::unhindered);
+    if (!is_moved) return none(Why::at_rest);
+    if (gas.finite + gas.fixed == 2.0 && !all.obstacles) return none(Why::pair_only);
+    if (gas.box.dimension == 2 && are_points(gas) && !all.obstacles) return none(Why::points);
+    if (asked.collisions && *asked.collisions == 0.0) return none(Why::no_collisions);
+    return {};
+}
+
+// The fit is to 50 disks and more; it is not known how far below it may be continued.
+Law error_growth(const BoxedGas& gas, const Asked&) {
+    constexpr Eigen::Index fewest = 10;
+    const Particles& particles = *gas.particles;
+    if (gas.box.dimension == 1) return none(Why::line);
+    if (const auto reason = why_not_isolated(gas)) return none(*reason);
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (particles.count() < fewest) return none(Why::few);
+    if (!(gas.energy > 0.0)) return none(Why::at_rest);
+    if ((particles.inverse_mass != particles.inverse_mass[0]).any())
+        return none(Why::unequal_masses);
+    if ((particles.radius != particles.radius[0]).any()) return none(Why::unequal_radii);
+    if (are_points(gas)) return none(Why::points);
+    return value(bits_lost_per_collision(packing_fraction(gas.box, particles)));
+}
+
+}  // namespace carom::laws

@@ -1,0 +1,204 @@
+// The laws of pressure and of places: what follows from where particles are.
+#include <algorithm>
+#include <cmath>
+
+#include "physics/theory/barometric_law.h"
+#include "physics/theory/collision_rate.h"
+#include "physics/theory/equation_of_state.h"
+#include "physics/theory/even_spread.h"
+#include "physics/theory/laws/laws.h"
+
+namespace carom::laws {
+namespace {
+
+// What interactions add to an estimate for many particles errs by about its share in one of them;
+// beyond this relative error of the whole it is not given.
+constexpr double most_error = 0.015;
+
+bool is_few(double relative_to_ideal, double count) {
+    return std::abs(1.0 - 1.0 / relative_to_ideal) / count > most_error;
+}
+
+std::optional<NoLaw> why_not_still(const BoxedGas& gas) {
+    const Influences& all = gas.influences;
+    if (gas.moving_infinite_mass)
+        return NoLaw{Why::moving_infinite_mass, *gas.moving_infinite_mass};
+    if (all.driven) return NoLaw{Why::driven};
+    if (all.piston) return NoLaw{Why::piston};
+    if (all.membrane) return NoLaw{Why::membrane};
+    if (all.wall_event) return NoLaw{Why::event};
+    if (all.has_gravity()) return NoLaw{Why::gravity};
+    return std::nullopt;
+}
+
+// Then the gas is denser where it is colder.
+bool has_baths_that_differ(const BoxedGas& gas) {
+    return gas.influences.bath && std::isnan(gas.influences.temperature);
+}
+
+bool are_equal(const Eigen::ArrayXd& values) { return (values == values[0]).all(); }
+
+}  // namespace
+
+// Walls and collisions give the same pressure only if the motion along both axes has the same
+// energy: a single particle keeps that along each axis, and of few particles whose momentum is
+// conserved along one axis that one has less.
+Law ideal_pressure(const BoxedGas& gas, const Asked& asked) {
+    constexpr double few_along_axis = 50.0;
+    if (const auto reason = why_not_isolated(gas)) return none(*reason);
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
+    if (gas.finite == 1.0 && gas.box.dimension == 2) return none(Why::keeps_axes);
+    if (gas.conserves_one() && gas.finite < few_along_axis) return none(Why::one_axis);
+    const ThermalMotion thermal = asked.thermal.value_or(gas.thermal);
+    if (!(thermal.energy > 0.0)) return none(Why::at_rest);
+    return value(pressure_of_points(gas.box, thermal.energy));
+}
+
+Law pressure(const BoxedGas& gas, const Asked& asked) {
+    const Law ideal = ideal_pressure(gas, asked);
+    const Particles& particles = *gas.particles;
+    if (!ideal || (particles.radius == 0.0).all()) return ideal;
+    const ThermalMotion thermal = asked.thermal.value_or(gas.thermal);
+    if (gas.box.dimension == 1) {
+        const auto rods = pressure_of_rods(gas.box, particles, thermal);
+        return rods ? value(*rods) : none(Why::no_room);
+    }
+    if (!are_equal(particles.radius)) return none(Why::unequal_radii);
+    const auto disks = pressure_of_disks(asked.equation, gas.box, particles, thermal);
+    if (!disks) return none(Why::freezes);
+    return is_few(*disks / ideal.value, gas.finite) ? none(Why::few) : value(*disks);
+}
+
+Law contact(const BoxedGas& gas, const Asked&) {
+    constexpr double densest_fluid = 0.69;  // beyond, disks freeze
+    const Particles& particles = *gas.particles;
+    if (gas.box.dimension == 1) return none(Why::line);
+    if (const auto reason = why_not_still(gas)) return none(*reason);
+    if (has_baths_that_differ(gas)) return none(Why::baths_differ);
+    if (gas.influences.partitions) return none(Why::partitions);
+    if (gas.influences.obstacles) return none(Why::obstacles);
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (gas.finite == 1.0) return none(Why::unhindered);
+    if (!are_equal(particles.inverse_mass)) return none(Why::unequal_masses);
+    if (!are_equal(particles.radius)) return none(Why::unequal_radii);
+    if (particles.radius[0] == 0.0) return none(Why::points);
+    if (gas.energy == 0.0 && !gas.influences.bath && !gas.influences.heat_event)
+        return none(Why::at_rest);
+    if (packing_fraction(gas.box, particles) >= densest_fluid) return none(Why::freezes);
+    const double radius = particles.radius[0];
+    const double chi = contact_correlation(gas.box, particles, radius, radius);
+    return is_few(chi, gas.finite) ? none(Why::few) : value(chi);
+}
+
+// Evenly in the end: nothing holds particles in a part of the box, and what closes a part opens.
+Law position_entropy(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.moving_infinite_mass)
+        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
+    if (all.driven) return none(Why::driven);
+    if (all.piston) return none(Why::piston);
+    if (all.membrane) return none(Why::membrane);
+    if (all.has_gravity()) return none(Why::gravity);
+    if (has_baths_that_differ(gas)) return none(Why::baths_differ);
+    if (all.divided) return none(Why::partitions);
+    if (all.obstacles) return none(Why::obstacles);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (gas.energy == 0.0 && !all.bath && !all.heat_event) return none(Why::at_rest);
+    return value(entropy_of_even_spread(gas.finite, double(asked.cells) * asked.cells_up));
+}
+
+// A single disk conserves its energy along each axis, and beads on a line keep the order of their
+// masses.
+Law heights(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    const auto axis = static_cast<std::size_t>(asked.axis);
+    if (gas.box.dimension == 1) return none(Why::line);
+    if (gas.moving_infinite_mass)
+        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
+    if (all.driven) return none(Why::driven);
+    if (all.bath) return none(Why::bath);
+    if (all.piston) return none(Why::piston);
+    if (all.membrane) return none(Why::membrane);
+    if (all.wall_event || all.heat_event) return none(Why::event);
+    if (all.partitions) return none(Why::partitions);
+    if (all.obstacles) return none(Why::obstacles);
+    if (!all.gravity.at(axis)) return none(Why::no_gravity);
+    if (all.gravity.at(1 - axis)) return none(Why::gravity);
+    if (gas.box.is_periodic(asked.axis)) return none(Why::no_floor);
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (gas.finite == 1.0) return none(Why::keeps_axes);
+    if (gas.is_placed && !(gas.thermal.energy + gas.falling_energy > 0.0))
+        return none(Why::at_rest);
+    if (falling_kinds(gas, asked.axis) > most_falling_kinds) return none(Why::many_kinds);
+    if (asked.cells == 0 || !gas.is_placed) return {};
+    return {.curve = barometric_densities(gas, asked.axis, asked.cells, members(gas, asked))};
+}
+
+namespace {
+
+// Whether the two sides of a partition are equal by symmetry: it is in the middle, lets all
+// particles through and does nothing else.
+std::optional<NoLaw> why_not_alike(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    if (gas.finite == 0.0) return NoLaw{Why::no_finite_mass};
+    if (const auto reason = why_not_still(gas)) return reason;
+    if (all.bath) return NoLaw{Why::bath};
+    if (all.heat_event) return NoLaw{Why::event};
+    if (all.obstacles) return NoLaw{Why::obstacles};
+    if (gas.fixed > 0.0) return NoLaw{Why::fixed_particles};
+    const Surfaces& surfaces = gas.box.surfaces;
+    const double diameter = 2.0 * gas.particles->radius.maxCoeff();
+    for (const Partition& line : surfaces.partitions) {
+        const bool has_gap = std::ranges::any_of(
+            line.gaps, [&](const auto& gap) { return gap.second - gap.first > diameter; });
+        const bool reflects = std::holds_alternative<Reflecting>(line.behaviour);
+        if (!line.is_open && !(reflects && has_gap)) return NoLaw{Why::partitions};
+    }
+    const Partition* line = surfaces.partition(asked.surface);
+    if (line == nullptr) return NoLaw{Why::regions};
+    if (line->at != 0.5 * gas.box.size[line->axis]) return NoLaw{Why::off_center};
+    if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
+    return std::nullopt;
+}
+
+}  // namespace
+
+// Half of all, with the standard deviation of their number. The number is binomial for points, with
+// variance N / 4; for equal disks the variance is smaller by the relative compressibility of the
+// fluid.
+Law side_count(const BoxedGas& gas, const Asked& asked) {
+    if (const auto reason = why_not_alike(gas, asked)) return none(*reason);
+    const Particles& particles = *gas.particles;
+    Law law = value(0.5 * gas.finite);
+    const double packing = packing_fraction(gas.box, particles);
+    const bool are_points = (particles.radius == 0.0).all();
+    const bool is_fluid = are_equal(particles.radius) && packing < largest_packing_of_fluid;
+    if (gas.box.dimension == 2 && (are_points || is_fluid))
+        law.deviation = std::sqrt(
+            0.25 * gas.finite * relative_compressibility(EquationOfState::kolafa_rottner, packing));
+    return law;
+}
+
+// Each degree of freedom has the same mean energy; the energy of half of them has a beta
+// distribution.
+Law side_energy(const BoxedGas& gas, const Asked& asked) {
+    if (const auto reason = why_not_alike(gas, asked)) return none(*reason);
+    Law law = value(gas.energy / gas.finite);
+    if (!gas.drifts) law.deviation = law.value * std::sqrt(2.0 / (gas.freedoms() + 2.0));
+    return law;
+}
+
+Law side_temperature(const BoxedGas& gas, const Asked& asked) {
+    if (const auto reason = why_not_alike(gas, asked)) return none(*reason);
+    if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
+    Law law = value(gas.thermal.temperature());
+    law.deviation = law.value * std::sqrt(2.0 / (gas.freedoms() + 2.0));
+    return law;
+}
+
+}  // namespace carom::laws

@@ -1,0 +1,138 @@
+// The laws of what crosses lines, and of walls that move.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "physics/theory/collision_rate.h"
+#include "physics/theory/laws/laws.h"
+
+namespace carom::laws {
+namespace {
+
+// Beyond this share of the area the theory of dilute gases has errors of more than a few per cent.
+constexpr double densest = 0.05;
+constexpr double widest_gaps = 0.25;  // share of a partition
+
+// The places along the axis of a line that centres can reach, if theory knows the density there:
+// all places of a periodic axis; between solid walls those of points on a line, and of dilute disks
+// away from the walls.
+Law length_for(const BoxedGas& gas, const Asked& asked, const std::vector<Eigen::Index>& list) {
+    const Eigen::ArrayXd& radius = gas.particles->radius;
+    const double length = gas.box.length(asked.axis), r = radius[list.front()];
+    if (gas.box.is_periodic(asked.axis)) return value(length);
+    if (gas.box.dimension == 1 && radius.maxCoeff() > 0.0) return none(Why::rods);
+    if (gas.box.dimension == 2 && packing_fraction(gas.box, *gas.particles) > densest)
+        return none(Why::dense);
+    if (!std::ranges::all_of(list, [&](Eigen::Index i) { return radius[i] == r; }))
+        return none(Why::unequal_radii);
+    const double at = asked.at.value_or(0.5 * length);
+    if (at < 8.0 * r || at > length - 8.0 * r) return none(Why::near_wall);
+    return value(length - 2.0 * r);
+}
+
+}  // namespace
+
+// In each direction the rate of a particle is half of the mean |v| along the axis over the length
+// available to it. Crossing particles are weighted with their speed, so that the mean energy of
+// their motion along the axis is 2 / (D + 1) of what one component can have at most, and along
+// another axis 1 / (D + 1).
+Law flux(const BoxedGas& gas, const Asked& asked) {
+    const Law all = distribution(gas, asked);
+    if (!all) return all;
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (!asked.is_whole_line) return none(Why::part_of_line);
+    const Law length = length_for(gas, asked, members(gas, asked));
+    if (!length) return length;
+    const EquilibriumGas& found = *all.equilibrium;
+    const auto axis = static_cast<std::size_t>(asked.axis);
+    double rate = 0.0, energy = 0.0;
+    for (const MassGroup& group : found.groups) {
+        EquilibriumGas own = found;
+        own.groups = {group};
+        const double crossing =
+            0.5 * group.count * mean_speed_along(own, asked.axis) / length.value;
+        double share = 2.0 * group.largest_share.at(axis);
+        if (gas.box.dimension == 2) share += group.largest_share.at(1 - axis);
+        rate += crossing;
+        energy += crossing * found.energy * share / (freedoms(found) + 1.0);
+    }
+    return {.value = rate, .energy = energy};
+}
+
+// Whether the flux through gaps follows from the number and the temperature of the gas on each
+// side. Whether it does so at a time also depends on the mean free path on each side.
+Law gap_flux(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    const Partition* partition = gas.box.surfaces.partition(asked.surface);
+    if (gas.box.dimension == 1) return none(Why::line);
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (all.driven) return none(Why::driven);
+    if (all.bath) return none(Why::bath);
+    if (all.piston) return none(Why::piston);
+    if (all.membrane) return none(Why::membrane);
+    if (all.has_gravity()) return none(Why::gravity);
+    if (all.obstacles) return none(Why::obstacles);
+    if (gas.box.is_periodic(0) || gas.box.is_periodic(1)) return none(Why::no_walls);
+    if (partition == nullptr || gas.box.surfaces.partitions.size() > 1)
+        return none(Why::partitions);
+    double gaps = 0.0;
+    for (const auto& [from, to] : partition->gaps) gaps += to - from;
+    if (!(gaps > 0.0)) return none(Why::no_gap);
+    if (gaps > widest_gaps * gas.box.length(1 - partition->axis)) return none(Why::wide_gap);
+    if (packing_fraction(gas.box, *gas.particles) > densest) return none(Why::dense);
+    return {};
+}
+
+// A free side on which only the gas and a constant force towards it act; on the gas act only this
+// side and walls at rest. All share the energy, which excludes a single disk, points in a plane and
+// a gas whose momentum along the piston is conserved.
+Law piston(const BoxedGas& gas, const Asked& asked) {
+    const Influences& all = gas.influences;
+    const Surfaces& surfaces = gas.box.surfaces;
+    if (!Surfaces::is_side(asked.surface)) return none(Why::partitions);
+    const auto side = static_cast<std::size_t>(asked.surface);
+    const auto* free_side = std::get_if<Piston>(&surfaces.sides.at(side));
+    if (free_side == nullptr) return none(Why::no_piston);
+    if (gas.moving_infinite_mass)
+        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
+    if (all.driven) return none(Why::driven);
+    if (all.bath) return none(Why::bath);
+    if (all.wall_event || all.heat_event || all.velocities) return none(Why::event);
+    if (all.partitions) return none(Why::partitions);
+    if (all.obstacles) return none(Why::obstacles);
+    if (all.has_gravity()) return none(Why::gravity);
+    for (std::size_t k = 0; k < surfaces.sides.size(); ++k)
+        if (k != side && std::holds_alternative<Piston>(surfaces.sides[k]))
+            return none(Why::pistons);
+    const double inward =
+        Surfaces::is_far_side(asked.surface) ? -free_side->force : free_side->force;
+    if (!(inward > 0.0)) return none(Why::no_force);
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (gas.box.dimension == 1) return {};
+    if (gas.finite < 2.0) return none(Why::keeps_axes);
+    if (gas.conserves.at(static_cast<std::size_t>(1 - surfaces.axis_of(asked.surface))))
+        return none(Why::one_axis);
+    return (gas.particles->radius > 0.0).all() ? Law{} : none(Why::points);
+}
+
+// Through the start, whatever moves the wall: only a gas that fills the area, with energy that its
+// motion along all axes shares.
+Law isotherm(const BoxedGas& gas, const Asked&) {
+    const Influences& all = gas.influences;
+    if (gas.moving_infinite_mass)
+        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
+    if (all.partitions) return none(Why::partitions);
+    if (all.obstacles) return none(Why::obstacles);
+    if (all.has_gravity()) return none(Why::gravity);
+    if (gas.finite == 0.0) return none(Why::no_finite_mass);
+    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (!(gas.energy > 0.0)) return none(Why::at_rest);
+    if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
+    if (gas.box.dimension == 1) return {};
+    if (gas.finite == 1.0) return none(Why::keeps_axes);
+    return (gas.particles->radius > 0.0).all() ? Law{} : none(Why::points);
+}
+
+}  // namespace carom::laws

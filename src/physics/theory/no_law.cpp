@@ -1,0 +1,80 @@
+#include "physics/theory/no_law.h"
+
+#include <array>
+
+namespace carom {
+namespace {
+
+// In the order of NoLaw::Why; that with a name is completed by to_text().
+constexpr std::array words{
+    Phrase{"there is no gas"},
+    Phrase{"a heat bath exchanges energy with the gas"},
+    Phrase{"heat baths of different temperatures act on it"},
+    Phrase{"a moving wall does work on it"},
+    Phrase{"a piston exchanges energy with it"},
+    Phrase{"a membrane selects particles"},
+    Phrase{"partitions divide the box"},
+    Phrase{"obstacles stand in the box"},
+    Phrase{"gravity acts on it"},
+    Phrase{"events change the walls, the energy or the velocities"},
+    Phrase{"events change the velocities"},
+    Phrase{"`{}` has infinite mass and moves, so that energy is not conserved"},
+    Phrase{"particles of infinite mass stand in the way"},
+    Phrase{"no particle has a finite mass"},
+    Phrase{"a single particle has nothing to share its energy with"},
+    Phrase{"a single particle keeps the energy of its motion along each axis"},
+    Phrase{"a single particle has nothing to collide with"},
+    Phrase{"in a periodic box two particles keep the energy that they have between them"},
+    Phrase{"two particles only collide with each other"},
+    Phrase{"there are too few particles"},
+    Phrase{"it is known for a single particle only"},
+    Phrase{"all particles are at rest"},
+    Phrase{"a single particle in a periodic box has no motion relative to its centre of mass"},
+    Phrase{"it moves as a whole; the momentum of the given velocities is not zero"},
+    Phrase{"points in a plane never meet"},
+    Phrase{"it is known for disks in a plane only"},
+    Phrase{"on a wire particles of equal mass only exchange their velocities"},
+    Phrase{"between walls fewer than three beads need not be ergodic"},
+    Phrase{"on a ring fewer than four beads need not be ergodic"},
+    Phrase{"beads that never move separate those that do"},
+    Phrase{"beads on a wire keep their order, so that none can go far from the others"},
+    Phrase{"on a wire it is known for points only"},
+    Phrase{"the particles leave no room"},
+    Phrase{"momentum is conserved along one axis only"},
+    Phrase{"the walls limit how far particles can move"},
+    Phrase{"walls limit how far particles can move along one axis"},
+    Phrase{"the masses differ"},
+    Phrase{"the radii differ"},
+    Phrase{"the gas is too dense for the theory of dilute gases"},
+    Phrase{"so dense, disks freeze"},
+    Phrase{"the partition is not in the middle"},
+    Phrase{"the parts are not two halves of the box"},
+    Phrase{"the line does not reach from wall to wall"},
+    Phrase{"the line is too near to a wall"},
+    Phrase{"the box is periodic"},
+    Phrase{"the partition has no gap"},
+    Phrase{"the gaps are too wide"},
+    Phrase{"there is no heat bath"},
+    Phrase{"the wall does not move freely"},
+    Phrase{"several walls move freely"},
+    Phrase{"no force presses the piston onto the gas"},
+    Phrase{"no gravity acts along this axis"},
+    Phrase{"there is no floor along this axis"},
+    Phrase{"there are too many kinds of particles"},
+    Phrase{"the obstacles are not disks that leave room between them"},
+    Phrase{"nothing has collided yet"},
+    Phrase{"there have been too few collisions"}};
+static_assert(words.size() == reasons_count);
+
+}  // namespace
+
+std::string to_text(Language language, const NoLaw& reason, const std::vector<Species>& species) {
+    if (reason.why != NoLaw::Why::moving_infinite_mass)
+        return say(language, words.at(static_cast<std::size_t>(reason.why)));
+    const std::string name = reason.species < species.size() ? species[reason.species].name : "";
+    if (name.empty())
+        return say(language, "a particle of infinite mass moves, so that energy is not conserved");
+    return say(language, "`{}` has infinite mass and moves, so that energy is not conserved", name);
+}
+
+}  // namespace carom

@@ -1,5 +1,8 @@
 // The mean kinetic energy of each species against time: which one loses, which one gains, and where
 // they meet.
+#include <algorithm>
+#include <cmath>
+
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
@@ -18,6 +21,23 @@ std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& ene
     }
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] /= std::max(1.0, count[k]);
     return sum;
+}
+
+// The mean energy of each species in equilibrium: the same for all, but where momentum is conserved
+// lower for heavy particles.
+ReferenceLevels levels(const PanelContext& context) {
+    constexpr double rounding = 1e-12;
+    ReferenceLevels all;
+    for (std::size_t k = 0; k < context.scene.gas.species.size(); ++k) {
+        const Law found =
+            law(context.gas, LawOf::mean_energy, {.of = members(context, Chosen{.species = k})});
+        if (found) all.push_back({"equipartition", found.value, 0.0, static_cast<std::int64_t>(k)});
+    }
+    const bool are_same = std::ranges::all_of(all, [&](const ReferenceLevel& level) {
+        return std::abs(level.value - all.front().value) <= rounding * all.front().value;
+    });
+    if (!are_same || all.empty()) return all;
+    return {ReferenceLevel{"equipartition", all.front().value}};
 }
 
 std::vector<plot::Text> titles(const PanelContext& context) {
@@ -52,10 +72,7 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         subject.lines.push_back({species[k].name, species_role(context, k)});
         subject.names.push_back(species[k].name);
     }
-    if (context.equilibrium && species.size() > 1)
-        subject.references = [context]() -> ReferenceLevels {
-            return {ReferenceLevel{"equipartition", mean_energy(*context.equilibrium)}};
-        };
+    if (species.size() > 1) subject.references = [context] { return levels(context); };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 

@@ -322,6 +322,12 @@ plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
     plot::Level level;
     level.part = "reference";
     level.of = of.name;
+    if (of.line >= 0) {
+        const auto line = static_cast<std::size_t>(of.line);
+        level.of += ", " + subject_.lines.at(line).name;
+        level.stroke.role = subject_.lines[line].role;
+        level.stroke.shade = plot::Shade::legible;
+    }
     level.still = true;
     level.x_column = whole_.columns[0];
     level.column = whole_.columns[1];
@@ -343,6 +349,14 @@ void SeriesPanel::add_levels() {
     }
 }
 
+std::string SeriesPanel::name_of_level(const ReferenceLevel& level) const {
+    const Language language = context_.language();
+    const std::string name = say(language, Phrase{level.name});
+    if (level.line < 0) return name;
+    return say(language, "{}, {}",
+               escape_markup(subject_.names.at(static_cast<std::size_t>(level.line))), name);
+}
+
 // Levels are distinguished by their dashes; levels whose numbers look the same share one label.
 void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
     static const std::vector<std::vector<double>> dashes{{0.3}, {0.9, 0.3}, {0.9, 0.3, 0.2, 0.3}};
@@ -355,7 +369,7 @@ void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
         level.stroke.dashes = dashes[k % dashes.size()];
         add_band_about(level, levels[k].deviation);
         const std::string number = three_digits(language, levels[k].value);
-        names += (names.empty() ? "" : ", ") + say(language, Phrase{levels[k].name});
+        names += (names.empty() ? "" : ", ") + name_of_level(levels[k]);
         if (k + 1 == levels.size() || three_digits(language, levels[k + 1].value) != number) {
             plot::Label label;
             label.words = {names + " " + number};

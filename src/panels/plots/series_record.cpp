@@ -10,7 +10,8 @@ namespace carom {
 ReferenceLevels SeriesRecord::common_levels() const {
     const ReferenceLevels& first = runs.front().levels;
     const auto look_alike = [](const ReferenceLevel& a, const ReferenceLevel& b) {
-        return a.name == b.name && three_digits(a.value) == three_digits(b.value);
+        return a.name == b.name && a.line == b.line &&
+               three_digits(a.value) == three_digits(b.value);
     };
     for (const SeriesRun& run : runs)
         if (!std::ranges::equal(run.levels, first, look_alike)) return {};
@@ -80,6 +81,10 @@ SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::s
         run.lines = {std::move(run.lines[all.compared])};
         if (!run.numbers.empty()) run.numbers = {std::move(run.numbers[all.compared])};
         run.name = names[k];
+        std::erase_if(run.levels, [&](const ReferenceLevel& level) {
+            return level.line >= 0 && static_cast<std::size_t>(level.line) != all.compared;
+        });
+        for (ReferenceLevel& level : run.levels) level.line = -1;
     }
     return all;
 }

@@ -2,6 +2,7 @@
 // comparisons of runs are made.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ struct ReferenceLevel {
     std::string name;  ///< in English
     double value = 0.0;
     double deviation = 0.0;  ///< standard deviation of lines from it; 0: unknown, or none
-    void archive(Archive& archive) { archive(name, value, deviation); }
+    std::int64_t line = -1;  ///< index of the only line that it is for; -1: for all lines
+    void archive(Archive& archive) { archive(name, value, deviation, line); }
 };
 
 /// Several reference levels; of compared runs, each shows its last.

@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "draw/palette.h"
 #include "panels/frame.h"
@@ -12,6 +14,7 @@
 #include "stats/speed_classes.h"
 #include "support/relative.h"
 #include "support/scene_text.h"
+#include "support/seen_panel.h"
 #include "support/shot.h"
 #include "util/random.h"
 
@@ -24,7 +27,7 @@ namespace {
 struct Stage {
     Scene scene;
     Particles particles;
-    std::optional<EquilibriumGas> equilibrium;
+    BoxedGas equilibrium;
     AdvanceResult advanced;
 
     explicit Stage(Eigen::Index each) {
@@ -283,4 +286,55 @@ TEST_CASE("two beads have a line that they never cross, unless they go around") 
     };
     CHECK(share_of_line("solid") > 0.3);
     CHECK(share_of_line("periodic") == 0.0);
+}
+
+namespace {
+
+// A panel of a gas in a periodic box, over a long run.
+test::SeenPanel seen_long(const std::string& gas, const std::string& panel) {
+    return {test::scene_from("title: T\nbox: {size: [20, 15], walls: periodic}\ngas: " + gas +
+                             "\nrun: {until: 18000}\nfilm: {seconds: 2, panels: [" + panel + "]}\n"),
+            24000};
+}
+
+// The mean over time from a twentieth of the run on, and its error from 20 parts of the run.
+MeanError mean_over_time(const std::vector<double>& line) {
+    constexpr std::size_t parts = 20;
+    const std::size_t each = line.size() / (parts + 1);
+    std::vector<double> means;
+    for (std::size_t part = 1; part <= parts; ++part) {
+        const auto first = line.begin() + static_cast<std::ptrdiff_t>(part * each);
+        means.push_back(std::accumulate(first, first + static_cast<std::ptrdiff_t>(each), 0.0) /
+                        static_cast<double>(each));
+    }
+    return mean_error(means);
+}
+
+}  // namespace
+
+TEST_CASE("in a periodic box each species has its own mean energy, and tends to it") {
+    const test::SeenPanel seen = seen_long(
+        "[{name: light, count: 10, radius: 0.5, speed: 1.24}, {name: heavy, count: 1, radius: 0.8, "
+        "mass: 20}]",
+        "energy-by-species");
+    const SeriesRun& run = seen.series();
+    REQUIRE(run.levels.size() == 2);
+    const double temperature = seen.accounts.front().kinetic / 10.0;  // E / (N - 1)
+    const std::array<double, 2> masses{1.0, 20.0};
+    for (std::size_t k = 0; k < 2; ++k) {
+        CAPTURE(k);
+        CHECK(run.levels[k].line == std::int64_t(k));
+        CHECK(run.levels[k].value == relative(temperature * (1.0 - masses[k] / 30.0), 1e-9));
+        const MeanError measured = mean_over_time(run.lines[k]);
+        CHECK(std::abs(measured.mean - run.levels[k].value) < 4.0 * measured.error);
+    }
+}
+
+TEST_CASE("the entropy of velocities of few disks tends to its level, momentum conserved") {
+    const test::SeenPanel seen = seen_long("[{count: 20, radius: 0.5, speed: 1}]", "entropy");
+    const SeriesRun& run = seen.series();
+    REQUIRE(run.levels.size() == 1);
+    const MeanError measured = mean_over_time(run.lines[0]);
+    CHECK(measured.error < 0.004);
+    CHECK(std::abs(measured.mean - run.levels[0].value) < 4.0 * measured.error + 0.002);
 }

@@ -75,6 +75,29 @@ TEST_CASE("carom check tells what a scene is") {
     CHECK(found.at("film").at("template") == "lecture");
 }
 
+TEST_CASE("check warns of a gas that is at rest for ever") {
+    const std::string run = "\nrun: {until: 5}\n";
+    const std::string box = "box: {size: [20, 15]", still = "}\ngas: [{count: 3, radius: 0.5}]";
+    CHECK(checked(box + still + run).at("at_rest") == true);
+    CHECK(checked(box + "}\ngas: [{count: 3, radius: 0.5, speed: 1}]" + run).at("at_rest") ==
+          false);
+    CHECK(
+        checked(box + "}\ngravity: [0, -1]\ngas: [{count: 3, radius: 0.5}]" + run).at("at_rest") ==
+        false);
+    CHECK(checked(box + ", walls: {left: {temperature: 1}}" + still + run).at("at_rest") == false);
+    CHECK(checked(box + ", walls: {left: {velocity: 0.1}}" + still + run).at("at_rest") == false);
+}
+
+TEST_CASE("check lists the panels that have no theory, and why") {
+    const json found = checked(
+        "box: {size: [20, 15], walls: {left: {temperature: 1}}}\n"
+        "gas: [{count: 30, radius: 0.5, speed: 1}]\nrun: {until: 5}\n"
+        "figures: [{name: a, kind: speed-histogram}, {name: b, kind: "
+        "mean-squared-displacement}]\n");
+    CHECK(found.at("no_theory") == json{"a: a heat bath exchanges energy with the gas",
+                                        "b: the walls limit how far particles can move"});
+}
+
 TEST_CASE("a wire has a line fraction") {
     const json found = checked(
         "box: {length: 20}\ngas: [{count: 8, radius: 0.25, temperature: 1}]\nrun: {until: 5}\n");

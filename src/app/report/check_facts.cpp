@@ -10,6 +10,7 @@
 #include "app/film/frame_span.h"
 #include "app/progress.h"
 #include "app/report/cut_distributions.h"
+#include "app/report/theory_facts.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/formats.h"
@@ -127,6 +128,20 @@ Facts distribution_rows(const Gas& gas) {
     Facts rows = rows_of("cut_distributions", lines);
     rows.front().value = std::move(list);
     if (!lines.empty()) rows.front().label = "drawn";
+    return rows;
+}
+
+// Whether nothing ever moves, which is hardly meant.
+Facts rest_rows(const BoxedGas& gas) {
+    const Law motion = law(gas, LawOf::displacement);
+    if (!motion.none || motion.none->why != NoLaw::Why::at_rest) return {{"at_rest", false}};
+    return {{"at_rest", true, "warning",
+             "all particles are at rest, and nothing moves them: give `temperature` or `speed`"}};
+}
+
+Facts theory_rows(const Scene& scene, const BoxedGas& gas) {
+    Facts rows = rows_of("no_theory", missing_theory(scene, gas));
+    if (!rows.front().label.empty()) rows.front().label = "no theory";
     return rows;
 }
 
@@ -424,7 +439,8 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
     const Sample& sample = gas.second;
     const std::int64_t particles = drawn.count();
     const double packing = packing_fraction(box, drawn);
-    const Law of_each = law(BoxedGas(box, run.events, drawn, sample), LawOf::collision_rate);
+    const BoxedGas boxed(box, run.events, drawn, sample);
+    const Law of_each = law(boxed, LawOf::collision_rate);
     const double rate = 0.5 * static_cast<double>(particles) * (of_each ? of_each.value : 0.0);
     const auto facts_of_film = [&](const CheckedFilm& its) {
         const std::optional<RunStart> beside = start_beside(scene.film);
@@ -453,6 +469,8 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
          event_rows(scene),
          {{"equilibrate", run.equilibrate},
           collisions(scene, of_each, rate * run.until, particles)},
+         rest_rows(boxed),
+         theory_rows(scene, boxed),
          film ? facts_of_film(*film)
               : Facts{{"film", nullptr, "film", "none: for `carom run` and figures only"}},
          refused_rows(refused)});

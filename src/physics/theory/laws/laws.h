@@ -18,6 +18,9 @@ inline Law value(double value) { return {.value = value}; }
 /// The particles of finite mass among those asked for.
 std::vector<Eigen::Index> members(const BoxedGas& gas, const Asked& asked);
 
+/// Whether a particle ever moves.
+bool moves(const BoxedGas& gas);
+
 /// The temperature that baths alone give the gas: all the same, and nothing else acts.
 std::optional<double> bath_temperature(const BoxedGas& gas);
 

@@ -17,10 +17,15 @@ constexpr double rounding = 1e-12;
 bool are_points(const BoxedGas& gas) { return (gas.particles->radius == 0.0).all(); }
 
 // Whether particles have collided often enough for what only collisions bring about.
-std::optional<NoLaw> why_not_yet(const Asked& asked) {
-    constexpr double enough = 5.0;  // of each particle: velocities are forgotten, and spread
+std::optional<NoLaw> why_not_yet(const Asked& asked, double enough) {
     if (!asked.collisions || *asked.collisions >= enough) return std::nullopt;
     return NoLaw{*asked.collisions > 0.0 ? Why::few_collisions : Why::no_collisions};
+}
+
+bool moves_by_itself(const Behaviour& behaviour) {
+    if (const auto* driven = std::get_if<Driven>(&behaviour)) return driven->velocity != 0.0;
+    const auto* piston = std::get_if<Piston>(&behaviour);
+    return piston != nullptr && (piston->force != 0.0 || piston->velocity != 0.0);
 }
 
 // The length that centres of this radius can reach along an axis.
@@ -71,6 +76,15 @@ Law bounded(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
 
 }  // namespace
 
+// Heat scales velocities, and changes none that is 0.
+bool moves(const BoxedGas& gas) {
+    const Influences& all = gas.influences;
+    const Surfaces& surfaces = gas.box.surfaces;
+    return gas.energy > 0.0 || gas.moving_infinite_mass || all.bath || all.wall_event ||
+           all.has_gravity() || std::ranges::any_of(surfaces.sides, moves_by_itself) ||
+           std::ranges::any_of(surfaces.partitions, moves_by_itself, &Partition::behaviour);
+}
+
 Law collision_rate(const BoxedGas& gas, const Asked&) {
     const Particles& particles = *gas.particles;
     if (const auto reason = why_not_isolated(gas)) return none(*reason);
@@ -97,9 +111,7 @@ Law displacement(const BoxedGas& gas, const Asked& asked) {
     if (list.empty()) return none(Why::no_finite_mass);
     if (gas.moving_infinite_mass)
         return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
-    const bool is_moved =
-        all.bath || all.driven || all.piston || all.heat_event || all.has_gravity();
-    if (gas.energy == 0.0 && !is_moved) return none(Why::at_rest);
+    if (!moves(gas)) return none(Why::at_rest);
     if (!gas.is_periodic()) return bounded(gas, list);
     if (all.has_gravity()) return none(Why::gravity);
     if (all.partitions) return none(Why::partitions);
@@ -109,7 +121,8 @@ Law displacement(const BoxedGas& gas, const Asked& asked) {
     if (is_line) return none(gas.fixed > 0.0 ? Why::parted : Why::keeps_order);
     if (are_points(gas) && !all.obstacles) return none(Why::points);
     if (gas.finite == 2.0 && gas.conserves_all()) return none(Why::pair);
-    if (const auto reason = why_not_yet(asked)) return none(*reason);
+    // At least so many that most of a velocity is forgotten.
+    if (const auto reason = why_not_yet(asked, 3.0)) return none(*reason);
     return {};
 }
 
@@ -123,7 +136,8 @@ Law autocorrelation(const BoxedGas& gas, const Asked& asked) {
     if (gas.influences.velocities) return none(Why::reversal);
     const std::vector<Eigen::Index> list = members(gas, asked);
     if (list.empty()) return none(Why::no_finite_mass);
-    if (const auto reason = why_not_yet(asked)) return none(*reason);
+    // At least so many that energy is shared.
+    if (const auto reason = why_not_yet(asked, 5.0)) return none(*reason);
     const double freedoms = gas.freedoms(), d = gas.box.dimension;
     const double conserved = double(gas.conserves[0]) + double(gas.conserves[1]);
     double thermal = 0.0, all = 0.0;  // sums of <v^2> in units of T d
@@ -150,10 +164,8 @@ Law memoryless(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
     if (gas.finite == 0.0) return none(Why::no_finite_mass);
     const bool has_partner = gas.finite + gas.fixed > 1.0 || all.obstacles;
-    const bool is_moved = gas.energy > 0.0 || gas.moving_infinite_mass || all.bath || all.driven ||
-                          all.piston || all.heat_event || all.has_gravity();
     if (!has_partner) return none(Why::unhindered);
-    if (!is_moved) return none(Why::at_rest);
+    if (!moves(gas)) return none(Why::at_rest);
     if (gas.finite + gas.fixed == 2.0 && !all.obstacles) return none(Why::pair_only);
     if (gas.box.dimension == 2 && are_points(gas) && !all.obstacles) return none(Why::points);
     if (asked.collisions && *asked.collisions == 0.0) return none(Why::no_collisions);

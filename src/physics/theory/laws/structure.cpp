@@ -85,8 +85,7 @@ Law contact(const BoxedGas& gas, const Asked&) {
     if (!are_equal(particles.inverse_mass)) return none(Why::unequal_masses);
     if (!are_equal(particles.radius)) return none(Why::unequal_radii);
     if (particles.radius[0] == 0.0) return none(Why::points);
-    if (gas.energy == 0.0 && !gas.influences.bath && !gas.influences.heat_event)
-        return none(Why::at_rest);
+    if (!moves(gas)) return none(Why::at_rest);
     if (packing_fraction(gas.box, particles) >= densest_fluid) return none(Why::freezes);
     const double radius = particles.radius[0];
     const double chi = contact_correlation(gas.box, particles, radius, radius);
@@ -107,7 +106,7 @@ Law position_entropy(const BoxedGas& gas, const Asked& asked) {
     if (all.divided) return none(Why::partitions);
     if (all.obstacles) return none(Why::obstacles);
     if (gas.fixed > 0.0) return none(Why::fixed_particles);
-    if (gas.energy == 0.0 && !all.bath && !all.heat_event) return none(Why::at_rest);
+    if (!moves(gas)) return none(Why::at_rest);
     return value(entropy_of_even_spread(gas.finite, double(asked.cells) * asked.cells_up));
 }
 

@@ -1,0 +1,16 @@
+// The part of a report about theory: for which panels there is none, and why.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "physics/theory/law.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// A line for each panel of the film and each figure that shows theory where there is a law, and
+/// for this gas there is none: its name and the reason.
+std::vector<std::string> missing_theory(const Scene& scene, const BoxedGas& gas);
+
+}  // namespace carom

@@ -287,8 +287,9 @@ std::vector<PanelKind> all_kinds() {
         {.name = "mean-squared-displacement",
          .words = Phrase{"mean squared displacement"},
          .shows = "The mean squared displacement, unwrapped across periodic sides, with the fitted "
-                  "line 2*dDt*, the diffusion coefficient *D* with its error, and the parabola of "
-                  "free flight; with `origins: all` averaged over all starting times.",
+                  "line 2*dDt*, the diffusion coefficient *D* with its error (or the reason why "
+                  "there is none, and the plateau between walls), and the parabola of free flight; "
+                  "with `origins: all` averaged over all starting times.",
          .make = make_mean_squared_displacement,
          .abilities = {of, theory, means, comparison},
          .keys = displacement_keys(),

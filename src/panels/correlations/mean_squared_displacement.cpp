@@ -1,14 +1,15 @@
 // The mean squared displacement of particles, unwrapped across periodic sides: since a fixed time,
-// or averaged over all starting times from then on. With the fitted line of slope 2 d D, where D is
-// the diffusion coefficient, and the initial ballistic parabola <v^2> t^2.
-#include <fmt/format.h>
-
+// or averaged over all starting times from then on. With the initial ballistic parabola <v^2> t^2,
+// and where the gas diffuses (LawOf::displacement) the fitted line of slope 2 d D, where D is the
+// diffusion coefficient.
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "panels/chosen.h"
 #include "panels/correlations/correlation_keys.h"
-#include "panels/correlations/lag_meter.h"
+#include "panels/correlations/diffusion.h"
+#include "panels/correlations/displacement_meter.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "stats/displacements.h"
@@ -16,22 +17,6 @@
 
 namespace carom {
 namespace {
-
-const plot::Stroke of_fit{.role = {.of = plot::Role::Of::highlight},
-                          .width = 0.08,
-                          .dashes = {0.3},
-                          .shade = plot::Shade::legible};
-const plot::Stroke of_ballistic{.role = {.of = plot::Role::Of::accent},
-                                .width = 0.1,
-                                .dashes = {0.5, 0.35},
-                                .shade = plot::Shade::legible};
-
-// Indices of the numbers of a line beyond its points.
-enum : std::size_t { of_diffusion, of_square_speed };
-
-std::string with_error(Language language, const MeanError& number) {
-    return carom::with_error(language, number.mean, number.error);
-}
 
 // The time of the first reversal, or infinity.
 double first_reversal(const Run& run) {
@@ -56,13 +41,11 @@ class SlopesOfParticles {
         products_ += time * squares;
     }
 
-    MeanError slope(const std::vector<Eigen::Index>& particles) const {
-        std::vector<double> slopes;
+    // Of one particle; NaN if too little was seen.
+    double slope(Eigen::Index i) const {
         const double spread = time_squares_ - times_ * times_ / count_;
-        for (const Eigen::Index i : particles)
-            if (count_ > 1.0 && spread > 0.0)
-                slopes.push_back((products_[i] - values_[i] * times_ / count_) / spread);
-        return mean_error(slopes);
+        if (!(count_ > 1.0) || !(spread > 0.0)) return NAN;
+        return (products_[i] - values_[i] * times_ / count_) / spread;
     }
 
   private:
@@ -75,7 +58,8 @@ class SlopesOfParticles {
 struct Followed {
     std::vector<std::vector<Eigen::Index>> lists;
     Displacements moved;
-    SlopesOfParticles slopes;
+    SlopesOfParticles slopes, first, second;  // of the fit, and of its two halves
+    PartnerCounts collisions;
     std::vector<double> square_speeds = {};
 
     std::vector<double> see(const FrameInput& input) {
@@ -86,112 +70,52 @@ struct Followed {
         if (square_speeds.empty() && square.allFinite())
             for (const std::vector<Eigen::Index>& list : lists)
                 square_speeds.push_back(input.speed(list).square().mean());
-        slopes.add(input.tick.time, square);
+        for (SlopesOfParticles* each : {&slopes, &first, &second})
+            each->add(input.tick.time, square);
+        collisions.see(input);
         return now;
     }
 
     std::vector<std::vector<MeanError>> numbers(int dimension) const {
         std::vector<std::vector<MeanError>> all;
         for (std::size_t k = 0; k < lists.size(); ++k) {
-            MeanError diffusion = slopes.slope(lists[k]);
-            diffusion.mean /= 2.0 * dimension;
-            diffusion.error /= 2.0 * dimension;
-            all.push_back({diffusion, {square_speeds.empty() ? NAN : square_speeds[k], NAN}});
+            std::vector<double> coefficients, bends;
+            for (const Eigen::Index i : lists[k]) {
+                coefficients.push_back(slopes.slope(i) / (2.0 * dimension));
+                bends.push_back((second.slope(i) - first.slope(i)) / (2.0 * dimension));
+            }
+            const std::size_t count = lists[k].size();
+            std::vector<MeanError> of(numbers_count, {NAN, NAN});
+            of[of_diffusion] = mean_error(coefficients);
+            if (!square_speeds.empty()) of[of_square_speed].mean = square_speeds[k];
+            of[of_bend] = mean_error(bends);
+            of[of_collisions].mean = collisions.mean(lists[k]);
+            of[of_pieces].mean = count >= fewest_scattered ? double(count) : 1.0;
+            all.push_back(std::move(of));
         }
         return all;
     }
 };
 
-plot::Line straight_line(const plot::Plot& plot, const LineFit& fit, double from, double to) {
-    plot::Line line;
-    line.part = "fit";
-    line.still = true;
-    line.x = plot::column(plot.columns[0], {from, to});
-    line.y = plot::column(plot.columns[1], {fit.at(from), fit.at(to)});
-    line.stroke = of_fit;
-    return line;
-}
-
-// The straight line fitted to a line of a run between `from` and `until`, the first reversal; none
-// if there are too few points.
-std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<double>& x,
-                                 const std::vector<double>& y, double from, double until) {
-    std::vector<double> times, squares;
-    for (std::size_t i = 0; i < x.size() && x[i] <= until; ++i) {
-        const bool stands = !times.empty() && times.back() == x[i];
-        if (x[i] < from || stands || !std::isfinite(y[i])) continue;
-        times.push_back(x[i]);
-        squares.push_back(y[i]);
-    }
-    if (times.size() < 2) return {};
-    return straight_line(plot, fit_line(times, squares), times.front(), times.back());
-}
-
-bool has_gravity(const PanelContext& context) {
-    return (context.scene.gas.box.surfaces.gravity != 0.0).any();
-}
-
-// Adds the ballistic parabola as far as it is visible. Returns false if it is not, and under
-// gravity, where it does not hold.
-bool add_ballistic(const PanelContext& context, double from, double square_speed, bool is_still,
-                   plot::Plot& plot) {
-    constexpr double least_seen = 0.015;  // of the axis
-    constexpr int points = 40;
-    const double reach = std::sqrt(plot.y.high / square_speed);
-    const double span = plot.x.high - plot.x.low;
-    if (!(square_speed > 0.0) || !(reach > least_seen * span) || has_gravity(context)) return false;
-    std::vector<double> x, y;
-    for (int i = 0; i <= points; ++i) {
-        const double time = std::min(reach, plot.x.high - from) * i / points;
-        x.push_back(from + time);
-        y.push_back(square_speed * time * time);
-    }
-    plot::Line line;
-    line.part = "ballistic";
-    line.still = is_still;
-    line.x = plot::column(plot.columns[0], std::move(x));
-    line.y = plot::column(plot.columns[1], std::move(y));
-    line.beyond = plot::Beyond::cut;
-    line.stroke = of_ballistic;
-    line.depth = 1;
-    plot.layers.emplace_back(std::move(line));
-    return true;
-}
-
-plot::KeyEntry ballistic_entry(Language language) {
-    const std::string formula = "⟨<i>v</i>²⟩<i>t</i>²";
-    return {of_ballistic, {say(language, "without collisions {}", formula), formula}};
-}
-
-// Adds the diffusion coefficients as text, each with the name of its line.
-void add_coefficients(Language language, double from, const std::vector<std::string>& all,
-                      plot::Plot& plot) {
-    if (all.empty()) return;
-    const std::string since = three_digits(language, from), values = listed(language, all);
-    const std::string found = "<i>D</i> = " + escape_markup(values);
-    plot.notes.push_back(
-        {.entries = {
-             {of_fit, {say(language, "fit 2<i>dDt</i> from time {}: {}", since, found), found}}}});
-    plot.account = say(language, "The line 2dDt fitted from time {} on has D = {}.", since, values);
-}
-
-// The same for numbers that change: a row for each.
-plot::KeyEntry coefficient_entry(Language language, const std::string& name,
-                                 const std::string& value) {
-    const auto words = [&](const std::string& number) {
-        const std::string all = "<i>D</i> = " + number;
-        return plot::Text(name.empty() ? all : say(language, "{}: {}", escape_markup(name), all));
-    };
-    return {.sample = of_fit, .words = {words(value)}, .longest = words("0.0000 ± 0.0000")};
+// Whether places at the start say nothing of those at the end: the plateau is the mean over both.
+bool starts_anywhere(const PanelContext& context) {
+    return context.scene.run.equilibrate > 0.0 ||
+           std::ranges::all_of(context.scene.gas.species, [](const Species& species) {
+               return species.count == 0 || std::holds_alternative<RandomPlaces>(species.position);
+           });
 }
 
 std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec& spec) {
     const double fit_from = spec.fit_from.value_or(0.5 * (spec.from + context.scene.run.until));
+    const double fit_until = std::min(first_reversal(context.scene.run), context.scene.run.until);
+    const double middle = 0.5 * (fit_from + fit_until);
     const std::vector<Chosen> chosen = choices(spec);
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Mean squared displacement"});
     const auto followed = std::make_shared<Followed>(Followed{
         members_that_collide(context, chosen), Displacements(context.scene.gas.box, spec.from),
-        SlopesOfParticles(fit_from, first_reversal(context.scene.run))});
+        SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
+        SlopesOfParticles(middle, fit_until),
+        PartnerCounts(context.particles, spec.from, fit_from)});
     subject.measure = [followed](const FrameInput& input) { return followed->see(input); };
     subject.numbers = [followed, dimension = context.scene.gas.box.dimension] {
         return followed->numbers(dimension);
@@ -203,121 +127,101 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     subject.add = [context, chosen, fit_from, from = spec.from](const SeriesRecord& record,
                                                                 plot::Plot& whole) {
         const bool compares = record.compares();
-        std::vector<std::string> all;
+        std::vector<Finding> all;
         for (std::size_t k = 0; k < record.runs.size(); ++k)
             for (std::size_t i = 0; i < record.runs[k].lines.size(); ++i) {
                 const SeriesRun& run = record.runs[k];
+                const Chosen& choice = chosen[compares ? record.compared : i];
+                const std::string name = compares ? run.name : name_of(context.scene, choice);
+                all.push_back(finding_of(context, choice, chosen.size() > 1 || compares ? name : "",
+                                         run.numbers[i], record.runs_in_mean));
+                if (!all.back().is_known()) continue;
                 std::optional<plot::Line> line =
                     fit_of(whole, run.time, run.lines[i], fit_from,
                            run.turns.empty() ? INFINITY : run.turns.front());
                 if (!line) continue;
-                line->of = column_name_of(context.scene, chosen[compares ? record.compared : i]);
+                line->of = column_name_of(context.scene, choice);
                 if (compares) line->run = k;
-                if (compares) line->stroke = plot::stroke_of_run(k, of_fit.width);
-                const std::string value =
-                    with_error(context.language(), run.numbers[i][of_diffusion]);
-                const std::string name = compares ? run.name : name_of(context.scene, chosen[i]);
-                all.push_back(chosen.size() > 1 || compares ? name + " " + value : value);
+                if (compares) line->stroke = plot::stroke_of_run(k, line->stroke.width);
                 whole.layers.emplace_back(std::move(*line));
             }
-        add_coefficients(context.language(), fit_from, all, whole);
-        if (!compares && chosen.size() == 1 &&
-            add_ballistic(context, from, record.runs.front().numbers[0][of_square_speed].mean, true,
-                          whole))
-            whole.notes.push_back({.entries = {ballistic_entry(context.language())}});
+        add_findings(context, fit_from, all, whole);
+        if (compares || chosen.size() != 1) return;
+        const SeriesRun& run = record.runs.front();
+        plot::Note note{.wraps = true};
+        const bool is_random = starts_anywhere(context);
+        if (is_random && all.front().has_plateau()) {
+            add_plateau(all.front(), column_name_of(context.scene, chosen.front()), true, whole);
+            note.entries.push_back(plateau_entry(context.language(), all.front()));
+        }
+        if (add_ballistic(context, from, run.numbers[0][of_square_speed].mean, true, whole))
+            note.entries.push_back(ballistic_entry(context.language()));
+        if (!note.entries.empty()) whole.notes.push_back(std::move(note));
     };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 
-// Measures displacements of groups of particles; the scatter of the groups gives the error of the
-// fit.
-class DisplacementMeter : public LagMeter {
+// Adds the theory of each line to the plot of a moment.
+class LagTheory {
   public:
-    DisplacementMeter(const PanelContext& context,
-                      const std::vector<std::vector<Eigen::Index>>& lists, double from, double lags,
-                      double fit_from)
-        : LagMeter(context, LagAverages::Of::displacements, groups_of(lists), from, lags),
-          groups_(groups_of(lists)),
-          speeds_(context.scene.gas.box, LagAverages::Of::velocities, lists, from, lags, 2,
-                  velocity_changes(context.scene.run)),
-          fit_from_(fit_from),
+    LagTheory(const PanelContext& context, const PanelSpec& spec, double lags, double fit_from)
+        : context_(context),
+          chosen_(choices(spec)),
+          has_names_(!spec.of.empty()),
+          runs_(spec.seeds),
           lags_(lags),
-          dimension_(context.scene.gas.box.dimension) {
-        for (const std::vector<Eigen::Index>& list : lists) sizes_.push_back(double(list.size()));
+          fit_from_(fit_from) {}
+
+    Finding finding(const CurveValues& values, std::size_t line) const {
+        const int runs = values.errors.empty() ? 1 : runs_;
+        return finding_of(context_, chosen_[line],
+                          has_names_ ? name_of(context_.scene, chosen_[line]) : "",
+                          numbers_of(values, line), runs);
     }
 
-    void see(const FrameInput& input) override {
-        LagMeter::see(input);
-        speeds_.see(input.sample, input.advanced.collisions);
-    }
-
-    // The numbers of each line: the diffusion coefficient, its error and the mean squared speed.
-    CurveValues values() const override {
-        CurveValues now;
-        const Eigen::ArrayXXd means = averages_.means(), squares = speeds_.means();
-        std::size_t group = 0;
-        for (std::size_t k = 0; k < sizes_.size(); ++k) {
-            Eigen::ArrayXd mean = Eigen::ArrayXd::Zero(lag_count);
-            std::vector<double> slopes;
-            for (const std::size_t end = group + groups_in(sizes_[k]); group < end; ++group) {
-                const Eigen::ArrayXd one = means.row(static_cast<Eigen::Index>(group));
-                mean += one * (double(groups_[group].size()) / sizes_[k]);
-                slopes.push_back(slope_of(one));
-            }
-            const MeanError error = mean_error(slopes);
-            const double each = 2.0 * dimension_;
-            now.curves.emplace_back(mean.begin(), mean.end());
-            now.numbers.push_back({slope_of(mean) / each, error.error / each,
-                                   squares(static_cast<Eigen::Index>(k), 0)});
-        }
-        return now;
-    }
-
-    void archive(Archive& archive) override {
-        LagMeter::archive(archive);
-        archive(speeds_);
+    void operator()(const CurveValues* values, plot::Plot& plot) const {
+        plot::Note note{.wraps = true, .changes = true};
+        for (std::size_t k = 0; k < chosen_.size(); ++k) add_line(values, k, note, plot);
+        if (chosen_.size() == 1 && (context_.scene.gas.box.surfaces.gravity == 0.0).all())
+            note.entries.push_back(ballistic_entry(context_.language()));
+        plot.notes.push_back(std::move(note));
     }
 
   private:
-    static std::size_t groups_in(double size) {
-        return static_cast<std::size_t>(std::min(size, 20.0));
-    }
-
-    static std::vector<std::vector<Eigen::Index>> groups_of(
-        const std::vector<std::vector<Eigen::Index>>& lists) {
-        std::vector<std::vector<Eigen::Index>> groups;
-        for (const std::vector<Eigen::Index>& list : lists) {
-            const std::size_t first = groups.size(), count = groups_in(double(list.size()));
-            groups.resize(first + count);
-            for (std::size_t i = 0; i < list.size(); ++i)
-                groups[first + i * count / list.size()].push_back(list[i]);
+    void add_line(const CurveValues* values, std::size_t k, plot::Note& note,
+                  plot::Plot& plot) const {
+        const std::string of = column_name_of(context_.scene, chosen_[k]);
+        // Before anything is known, what the walls decide is.
+        Finding found{
+            .name = has_names_ ? name_of(context_.scene, chosen_[k]) : "",
+            .law = law(context_.gas, LawOf::displacement, {.of = members(context_, chosen_[k])}),
+            .diffusion = {NAN, NAN}};
+        if (values != nullptr) found = finding(*values, k);
+        note.entries.push_back(finding_entry(context_, found));
+        if (values == nullptr) return;
+        std::vector<double> x;
+        for (int i = 0; i < lag_count; ++i) x.push_back(lags_ * i / (lag_count - 1));
+        std::optional<plot::Line> line;
+        if (found.is_known()) line = fit_of(plot, x, values->curves[k], fit_from_, INFINITY);
+        if (line) {
+            line->still = false;
+            line->of = of;
+            plot.layers.emplace_back(std::move(*line));
         }
-        return groups;
-    }
-
-    double slope_of(const Eigen::ArrayXd& squares) const {
-        std::vector<double> x, y;
-        for (int k = 0; k < lag_count; ++k) {
-            const double lag = lags_ * k / (lag_count - 1);
-            if (lag < fit_from_ || !std::isfinite(squares[k])) continue;
-            x.push_back(lag);
-            y.push_back(squares[k]);
+        if (chosen_.size() != 1) return;
+        if (found.has_plateau()) {
+            add_plateau(found, of, false, plot);
+            note.entries.push_back(plateau_entry(context_.language(), found));
         }
-        return x.size() < 2 ? NAN : fit_line(x, y).slope;
+        add_ballistic(context_, 0.0, values->numbers[k][of_square_speed], false, plot);
     }
 
-    std::vector<std::vector<Eigen::Index>> groups_;
-    std::vector<double> sizes_;
-    LagAverages speeds_;
-    double fit_from_, lags_;
-    int dimension_;
+    PanelContext context_;
+    std::vector<Chosen> chosen_;
+    bool has_names_;
+    int runs_;
+    double lags_, fit_from_;
 };
-
-// The error is that of the mean over runs, or for a single run that of the groups.
-MeanError diffusion_of(const CurveValues& values, std::size_t line) {
-    const std::vector<double>& numbers = values.numbers[line];
-    return {numbers[0], values.errors.empty() ? numbers[1] : values.errors[line][0]};
-}
 
 std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
@@ -336,32 +240,15 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     subject.up = Phrase{"mean squared displacement"};
     subject.unit_up = "length^2";
     subject.reach = lags;
-    subject.account = [language](const CurveValues& values, std::size_t line) -> std::string {
-        const MeanError diffusion = diffusion_of(values, line);
-        return std::isfinite(diffusion.mean) ? "D = " + with_error(language, diffusion) : "";
+    const LagTheory theory(context, spec, lags, fit_from);
+    subject.account = [context, language, theory](const CurveValues& values,
+                                                  std::size_t line) -> std::string {
+        const Finding found = theory.finding(values, line);
+        return found.is_known()
+                   ? "D = " + with_error(language, found.diffusion)
+                   : say(language, "no diffusion coefficient: {}", reason_of(context, found));
     };
-    if (!spec.theory) return std::make_unique<CurvePanel>(context, std::move(subject));
-    subject.add = [context, language, chosen, lags, fit_from, has_names = !spec.of.empty()](
-                      const CurveValues* values, plot::Plot& plot) {
-        plot::Note note{.wraps = true, .changes = true};
-        std::vector<double> x;
-        for (int i = 0; i < lag_count; ++i) x.push_back(lags * i / (lag_count - 1));
-        for (std::size_t k = 0; k < chosen.size(); ++k) {
-            const std::string name = has_names ? name_of(context.scene, chosen[k]) : "";
-            std::optional<plot::Line> line;
-            if (values != nullptr) line = fit_of(plot, x, values->curves[k], fit_from, INFINITY);
-            const std::string value = line ? with_error(language, diffusion_of(*values, k)) : "";
-            note.entries.push_back(coefficient_entry(language, name, value));
-            if (!line) continue;
-            line->still = false;
-            line->of = column_name_of(context.scene, chosen[k]);
-            plot.layers.emplace_back(std::move(*line));
-            if (chosen.size() == 1) add_ballistic(context, 0.0, values->numbers[k][2], false, plot);
-        }
-        if (chosen.size() == 1 && !has_gravity(context))
-            note.entries.push_back(ballistic_entry(language));
-        plot.notes.push_back(std::move(note));
-    };
+    if (spec.theory) subject.add = theory;
     return std::make_unique<CurvePanel>(context, std::move(subject));
 }
 

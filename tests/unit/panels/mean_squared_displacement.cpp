@@ -1,9 +1,11 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
 #include <numeric>
 
+#include "panels/correlations/displacement_meter.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 
@@ -148,4 +150,118 @@ TEST_CASE("before collisions the squares lie on the parabola that is drawn") {
                 CHECK(line.y[i] == relative(square * line.x[i] * line.x[i], 1e-9));
         }
     CHECK(is_drawn);
+}
+
+namespace {
+
+plot::Plot plot_of(const std::string& text, const PanelSpec& spec, double until, int steps = 200) {
+    const Seen seen(text, spec, test::times_up_to(until, steps));
+    const std::shared_ptr<const PanelState> state = seen.last_state();
+    return dynamic_cast<const PlotPanel&>(*seen.panel).plot(state.get());
+}
+
+bool has_part(const plot::Plot& plot, const std::string& part) {
+    for (const plot::AnyLayer& layer : plot.layers)
+        if (plot::common(layer).part == part) return true;
+    return false;
+}
+
+std::string scene_with(const std::string& box, const std::string& species, double until) {
+    return fmt::format(
+        "title: T\nbox: {{{}}}\ngas: [{}]\nrun: {{until: {}}}\nfilm: {{seconds: 1, fps: 10}}\n",
+        box, species, until);
+}
+
+}  // namespace
+
+TEST_CASE("walls give a plateau and no diffusion coefficient, and the account says why") {
+    const std::string text =
+        scene_with("size: [16, 12]", "{name: a, count: 60, radius: 0.4, temperature: 1}", 100.0);
+    for (const bool all_origins : {false, true}) {
+        CAPTURE(all_origins);
+        PanelSpec spec = displacement();
+        spec.all_origins = all_origins;
+        const plot::Plot plot = plot_of(text, spec, 100.0);
+        CHECK(plot.account.find("iffusion coefficient: the walls limit") != std::string::npos);
+        CHECK_FALSE(has_part(plot, "fit"));
+        for (const plot::AnyLayer& layer : plot.layers)
+            if (plot::common(layer).part == "plateau")
+                CHECK(std::get<plot::Level>(layer).value ==
+                      relative((15.2 * 15.2 + 11.2 * 11.2) / 6.0, 1e-12));
+        CHECK(has_part(plot, "plateau"));
+    }
+}
+
+TEST_CASE(
+    "there is no diffusion coefficient of what flies freely, or has collided rarely or with light "
+    "disks only") {
+    struct Case {
+        std::string box, species;
+        double until;
+        std::string reason;
+        bool all_origins = false;
+        std::vector<Chosen> of = {};
+    };
+    const std::string gas60 = "{name: a, count: 60, radius: 0.5, temperature: 4}";
+    for (const Case& one : std::vector<Case>{
+             {"size: [10, 10], walls: periodic", "{name: a, count: 1, radius: 0.2}", 5.0,
+              "all particles are at rest"},
+             {"size: [10, 10], walls: periodic",
+              "{name: a, radius: 0.2, position: [[2, 2], [8, 8]], velocity: [[1, 0], [-1, 0]]}",
+              50.0, "in a periodic box two particles keep the energy"},
+             {"size: [40, 40], walls: periodic", "{name: a, count: 20, radius: 0.1, speed: 1}", 2.0,
+              "nothing has collided yet"},
+             {"size: [20, 20], walls: periodic", gas60, 1.0, "there have been too few collisions"},
+             {"size: [20, 20], walls: periodic",
+              gas60,
+              20.0,
+              "too few measurements are independent of each other",
+              false,
+              {{.particle = 3}}},
+             {"size: [20, 20], walls: periodic",
+              "{name: big, count: 10, radius: 0.5, mass: 100, temperature: 4}, " + gas60,
+              40.0,
+              "there have been too few collisions",
+              true,
+              {{.species = 0}}}}) {
+        CAPTURE(one.species);
+        PanelSpec spec = displacement();
+        spec.all_origins = one.all_origins;
+        spec.of = one.of;
+        const plot::Plot plot =
+            plot_of(scene_with(one.box, one.species, one.until), spec, one.until);
+        CAPTURE(plot.account);
+        CHECK(plot.account.find("iffusion coefficient: " + one.reason) != std::string::npos);
+        CHECK_FALSE(has_part(plot, "fit"));
+    }
+}
+
+TEST_CASE("the error of D of a single disk is how D scatters between runs") {
+    PanelSpec spec = displacement();
+    spec.all_origins = true;
+    spec.lags = 6.0;
+    spec.of = {{.particle = 0}};
+    std::vector<double> coefficients;
+    double squares = 0.0;
+    constexpr int runs = 24;
+    for (int seed = 1; seed <= runs; ++seed) {
+        const std::string text =
+            "seed: " + std::to_string(seed) + "\n" +
+            scene_with("size: [20, 20], walls: periodic",
+                       "{name: a, count: 60, radius: 0.5, temperature: 1}", 240.0);
+        const Seen seen(text, spec, test::times_up_to(240.0, 240));
+        const auto state = seen.last_state();
+        const CurveValues& values = dynamic_cast<const CurveState&>(*state).runs.front();
+        const std::vector<MeanError> numbers = numbers_of(values, 0);
+        CHECK(numbers[of_pieces].mean == 20.0);
+        coefficients.push_back(numbers[of_diffusion].mean);
+        squares += numbers[of_diffusion].error * numbers[of_diffusion].error / runs;
+    }
+    // A variance of 24 values is known to 30 %, and so is the mean of 24 of 20 pieces to 7 %; parts
+    // use 20 starts of the 39 that overlap, so that theirs is at most a little larger.
+    const double scatter = mean_error(coefficients).error * std::sqrt(double(runs));
+    CAPTURE(scatter);
+    CAPTURE(std::sqrt(squares));
+    CHECK(std::sqrt(squares) < 1.8 * scatter);
+    CHECK(std::sqrt(squares) > 0.7 * scatter);
 }

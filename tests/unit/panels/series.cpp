@@ -292,9 +292,10 @@ namespace {
 
 // A panel of a gas in a periodic box, over a long run.
 test::SeenPanel seen_long(const std::string& gas, const std::string& panel) {
-    return {test::scene_from("title: T\nbox: {size: [20, 15], walls: periodic}\ngas: " + gas +
-                             "\nrun: {until: 18000}\nfilm: {seconds: 2, panels: [" + panel + "]}\n"),
-            24000};
+    return {
+        test::scene_from("title: T\nbox: {size: [20, 15], walls: periodic}\ngas: " + gas +
+                         "\nrun: {until: 18000}\nfilm: {seconds: 2, panels: [" + panel + "]}\n"),
+        24000};
 }
 
 // The mean over time from a twentieth of the run on, and its error from 20 parts of the run.

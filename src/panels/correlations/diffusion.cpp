@@ -1,0 +1,183 @@
+#include "panels/correlations/diffusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "stats/displacements.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+const plot::Stroke of_fit{.role = {.of = plot::Role::Of::highlight},
+                          .width = 0.08,
+                          .dashes = {0.3},
+                          .shade = plot::Shade::legible};
+const plot::Stroke of_ballistic{.role = {.of = plot::Role::Of::accent},
+                                .width = 0.1,
+                                .dashes = {0.5, 0.35},
+                                .shade = plot::Shade::legible};
+
+const plot::Stroke of_plateau{.width = 0.08, .dashes = {0.9, 0.3}};
+
+plot::Line straight_line(const plot::Plot& plot, const LineFit& fit, double from, double to) {
+    plot::Line line;
+    line.part = "fit";
+    line.still = true;
+    line.x = plot::column(plot.columns[0], {from, to});
+    line.y = plot::column(plot.columns[1], {fit.at(from), fit.at(to)});
+    line.stroke = of_fit;
+    return line;
+}
+
+bool has_gravity(const PanelContext& context) {
+    return (context.scene.gas.box.surfaces.gravity != 0.0).any();
+}
+
+std::string named(Language language, const std::string& name, const std::string& words) {
+    return name.empty() ? words : say(language, "{}: {}", escape_markup(name), words);
+}
+
+}  // namespace
+
+std::string with_error(Language language, const MeanError& number) {
+    return carom::with_error(language, number.mean, number.error);
+}
+
+Finding finding_of(const PanelContext& context, const Chosen& chosen, const std::string& name,
+                   const std::vector<MeanError>& numbers, int runs) {
+    Finding finding{
+        .name = name,
+        .law = law(context.gas, LawOf::displacement,
+                   {.of = members(context, chosen), .collisions = numbers[of_collisions].mean}),
+        .diffusion = numbers[of_diffusion]};
+    if (finding.law)
+        finding.problem =
+            problem_of({numbers[of_diffusion], numbers[of_bend], numbers[of_pieces].mean * runs,
+                        runs > 1 ? double(runs) : numbers[of_pieces].mean});
+    return finding;
+}
+
+std::string reason_of(const PanelContext& context, const Finding& finding) {
+    const Language language = context.language();
+    return finding.law.none ? to_text(language, *finding.law.none, context.scene.gas.species)
+                            : to_text(language, *finding.problem);
+}
+
+std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<double>& x,
+                                 const std::vector<double>& y, double from, double until) {
+    std::vector<double> times, squares;
+    for (std::size_t i = 0; i < x.size() && x[i] <= until; ++i) {
+        const bool stands = !times.empty() && times.back() == x[i];
+        if (x[i] < from || stands || !std::isfinite(y[i])) continue;
+        times.push_back(x[i]);
+        squares.push_back(y[i]);
+    }
+    if (times.size() < 2) return {};
+    return straight_line(plot, fit_line(times, squares), times.front(), times.back());
+}
+
+bool add_ballistic(const PanelContext& context, double from, double square_speed, bool is_still,
+                   plot::Plot& plot) {
+    constexpr double least_seen = 0.015;  // of the axis
+    constexpr int points = 40;
+    const double reach = std::sqrt(plot.y.high / square_speed);
+    const double span = plot.x.high - plot.x.low;
+    if (!(square_speed > 0.0) || !(reach > least_seen * span) || has_gravity(context)) return false;
+    std::vector<double> x, y;
+    for (int i = 0; i <= points; ++i) {
+        const double time = std::min(reach, plot.x.high - from) * i / points;
+        x.push_back(from + time);
+        y.push_back(square_speed * time * time);
+    }
+    plot::Line line;
+    line.part = "ballistic";
+    line.still = is_still;
+    line.x = plot::column(plot.columns[0], std::move(x));
+    line.y = plot::column(plot.columns[1], std::move(y));
+    line.beyond = plot::Beyond::cut;
+    line.stroke = of_ballistic;
+    line.depth = 1;
+    plot.layers.emplace_back(std::move(line));
+    return true;
+}
+
+plot::KeyEntry ballistic_entry(Language language) {
+    const std::string formula = "⟨<i>v</i>²⟩<i>t</i>²";
+    return {of_ballistic, {say(language, "without collisions {}", formula), formula}};
+}
+
+void add_plateau(const Finding& finding, const std::string& of, bool is_still, plot::Plot& plot) {
+    if (!finding.has_plateau() || finding.law.value > plot.y.high) return;
+    plot::Level level;
+    level.part = "plateau";
+    level.of = of;
+    level.still = is_still;
+    level.x_column = plot.columns[0];
+    level.column = plot.columns[1];
+    level.value = finding.law.value;
+    level.stroke = of_plateau;
+    plot.layers.emplace_back(std::move(level));
+}
+
+plot::KeyEntry plateau_entry(Language language, const Finding& finding) {
+    return {of_plateau,
+            {named(language, finding.name,
+                   say(language, "plateau {}", three_digits(language, finding.law.value)))}};
+}
+
+plot::KeyEntry finding_entry(const PanelContext& context, const Finding& finding) {
+    const Language language = context.language();
+    if (!finding.is_known()) {
+        const std::string reason = reason_of(context, finding);
+        return {.words = {named(language, finding.name, say(language, "no <i>D</i>: {}", reason)),
+                          named(language, finding.name, say(language, "no <i>D</i>"))}};
+    }
+    const auto words = [&](const std::string& number) {
+        return plot::Text(named(language, finding.name, "<i>D</i> = " + number));
+    };
+    const bool is_known = std::isfinite(finding.diffusion.mean);
+    return {.sample = of_fit,
+            .words = {words(is_known ? with_error(language, finding.diffusion) : "")},
+            .longest = words("0.0000 ± 0.0000")};
+}
+
+void add_findings(const PanelContext& context, double from, const std::vector<Finding>& all,
+                  plot::Plot& plot) {
+    const Language language = context.language();
+    const std::string since = three_digits(language, from);
+    std::vector<std::string> values;
+    std::vector<std::pair<std::string, std::string>> reasons;  // and the lines that have them
+    for (const Finding& one : all) {
+        if (one.is_known()) {
+            const std::string value = with_error(language, one.diffusion);
+            values.push_back(one.name.empty() ? value : one.name + " " + value);
+            continue;
+        }
+        const std::string reason = reason_of(context, one);
+        if (reasons.empty() || reasons.back().first != reason)
+            reasons.emplace_back(reason, one.name);
+        else
+            reasons.back().second += ", " + one.name;
+    }
+    plot::Note note{.wraps = true};
+    if (!values.empty()) {
+        const std::string found = "<i>D</i> = " + escape_markup(listed(language, values));
+        note.entries.push_back(
+            {of_fit, {say(language, "fit 2<i>dDt</i> from time {}: {}", since, found), found}});
+        plot.account = say(language, "The line 2dDt fitted from time {} on has D = {}.", since,
+                           listed(language, values));
+    }
+    for (const auto& [reason, names] : reasons) {
+        note.entries.push_back(
+            {.words = {named(language, names, say(language, "no <i>D</i>: {}", reason)),
+                       named(language, names, say(language, "no <i>D</i>"))}});
+        const std::string words = say(language, "No diffusion coefficient: {}.", reason);
+        plot.account += (plot.account.empty() ? "" : " ") +
+                        (names.empty() ? words : say(language, "{}: {}", names, words));
+    }
+    if (!note.entries.empty()) plot.notes.push_back(std::move(note));
+}
+
+}  // namespace carom

@@ -1,0 +1,71 @@
+// The diffusion coefficient of displacements: where there is one, how it is drawn and described,
+// and what is drawn where there is none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "panels/chosen.h"
+#include "panels/panel.h"
+#include "panels/plot/plot.h"
+#include "stats/fitted_slope.h"
+
+namespace carom {
+
+/// Indices of the numbers of a line beyond its points.
+enum DiffusionNumber : std::size_t {
+    of_diffusion,
+    of_square_speed,
+    of_bend,        ///< how much D is larger in the second half of the fit than in the first
+    of_collisions,  ///< of each particle before the fit
+    of_pieces,      ///< independent parts of the run
+    numbers_count
+};
+
+/// What is known of the diffusion of one line.
+struct Finding {
+    std::string name = {};                     ///< empty: the only line
+    Law law = {};                              ///< of displacements (LawOf::displacement)
+    std::optional<SlopeProblem> problem = {};  ///< of the fit, where the law allows one
+    MeanError diffusion = {};
+
+    bool is_known() const { return !law.none && !problem; }
+
+    bool has_plateau() const { return law.none && std::isfinite(law.value); }
+};
+
+/// What theory and the fit make of the numbers of a line, from one run or the mean of several.
+Finding finding_of(const PanelContext& context, const Chosen& chosen, const std::string& name,
+                   const std::vector<MeanError>& numbers, int runs);
+
+/// The reason why there is no diffusion coefficient.
+std::string reason_of(const PanelContext& context, const Finding& finding);
+
+/// A diffusion coefficient with its error.
+std::string with_error(Language language, const MeanError& number);
+
+/// The straight line fitted to a line of a run between `from` and `until`, the first reversal; none
+/// if there are too few points.
+std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<double>& x,
+                                 const std::vector<double>& y, double from, double until);
+
+/// Adds the ballistic parabola as far as it is visible. Returns false if it is not, and under
+/// gravity, where it does not hold.
+bool add_ballistic(const PanelContext& context, double from, double square_speed, bool is_still,
+                   plot::Plot& plot);
+
+/// Adds the plateau to which walls limit displacements, if it is within the axis.
+void add_plateau(const Finding& finding, const std::string& of, bool is_still, plot::Plot& plot);
+
+/// The entries of a key. That of a line is its diffusion coefficient, or why it has none.
+plot::KeyEntry ballistic_entry(Language language);
+plot::KeyEntry plateau_entry(Language language, const Finding& finding);
+plot::KeyEntry finding_entry(const PanelContext& context, const Finding& finding);
+
+/// Adds the diffusion coefficients of a fit from a time on as text, each with the name of its line,
+/// or why there are none.
+void add_findings(const PanelContext& context, double from, const std::vector<Finding>& all,
+                  plot::Plot& plot);
+
+}  // namespace carom

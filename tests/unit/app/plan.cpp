@@ -46,7 +46,7 @@ Scene wire() {
     return test::scene_from(
         "title: T\nbox: {length: 12, walls: periodic}\n"
         "gas: [{name: a, count: 6, radius: 0.1, mass: 2, speed: 1}, "
-        "{name: b, count: 3, radius: 0, speed: 1}]\nrun: {until: 8}\n"
+        "{name: b, count: 4, radius: 0, speed: 1}]\nrun: {until: 8}\n"
         "film: {" +
         std::string(small) +
         "flashes: true, panels: [{kind: collision-map}, {kind: contact-time}, "

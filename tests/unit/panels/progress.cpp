@@ -115,7 +115,7 @@ std::string plane(const std::string& keys, const std::string& events = "",
 std::string wire(const std::string& keys, const std::string& box = "{length: 12}",
                  const std::string& motion = "temperature: 1") {
     return "title: T\nbox: " + box + "\ngas: [{name: a, count: 4, radius: 0.1, mass: 2, " + motion +
-           "}, {name: b, count: 3, radius: 0, speed: 1}]\nrun: {until: 6, events: [{at: 1, mark: "
+           "}, {name: b, count: 4, radius: 0, speed: 1}]\nrun: {until: 6, events: [{at: 1, mark: "
            "here}, {at: 3, "
            "reverse: velocities}]}\n" +
            film(keys);

@@ -1,7 +1,9 @@
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "app/commands/command_line.h"
+#include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/memory/memory_reserve.h"
 
@@ -17,8 +19,21 @@ void hold_closed_streams() {
     }
 }
 
+// Where the stack ends, the system ends the program with a signal. Small commands need 64 kB;
+// deeply nested scenes, and the threads, whose stacks are as large, more.
+void require_stack() {
+    constexpr rlim_t least = 256 << 10;
+    rlimit stack = {};
+    if (getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= least) return;
+    carom::write_to_standard_error(
+        {"carom: the stack is limited to less than 256 kB; a higher limit (ulimit -s 8192) is "
+         "needed\n"});
+    _exit(1);
+}
+
 // Runs before the constructors of the program's global lists, which allocate memory.
 [[gnu::constructor(101)]] void begin() {
+    require_stack();
     carom::keep_memory_reserve();
     carom::say_when_memory_runs_out();
 }

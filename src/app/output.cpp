@@ -6,11 +6,9 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "util/diagnostics.h"
 #include "util/files/links.h"
@@ -125,17 +123,6 @@ void Output::write(std::string_view text) {
         if (written <= 0) fail(path_);
         text.remove_prefix(static_cast<std::size_t>(written));
     }
-}
-
-void Output::copy(const fs::path& file) {
-    std::ifstream from(file, std::ios::binary);
-    std::vector<char> buffer(1 << 18);
-    while (from) {
-        throw_if_interrupted();
-        from.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-        write({buffer.data(), static_cast<std::size_t>(from.gcount())});
-    }
-    if (!from.eof()) throw SystemError(fmt::format("cannot read back {}", file.string()));
 }
 
 std::string Output::left_behind() const {

@@ -20,8 +20,7 @@ class Output : public PendingOutput {
     explicit Output(std::string path);
     ~Output() override;
 
-    void write(std::string_view text);             ///< writes all of it, or throws SystemError
-    void copy(const std::filesystem::path& file);  ///< writes the whole contents of the file
+    void write(std::string_view text);  ///< writes all of it, or throws SystemError
     void settle() override;
     void commit() override;  ///< gives a file its final name; throws SystemError if it cannot
     std::string name() const override { return path_; }

@@ -1,17 +1,46 @@
 #include "app/resources.h"
 
+#ifdef __linux__
+#include <sys/auxv.h>
+#endif
+
+#include <system_error>
+
 #include "panels/registry.h"
 #include "util/diagnostics.h"
 
 namespace carom {
 
-std::filesystem::path templates_folder() {
-    namespace fs = std::filesystem;
+namespace {
+
+namespace fs = std::filesystem;
+
+// The file that the program was started from; empty if the system does not tell.
+fs::path program_file() {
     std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    for (fs::path folder = program.parent_path(); !error; folder = folder.parent_path()) {
+    fs::path program = fs::read_symlink("/proc/self/exe", error);
+#ifdef __linux__
+    if (error) {  // there is no /proc
+        const auto* const started = reinterpret_cast<const char*>(getauxval(AT_EXECFN));
+        if (started != nullptr) program = fs::canonical(started, error);
+    }
+#endif
+    return error ? fs::path() : program;
+}
+
+}  // namespace
+
+// The folder of the program cannot change while it runs, but a relative path to it can.
+std::filesystem::path templates_folder() {
+    static const fs::path program = program_file();
+    if (program.empty())
+        throw SystemError(
+            "cannot find the program's own file, and with it carom's templates folder: /proc is "
+            "not mounted");
+    std::error_code error;
+    for (fs::path folder = program.parent_path();; folder = folder.parent_path()) {
         for (const char* place : {"share/carom/templates", "templates"})
-            if (fs::is_directory(folder / place / "films")) return folder / place;
+            if (fs::is_directory(folder / place / "films", error)) return folder / place;
         if (folder == folder.root_path()) break;
     }
     throw SystemError("cannot find carom's templates folder near " + program.string());

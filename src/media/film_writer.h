@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,7 +48,9 @@ struct VideoSettings {
     std::vector<std::pair<std::string, std::string>>
         metadata;  ///< title, description, comment, ... as libav names them
     std::vector<FilmChapter> chapters = {};  ///< in order; none: the film has no chapters
-    bool has_sound = false;  ///< the film has sound, given by add_sound(); not in every format
+    bool has_sound = false;   ///< the film has sound, given by add_sound(); not in every format
+    bool is_scratch = false;  ///< its file is temporary, to be read by FilmWriter::copy(): it is
+                              ///< not committed, and its path is not used
 };
 
 /// The largest number of bytes of encoded frames that a segment keeps in memory; any more go to a
@@ -97,6 +101,12 @@ class FilmWriter : public PendingOutput {
     /// thread.
     virtual std::unique_ptr<FilmSegment> segment(int first) = 0;
     virtual std::int64_t bytes() const = 0;  ///< size of the finished film, after settle()
+
+    /// Passes the bytes of the finished film on, in order and in pieces, after settle(). Throws
+    /// std::logic_error if the film is a folder.
+    virtual void copy(const std::function<void(std::string_view)>& /*take*/) const {
+        throw std::logic_error("a film of several files");
+    }
 };
 
 /// H.264 and AAC in MP4, or VP9 and Opus in WebM: with the index first, at a constant frame rate.

@@ -16,8 +16,9 @@ namespace {
 
 class FrameFolder : public FilmWriter {
   public:
-    FrameFolder(const std::filesystem::path& path, int frames)
-        : folder_(path), digits_(std::max<std::size_t>(5, fmt::formatted_size("{}", frames))) {}
+    FrameFolder(const std::filesystem::path& path, const VideoSettings& settings, int frames)
+        : folder_(settings.is_scratch ? AtomicFolder(Scratch{}) : AtomicFolder(path)),
+          digits_(std::max<std::size_t>(5, fmt::formatted_size("{}", frames))) {}
 
     std::unique_ptr<FilmSegment> segment(int first) override {
         return std::make_unique<Segment>(*this, first);
@@ -61,8 +62,8 @@ class FrameFolder : public FilmWriter {
 }  // namespace
 
 std::unique_ptr<FilmWriter> folder_of_frames(const std::filesystem::path& path,
-                                             const VideoSettings&, int frames) {
-    return std::make_unique<FrameFolder>(path, frames);
+                                             const VideoSettings& settings, int frames) {
+    return std::make_unique<FrameFolder>(path, settings, frames);
 }
 
 }  // namespace carom

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "media/film_file.h"
 #include "media/gif_palette.h"
 #include "media/libav.h"
 #include "util/archive.h"
@@ -114,7 +115,7 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
 class GifFilm : public FilmWriter {
   public:
     GifFilm(const std::filesystem::path& path, VideoSettings settings)
-        : settings_(std::move(settings)), file_(path) {
+        : settings_(std::move(settings)), file_(file_of_film(path, settings_)) {
         assert(settings_.fps <= most_gif_frames_per_second);
     }
 
@@ -147,6 +148,10 @@ class GifFilm : public FilmWriter {
     std::string name() const override { return file_.name(); }
 
     std::int64_t bytes() const override { return bytes_; }
+
+    void copy(const std::function<void(std::string_view)>& take) const override {
+        copy_file(file_, take);
+    }
 
   private:
     // Each frame is stored as the part that differs from the previous frame; the first one is

@@ -61,8 +61,9 @@ void* find(void* library, const char* name) {
 void require_descriptor() {
     const int descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC);
     if (descriptor < 0)
-        throw SystemError(fmt::format("cannot encode films: /dev/null cannot be opened: {}",
-                                      std::generic_category().message(errno)));
+        throw_system_error(fmt::format("cannot encode films: /dev/null cannot be opened: {}",
+                                       std::generic_category().message(errno)),
+                           errno);
     close(descriptor);
 }
 

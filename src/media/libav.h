@@ -31,10 +31,11 @@ extern "C" {
     EACH(av_frame_free)          \
     EACH(av_frame_get_buffer)    \
     EACH(av_frame_make_writable) \
+    EACH(av_freep)               \
     EACH(av_log_set_callback)    \
+    EACH(av_malloc)              \
     EACH(av_mallocz)             \
     EACH(av_opt_set)             \
-    EACH(av_strdup)              \
     EACH(av_strerror)
 #define CAROM_OF_AVCODEC(EACH)            \
     EACH(av_new_packet)                   \
@@ -60,9 +61,9 @@ extern "C" {
     EACH(avformat_free_context)          \
     EACH(avformat_new_stream)            \
     EACH(avformat_write_header)          \
-    EACH(avio_close)                     \
-    EACH(avio_flush)                     \
-    EACH(avio_open)
+    EACH(avio_alloc_context)             \
+    EACH(avio_context_free)              \
+    EACH(avio_flush)
 #define CAROM_OF_AVFILTER(EACH)        \
     EACH(av_buffersink_get_frame)      \
     EACH(av_buffersrc_add_frame)       \
@@ -99,7 +100,10 @@ struct Free {
     void operator()(AVFormatContext* context) const { api().avformat_free_context(context); }
     void operator()(AVFrame* frame) const { api().av_frame_free(&frame); }
     void operator()(AVPacket* packet) const { api().av_packet_free(&packet); }
-    void operator()(AVIOContext* context) const { api().avio_close(context); }
+    void operator()(AVIOContext* context) const {
+        api().av_freep(&context->buffer);
+        api().avio_context_free(&context);
+    }
 };
 template <class T>
 using Owned = std::unique_ptr<T, Free>;

@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "media/film_file.h"
 #include "media/film_writer.h"
 #include "util/files/atomic_file.h"
 
@@ -21,7 +22,7 @@ PictureWords words_of(const VideoSettings& settings) {
 class PdfFilm : public FilmWriter {
   public:
     PdfFilm(const std::filesystem::path& path, const VideoSettings& settings)
-        : file_(path),
+        : file_(file_of_film(path, settings)),
           document_({settings.width, settings.height}, VectorFormat::pdf, words_of(settings)) {}
 
     Canvas* document() override { return &document_; }
@@ -41,6 +42,9 @@ class PdfFilm : public FilmWriter {
     }
     std::string name() const override { return file_.name(); }
     std::int64_t bytes() const override { return bytes_; }
+    void copy(const std::function<void(std::string_view)>& take) const override {
+        copy_file(file_, take);
+    }
 
   private:
     AtomicFile file_;

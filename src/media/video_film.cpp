@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "media/codecs.h"
+#include "media/film_file.h"
+#include "media/film_io.h"
 #include "media/film_writer.h"
 #include "media/libav.h"
 #include "media/sound_encoder.h"
@@ -161,7 +163,7 @@ Owned<AVPacket> packet_of(std::string bytes) {
 class VideoFilm : public FilmWriter {
   public:
     VideoFilm(const std::filesystem::path& path, VideoSettings settings, const Codec& codec)
-        : settings_(std::move(settings)), codec_(codec), file_(path) {
+        : settings_(std::move(settings)), codec_(codec), file_(file_of_film(path, settings_)) {
         libav::listen();
         if (settings_.has_sound) sound_.emplace(codec_.sound);
     }
@@ -172,6 +174,9 @@ class VideoFilm : public FilmWriter {
     void commit() override;
     std::string name() const override { return file_.name(); }
     std::int64_t bytes() const override { return bytes_; }
+    void copy(const std::function<void(std::string_view)>& take) const override {
+        copy_file(file_, take);
+    }
 
   private:
     class Segment : public FilmSegment {
@@ -218,7 +223,7 @@ class VideoFilm : public FilmWriter {
     const Codec& codec_;
     std::optional<SoundEncoder> sound_;
     AtomicFile file_;
-    Owned<AVIOContext> io_;
+    std::optional<FilmIo> io_;
     Owned<AVFormatContext> format_;
     Owned<AVCodecParameters> parameters_;  ///< of the first segment
     std::int64_t frames_ = 0;
@@ -302,27 +307,20 @@ void VideoFilm::Segment::archive(Archive& archive) {
     archive(packets_);
 }
 
-// libav reports a failed write late, with another error, or only in the error field of its I/O
-// context.
+// libav reports a failed write late, with another error, or not at all.
 void VideoFilm::check(int result) const {
-    const int write_error = io_ ? io_->error : 0;
-    if (result >= 0 && write_error >= 0) return;
+    if (io_) io_->check();
+    if (result >= 0) return;
     throw_system_error(
-        fmt::format("cannot write {}: {}", file_.path().string(),
-                    write_error < 0 ? libav::words_of(write_error) : libav::cause_of(result)),
-        AVUNERROR(write_error < 0 ? write_error : result));
+        fmt::format("cannot write {}: {}", file_.path().string(), libav::cause_of(result)),
+        AVUNERROR(result));
 }
 
 void VideoFilm::start(const Segment& segment) {
     AVFormatContext* allocated = nullptr;
     check(api().avformat_alloc_output_context2(&allocated, nullptr, codec_.container, nullptr));
     format_ = owned(allocated);
-    // The file is read back by this name, to move its contents behind the index.
-    format_->url = api().av_strdup(("file:" + file_.temporary().string()).c_str());
-    AVIOContext* opened = nullptr;
-    check(api().avio_open(&opened, format_->url, AVIO_FLAG_WRITE));
-    io_ = owned(opened);
-    format_->pb = io_.get();
+    io_.emplace(file_).connect(*format_);
     // Each packet is written at once, so that a full disk stops the work early.
     format_->flags |= AVFMT_FLAG_BITEXACT | AVFMT_FLAG_FLUSH_PACKETS;
     set_metadata(*format_, settings_, codec_);
@@ -408,7 +406,7 @@ void VideoFilm::settle() {
         write_sound_until(std::numeric_limits<std::int32_t>::max());
     }
     check(api().av_write_trailer(format_.get()));
-    api().avio_flush(io_.get());
+    io_->flush();
     check(0);
     bytes_ = file_.size();
     file_.settle();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -27,6 +28,13 @@ inline Json json_in(std::string_view text) {
     constexpr bool may_throw = false;
     if (nests_deeper(text, deepest)) return Json(Json::value_t::discarded);
     return Json::parse(text, nullptr, may_throw);
+}
+
+/// What is wrong with JSON that was read, without the identifier of the exception.
+inline std::string cause_of(const Json::exception& error) {
+    const std::string_view all = error.what();
+    const std::size_t end = all.starts_with('[') ? all.find("] ") : std::string_view::npos;
+    return std::string(end == std::string_view::npos ? all : all.substr(end + 2));
 }
 
 /// The value of a whole number. Throws Json::exception if the JSON is not a whole number, or if it

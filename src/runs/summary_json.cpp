@@ -145,7 +145,7 @@ SweepSummary sweep_summary(std::string_view text, const std::string& name) {
         if (std::ssize(summary.points) != summary.sweep.points()) refuse("points are missing");
         return summary;
     } catch (const Json::exception& error) {
-        refuse(fmt::format("it was changed after it was written ({})", error.what()));
+        refuse(fmt::format("it was changed after it was written ({})", cause_of(error)));
     } catch (const SweepError& error) {
         refuse(fmt::format("it was changed after it was written ({})", error.what()));
     }

@@ -270,7 +270,8 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
     Errors errors;
     Tree tree;
     auto root = read_yaml(source, errors);
-    if (root && root->kind == Node::Kind::null) errors.add(source, "the scene is empty");
+    if (root && root->kind == Node::Kind::null)
+        errors.add(source, std::size_t{0}, "the scene is empty");
     if (!root || root->kind == Node::Kind::null) errors.throw_if_any();
     tree.root = std::move(root.value());
     if (tree.root.is_mapping()) apply_overrides(overrides, tree.root, sources, errors);

@@ -80,10 +80,14 @@ std::string to_text(const Diagnostic& diagnostic) {
 SceneError::SceneError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(all_texts(diagnostics)), diagnostics_(std::move(diagnostics)) {}
 
-void throw_system_error(const std::string& message, int error) {
+bool is_transient(int error) {
     constexpr std::array passing{ENOSPC, EDQUOT, EIO,    EAGAIN, EMFILE,
                                  ENFILE, ENOMEM, ESTALE, EBUSY,  ETIMEDOUT};
-    if (std::ranges::find(passing, error) != passing.end()) throw TemporaryError(message);
+    return std::ranges::find(passing, error) != passing.end();
+}
+
+void throw_system_error(const std::string& message, int error) {
+    if (is_transient(error)) throw TemporaryError(message);
     throw SystemError(message);
 }
 

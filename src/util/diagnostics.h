@@ -82,7 +82,10 @@ class TemporaryError : public SystemError {
     using SystemError::SystemError;
 };
 
-/// Throws `message` as a TemporaryError if the errno value `error` is that of a transient failure,
+/// Whether an errno value is that of a failure that may pass.
+bool is_transient(int error);
+
+/// Throws `message` as a TemporaryError if the failure with the errno value `error` may pass,
 /// otherwise as a SystemError.
 [[noreturn]] void throw_system_error(const std::string& message, int error);
 

@@ -6,13 +6,6 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include <cerrno>
-#include <fstream>
-#include <system_error>
-#include <vector>
-
-#include "util/diagnostics.h"
-
 namespace carom {
 namespace {
 
@@ -42,29 +35,6 @@ void GrowingFingerprint::add(std::string_view bytes) {
 
 std::string GrowingFingerprint::digits() const {
     return carom::digits(XXH3_128bits_digest(&state_->hash));
-}
-
-std::optional<std::string> fingerprint_of_file(const std::filesystem::path& path) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
-    const auto refuse = [&] {
-        const int reason = errno;
-        throw_system_error(fmt::format("cannot read {}: {}", path.string(),
-                                       std::generic_category().message(reason)),
-                           reason);
-    };
-    errno = 0;
-    std::ifstream file(path, std::ios::binary);
-    if (!file && errno == ENOENT) return std::nullopt;  // removed meanwhile
-    if (!file) refuse();
-    GrowingFingerprint all;
-    std::vector<char> buffer(1 << 18);
-    while (file) {
-        file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-        all.add({buffer.data(), static_cast<std::size_t>(file.gcount())});
-    }
-    if (!file.eof()) refuse();
-    return all.digits();
 }
 
 }  // namespace carom

@@ -1,9 +1,7 @@
-// Fingerprints of texts and files, to detect whether they have changed. Not cryptographic.
+// Fingerprints of texts, to detect whether they have changed. Not cryptographic.
 #pragma once
 
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -27,9 +25,5 @@ class GrowingFingerprint {
     struct State;
     std::unique_ptr<State> state_;
 };
-
-/// Returns the fingerprint of a file's content; nothing if there is no regular file at the path.
-/// Throws SystemError if it cannot be read.
-std::optional<std::string> fingerprint_of_file(const std::filesystem::path& path);
 
 }  // namespace carom

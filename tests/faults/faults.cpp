@@ -184,6 +184,8 @@ const std::vector<Work>& all_work() {
     static const std::string figures = "figures scene.yaml -o figures --threads 1 --quiet";
     static const std::string plan = "plan scene.yaml -o plan" + small;
     static const std::string chunk = "render plan --chunk 1 --threads 1 --quiet";
+    static const std::string page =
+        "render scene.yaml --page html --threads 1 -o film.html" + small;
     static const std::vector<Work> all{
         {"render", "$carom " + film + " --seed 3", film},
         {"render of frames", "", frames},
@@ -193,18 +195,21 @@ const std::vector<Work>& all_work() {
         {"plan", "", plan},
         {"render of a chunk", "$carom " + plan, chunk},
         {"join", "$carom " + film + " --seed 3 && $carom " + plan + " && $carom " + chunk,
-         "join plan -o film.mp4 --quiet"},
+         "join plan -o film.mp4 --words --poster --quiet"},
+        {"render of a page", "$carom " + page + " --seed 3", page},
+        {"new", "", "new mine --quiet"},
     };
     return all;
 }
 
 const std::vector<Fault>& all_faults() {
     static const std::vector<Fault> all{
-        {"write", ENOSPC}, {"write", EIO},    {"write", EINTR},     {"write", 0},
-        {"open", EMFILE},  {"open", EINTR},   {"open", EIO},        {"name", ENOSPC},
-        {"name", EIO},     {"sync", EIO},     {"sync", EINTR},      {"close", EIO},
-        {"close", EINTR},  {"mkdir", ENOSPC}, {"truncate", ENOSPC}, {"truncate", EINTR},
-        {"read", EIO},     {"read", EINTR},   {"map", ENOMEM},      {"thread", EAGAIN},
+        {"write", ENOSPC}, {"write", EIO},     {"write", EINTR},     {"write", 0},
+        {"open", EMFILE},  {"open", EINTR},    {"open", EIO},        {"name", ENOSPC},
+        {"name", EIO},     {"sync", EIO},      {"sync", EINTR},      {"close", EIO},
+        {"close", EINTR},  {"mkdir", ENOSPC},  {"truncate", ENOSPC}, {"truncate", EINTR},
+        {"read", EIO},     {"read", EINTR},    {"seek", EIO},        {"status", EIO},
+        {"map", ENOMEM},   {"thread", EAGAIN},
     };
     return all;
 }

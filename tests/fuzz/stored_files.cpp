@@ -17,6 +17,7 @@
 #include "support/resources.h"
 #include "util/archive.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/fingerprint.h"
 
 using namespace carom;

@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <unistd.h>
@@ -31,14 +32,16 @@ enum Class {
     closing,
     folder,
     sizing,
+    seeking,
+    status,
     mapping,
     memory,
     thread,
     classes
 };
-constexpr std::array<const char*, classes> names{"open", "read",   "write", "name",
-                                                 "sync", "close",  "mkdir", "truncate",
-                                                 "map",  "memory", "thread"};
+constexpr std::array<const char*, classes> names{"open",  "read",   "write",    "name", "sync",
+                                                 "close", "mkdir",  "truncate", "seek", "status",
+                                                 "map",   "memory", "thread"};
 
 constinit std::array<std::atomic<long>, classes> calls{};
 
@@ -171,11 +174,35 @@ ssize_t writev(int file, const iovec* parts, int count) {
     }
     return syscall(SYS_writev, file, parts, count);
 }
-ssize_t pwrite(int file, const void* data, size_t size, off_t at) {
-    CALL(writing, nullptr, -1, pwrite, file, data, size, at);
-}
 ssize_t pwrite64(int file, const void* data, size_t size, off64_t at) {
-    CALL(writing, nullptr, -1, pwrite64, file, data, size, at);
+    if (is_chosen(writing)) {
+        if (fault.error != 0) {
+            errno = fault.error;
+            return -1;
+        }
+        size = (size + 1) / 2;
+    }
+    return syscall(SYS_pwrite64, file, data, size, at);
+}
+ssize_t pwrite(int file, const void* data, size_t size, off_t at) {
+    return pwrite64(file, data, size, at);
+}
+ssize_t pread(int file, void* data, size_t size, off_t at) {
+    CALL(reading, nullptr, -1, pread, file, data, size, at);
+}
+ssize_t pread64(int file, void* data, size_t size, off64_t at) {
+    CALL(reading, nullptr, -1, pread64, file, data, size, at);
+}
+
+off_t lseek(int file, off_t at, int from) noexcept {
+    CALL(seeking, nullptr, -1, lseek, file, at, from);
+}
+off64_t lseek64(int file, off64_t at, int from) noexcept {
+    CALL(seeking, nullptr, -1, lseek64, file, at, from);
+}
+int fstat(int file, struct stat* found) noexcept { CALL(status, nullptr, -1, fstat, file, found); }
+int fstat64(int file, struct stat64* found) noexcept {
+    CALL(status, nullptr, -1, fstat64, file, found);
 }
 
 int rename(const char* from, const char* to) noexcept { CALL(naming, to, -1, rename, from, to); }

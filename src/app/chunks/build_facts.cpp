@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/chunks/source_fingerprint.h"
-#include "app/scratch_folder.h"
 #include "draw/canvas.h"
 #include "draw/disks/disks.h"
 #include "draw/text.h"
@@ -63,12 +62,11 @@ std::string fingerprint_of(const Canvas& picture) {
 }
 
 std::string fingerprint_of_film(const OutputFormat& format, const Canvas& picture) {
-    const ScratchFolder folder;
     const PixelSize size = picture.size();
     constexpr int frames = 3;
-    const std::unique_ptr<FilmWriter> writer =
-        format.make_film(folder.path() / "film",
-                         {.width = size.width, .height = size.height, .metadata = {}}, frames);
+    const std::unique_ptr<FilmWriter> writer = format.make_film(
+        {}, {.width = size.width, .height = size.height, .metadata = {}, .is_scratch = true},
+        frames);
     std::vector<std::uint32_t> greys;
     for (std::uint32_t level = 0; level < 256; ++level)
         greys.push_back(0xff000000 | 0x10101 * level);

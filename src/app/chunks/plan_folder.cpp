@@ -14,8 +14,10 @@
 #include <utility>
 
 #include "app/chunks/build_facts.h"
+#include "app/chunks/plan_files.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/files/new_file.h"
 #include "util/files/one_use_paths.h"
 #include "util/files/utf8_names.h"
@@ -27,18 +29,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *format_name = "carom-plan", *summary_format = "carom-sweep-summary";
 constexpr int format_version = 1;
-constexpr std::int64_t most_json_bytes = 64 << 20;
 constexpr std::int64_t most_bytes_of_file = std::int64_t{64} << 30;
 
 const char* name_of(PlanKind kind) { return kind == PlanKind::film ? "film" : "sweep"; }
 const char* unit_of(PlanKind kind) { return kind == PlanKind::film ? "frame" : "run"; }
 const char* ending_of(PlanKind kind) { return kind == PlanKind::film ? ".chunk" : ".runs"; }
-
-// The names of everything that a plan and its chunks have in their folder.
-constexpr std::array<std::string_view, 6> names_in_plan{"plan.json",    "film.plan", "film.sound",
-                                                        "summary.json", "starts",    "chunks"};
 
 [[noreturn]] void fail(const char* what, const fs::path& path, int error) {
     throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(),
@@ -112,64 +108,6 @@ std::string fingerprint_of(Json contents) {
     return fingerprint(text_of(contents));
 }
 
-// True also for other plans that are being written.
-bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
-
-// Whether a path has the name of a file or folder of a plan; nothing else is ever removed.
-bool is_of_plan(const fs::path& path) {
-    std::error_code error;
-    const std::string name = path.filename().string();
-    const bool is_folder = fs::is_directory(path, error);
-    if (is_hidden(path)) return true;
-    if (is_folder || name == "starts" || name == "chunks")
-        return is_folder && (name == "starts" || name == "chunks");
-    if (std::ranges::find(names_in_plan, name) != names_in_plan.end()) return true;
-    const std::string folder = path.parent_path().filename().string();
-    const std::string ending = path.extension().string();
-    const bool is_numbered =
-        path.stem().string().find_first_not_of("0123456789") == std::string::npos;
-    return is_numbered &&
-           ((folder == "starts" && ending == ".start") ||
-            (folder == "chunks" && (ending == ".chunk" || ending == ".runs" || ending == ".json")));
-}
-
-// Whether a JSON file was written by carom: plan.json, the summary of a sweep, or the manifest of a
-// chunk.
-bool is_from_carom(const Json& contents, const std::string& name) {
-    if (!contents.is_object()) return false;
-    const Json format = contents.value("format", Json());
-    if (name == "plan.json") return format == format_name;
-    if (name == "summary.json") return format == summary_format;
-    return contents.contains("plan") && contents.contains("chunk");
-}
-
-// If the folder holds a plan of carom, names tell which files belong to it. If plan.json is
-// missing, for example because a scheduler has removed it, the contents of the JSON files are
-// checked.
-void refuse_other_files(const fs::path& folder) {
-    const auto refuse = [](const fs::path& path) {
-        throw UsageError(fmt::format(
-            "{} is not a file of a plan; choose another folder, or move it away", path.string()));
-    };
-    std::error_code error;
-    std::vector<fs::path> lists;
-    fs::recursive_directory_iterator entry(folder, error), end;
-    for (; !error && entry != end; entry.increment(error)) {
-        const fs::path& path = entry->path();
-        if (!is_of_plan(path)) refuse(path);
-        if (is_hidden(path))
-            entry.disable_recursion_pending();
-        else if (path.extension() == ".json")
-            lists.push_back(path);
-    }
-    if (error && fs::exists(folder))
-        throw UsageError(fmt::format("{}: {}", folder.string(), error.message()));
-    if (is_plan(folder)) lists = {folder / "plan.json"};
-    for (const fs::path& path : lists)
-        if (!is_from_carom(json_in(read_file(path, most_json_bytes)), path.filename().string()))
-            refuse(path);
-}
-
 // Renames of files and folders, all of which are undone unless keep() is called.
 class Moves {
   public:
@@ -236,9 +174,8 @@ PlanWriter::PlanWriter(fs::path folder) : folder_(std::move(folder)) {
 }
 
 PlanWriter::~PlanWriter() {
+    discard(draft_);
     std::error_code error;
-    fs::remove_all(draft_.name, error);
-    close(draft_.descriptor);
     if (is_new_ && !is_committed_) fs::remove(folder_, error);
 }
 
@@ -268,7 +205,7 @@ void PlanWriter::replace_earlier() {
 }
 
 void PlanWriter::commit(const PlanHeader& header, const std::vector<PlannedChunk>& chunks) {
-    Json contents{{"format", format_name},
+    Json contents{{"format", format_of_plans},
                   {"format_version", format_version},
                   {"kind", name_of(header.kind)},
                   {"request", header.request}};
@@ -290,12 +227,13 @@ PlanFolder::PlanFolder(fs::path folder) : folder_(std::move(folder)) {
         throw UsageError(
             fmt::format("{} holds no plan (plan.json); make one with carom plan SCENE -o {}",
                         folder_.string(), folder_.string()));
-    contents_ = json_in(read_file(folder_ / "plan.json", most_json_bytes));
+    contents_ = json_in(read_file(StoredFile{folder_, "plan.json"}, most_json_bytes));
     if (!is_from_carom(contents_, "plan.json"))
         throw UsageError(
             fmt::format("{}: this is not a plan of carom; name the folder of one, or plan into "
                         "another",
                         (folder_ / "plan.json").string()));
+    refuse_scenes_in(folder_);
     if (const Json version = contents_.value("format_version", Json()); version != format_version)
         refuse(fmt::format("its format has version {}, and this program reads version {}",
                            text_of(version), format_version));
@@ -319,7 +257,7 @@ void PlanFolder::keep_files() const {
     keep_source(folder_ / "plan.json");
     for (const auto& [name, content] : files().items()) keep_source(folder_ / name);
     for (const PlannedChunk& chunk : chunks_)
-        for (const fs::path& file : {output(chunk), manifest(chunk)}) keep_source(file);
+        for (const StoredFile& file : {output(chunk), manifest(chunk)}) keep_source(file.path());
 }
 
 std::string PlanFolder::fingerprint() const { return contents_.at("fingerprint"); }
@@ -338,26 +276,27 @@ const PlannedChunk& PlanFolder::chunk(int number) const {
 }
 
 std::string PlanFolder::read(const std::string& name) const {
-    std::string bytes = read_file(folder_ / name, most_bytes_of_file);
+    std::string bytes = read_file(StoredFile{folder_, name}, most_bytes_of_file);
     if (files().value(name, Json()) != carom::fingerprint(bytes))
         throw SystemError(fmt::format("cannot read {}: it was changed after it was written",
                                       (folder_ / name).string()));
     return bytes;
 }
 
-fs::path PlanFolder::output(const PlannedChunk& chunk) const {
-    return folder_ / (stem_of(chunk.number) + ending_of(kind()));
+StoredFile PlanFolder::output(const PlannedChunk& chunk) const {
+    return {folder_, stem_of(chunk.number) + ending_of(kind())};
 }
 
-fs::path PlanFolder::manifest(const PlannedChunk& chunk) const {
-    return folder_ / (stem_of(chunk.number) + ".json");
+StoredFile PlanFolder::manifest(const PlannedChunk& chunk) const {
+    return {folder_, stem_of(chunk.number) + ".json"};
 }
 
 // Null if there is no manifest, or if the file is not a JSON object.
 Json PlanFolder::read_manifest(const PlannedChunk& chunk) const {
-    std::error_code error;
-    if (!fs::is_regular_file(manifest(chunk), error)) return {};
-    Json json = json_in(read_file(manifest(chunk), most_json_bytes));
+    const StoredFile file = manifest(chunk);
+    const InputFile found(file);
+    if (found.is_missing() || found.is_other_kind()) return {};
+    Json json = json_in(read_file(file, most_json_bytes));
     return json.is_object() ? json : Json();
 }
 
@@ -380,8 +319,8 @@ std::vector<int> PlanFolder::missing() const {
 void PlanFolder::finish(const PlannedChunk& chunk, const Json& build, double seconds) const {
     const auto content = fingerprint_of_file(output(chunk));
     if (!content)
-        throw TemporaryError(
-            fmt::format("cannot read back {}: it is no ordinary file", output(chunk).string()));
+        throw TemporaryError(fmt::format("cannot read back {}: it is no ordinary file",
+                                         output(chunk).path().string()));
     const Json json{{"chunk", chunk.number},
                     {"plan", fingerprint()},
                     {"fingerprint", *content},
@@ -433,8 +372,9 @@ void PlanFolder::require_same_build(const Json& build) const {
 }
 
 bool is_plan(const fs::path& path) {
-    std::error_code error;
-    return fs::is_regular_file(path / "plan.json", error);
+    const InputFile file(StoredFile{path, "plan.json"});
+    if (file.may_pass()) file.require_open();
+    return file.is_open();
 }
 
 bool is_planned(const fs::path& folder, const Json& request) {
@@ -443,7 +383,8 @@ bool is_planned(const fs::path& folder, const Json& request) {
         const PlanFolder plan(folder);
         if (plan.request() != request) return false;
         for (const auto& [name, content] : plan.files().items())
-            if (content != Json(fingerprint_of_file(folder / name).value_or(""))) return false;
+            if (content != Json(fingerprint_of_file(StoredFile{folder, name}).value_or("")))
+                return false;
         return true;
     } catch (const UsageError&) {
         return false;

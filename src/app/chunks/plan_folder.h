@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "runs/json.h"
+#include "util/files/stored_file.h"
 #include "util/interrupt.h"
 #include "util/pending/temporary.h"
 
@@ -91,7 +92,7 @@ class PlanFolder {
         try {
             return read(contents_);
         } catch (const Json::exception& error) {
-            refuse(error.what());
+            refuse(cause_of(error));
         }
     }
 
@@ -116,8 +117,8 @@ class PlanFolder {
     /// A file of the plan. Throws SystemError where it is missing or was changed.
     std::string read(const std::string& name) const;
 
-    /// The path of the output of a chunk, which need not exist yet.
-    std::filesystem::path output(const PlannedChunk& chunk) const;
+    /// The file of the output of a chunk, which need not exist yet.
+    StoredFile output(const PlannedChunk& chunk) const;
 
     /// Whether the output of a chunk exists, is complete and belongs to this plan.
     bool is_done(const PlannedChunk& chunk) const;
@@ -138,7 +139,7 @@ class PlanFolder {
 
   private:
     [[noreturn]] void refuse(const std::string& cause) const;
-    std::filesystem::path manifest(const PlannedChunk& chunk) const;
+    StoredFile manifest(const PlannedChunk& chunk) const;
     Json read_manifest(const PlannedChunk& chunk) const;
 
     std::filesystem::path folder_;

@@ -84,7 +84,7 @@ void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
         Output::is_standard_output(arguments.csv))
         return;
     for (const std::string& path :
-         {summary_in(plan.path()).string(), arguments.output, arguments.csv})
+         {summary_in(plan.path()).path().string(), arguments.output, arguments.csv})
         if (!path.empty()) Output("-").write(printable(path) + "\n");
 }
 

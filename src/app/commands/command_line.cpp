@@ -318,6 +318,17 @@ int complain(int code, const std::exception& error) {
     return complain(code, "carom: " + printable(error.what()));
 }
 
+// A failure that was not expected where it happened, for example because the current folder was
+// removed.
+int complain_of_system(const std::system_error& error) {
+    const auto* const of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error);
+    const std::string path = of_file != nullptr ? of_file->path1().string() : "";
+    const bool may_pass = is_transient(error.code().value());
+    return complain(may_pass ? exit_code_of_temporary_error : 1,
+                    fmt::format("carom: {}{}{}", printable(path), path.empty() ? "" : ": ",
+                                error.code().message()));
+}
+
 // Uses only static storage: there may be no memory left to compose a message.
 int complain_of_memory() noexcept {
     std::fflush(stderr);
@@ -355,10 +366,15 @@ int run_and_complain(int argc, const char* const* argv) {
         return complain(130, stop);
     } catch (const TemporaryError& error) {
         return complain(exit_code_of_temporary_error, error);
+    } catch (const SystemError& error) {
+        return complain(1, error);
     } catch (const std::bad_alloc&) {
         throw;
+    } catch (const std::system_error& error) {
+        return complain_of_system(error);
     } catch (const std::exception& error) {
-        return complain(1, error);
+        return complain(1, fmt::format("carom: a mistake in carom itself ({}): please report it",
+                                       printable(error.what())));
     }
 }
 

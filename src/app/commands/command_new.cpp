@@ -2,10 +2,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cerrno>
-#include <cstdio>
 #include <map>
 #include <memory>
+#include <optional>
 #include <system_error>
 
 #include "app/command.h"
@@ -15,6 +14,8 @@
 #include "scene/manual/starter.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
+#include "util/files/atomic_file.h"
+#include "util/interrupt.h"
 #include "util/text.h"
 
 namespace carom {
@@ -36,7 +37,7 @@ fs::path named(const std::string& name) {
     return name + ".yaml";
 }
 
-constexpr const char* schema_beside = "scene.schema.json";
+constexpr const char* schema_name = "scene.schema.json";
 
 // The relative path by which a scene file refers to the schema, so that it stays valid when its
 // folder is moved or given to others: in the library the schema of the library, elsewhere the one
@@ -47,7 +48,7 @@ std::string schema_reference(const fs::path& file) {
     const bool is_in_library = !error && std::ranges::all_of(way, [](const fs::path& step) {
         return step == ".." || step == ".";
     });
-    return is_in_library ? (way / schema_beside).lexically_normal().string() : schema_beside;
+    return is_in_library ? (way / schema_name).lexically_normal().string() : schema_name;
 }
 
 // The scenes in all folders of the library, by name, without figure sets.
@@ -83,45 +84,37 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
     return starter_from(scene.source.text, schema);
 }
 
-[[noreturn]] void fail(const fs::path& file, int cause) {
-    if (cause == EEXIST)
-        throw UsageError(fmt::format("{} exists already and was left unchanged", file.string()));
-    throw_system_error(
-        fmt::format("cannot write {}: {}", file.string(), std::generic_category().message(cause)),
-        cause);
+bool is_there(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(path, error));
 }
 
-// Creates a file. An existing file is never replaced, not even one that another process creates at
-// this moment.
-void write_new(const fs::path& file, const std::string& text) {
-    std::error_code error;
-    if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-    if (error) fail(file, error.value());
-    std::FILE* stream = std::fopen(file.c_str(), "wx");
-    if (stream == nullptr) fail(file, errno);
-    const bool written = std::fwrite(text.data(), 1, text.size(), stream) == text.size();
-    const int cause = errno;
-    if (std::fclose(stream) == 0 && written) return;
-    const int at_closing = errno;
-    std::remove(file.c_str());
-    fail(file, written ? at_closing : cause);
-}
-
-// Writes the schema next to a scene; an existing one is left as it is.
-void write_schema_beside(const fs::path& file) {
-    const fs::path schema = file.parent_path() / schema_reference(file);
-    std::error_code error;
-    if (!fs::exists(fs::symlink_status(schema, error))) write_new(schema, scene_schema_json());
+// Neither file replaces another, not even one that a process creates at this moment. The schema is
+// removed again if the scene cannot get its name.
+void write_both(const fs::path& file, const std::string& text) {
+    AtomicFile scene(file, Earlier::kept);
+    scene.write(text);
+    const fs::path beside = file.parent_path() / schema_reference(file);
+    std::optional<AtomicFile> schema;  // an existing one is left as it is
+    if (!is_there(beside)) schema.emplace(beside, Earlier::kept).write(scene_schema_json());
+    scene.settle();
+    const MustCleanUp together;
+    if (schema) schema->commit();
+    try {
+        scene.commit();
+    } catch (...) {
+        std::error_code error;
+        if (schema) fs::remove(schema->path(), error);
+        throw;
+    }
 }
 
 void make_scene(const NewArguments& arguments) {
     const fs::path file = named(arguments.name);
-    std::error_code error;
-    if (fs::exists(fs::symlink_status(file, error))) fail(file, EEXIST);
+    if (is_there(file)) refuse_existing(file);
     const std::string text = text_for(arguments, file);
     load_scene_text(text, file.string(), scene_resources());  // a template beside the other one
-    write_new(file, text);
-    write_schema_beside(file);
+    write_both(file, text);
     if (!arguments.quiet)
         fmt::print("{0}: a scene; `carom render {0}` makes its film\n", printable(file.string()));
 }

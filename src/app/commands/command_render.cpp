@@ -26,7 +26,6 @@
 #include "app/output.h"
 #include "app/pages/film_page.h"
 #include "app/resources.h"
-#include "app/scratch_folder.h"
 #include "media/formats.h"
 #include "panels/registry.h"
 #include "runs/run.h"
@@ -229,11 +228,10 @@ RenderReport render_all(const std::vector<Scene>& scenes, const JoinedTitle& tit
 
 RenderReport render_to_stream(Output& stream, const std::vector<Scene>& scenes,
                               const JoinedTitle& title, FilmOptions options, Progress& progress) {
-    const ScratchFolder folder;
-    options.output = folder.path() / options.output;
-    const RenderReport report = render_all(scenes, title, options, progress);
-    if (fits(report, options)) stream.copy(options.output);
-    return report;
+    options.take = [&](const FilmWriter& film) {
+        film.copy([&](std::string_view piece) { stream.write(piece); });
+    };
+    return render_all(scenes, title, options, progress);
 }
 
 // The scenes with another picture size and frame rate, overriding their own.
@@ -338,7 +336,7 @@ void render_chunks(const RenderArguments& arguments) {
         const PlannedChunk& chunk = folder.chunk(number);
         const bool is_new = render_chunk(folder, chunk, options, progress);
         if (!arguments.quiet)
-            fmt::print("{}: {}, {}\n", printable(folder.output(chunk).string()),
+            fmt::print("{}: {}, {}\n", printable(folder.output(chunk).path().string()),
                        counted(chunk.count(), "frame"), is_new ? "done" : "was there already");
     }
 }

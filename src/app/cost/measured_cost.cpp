@@ -4,7 +4,6 @@
 
 #include "app/cost/film_cost.h"
 #include "app/film/render.h"
-#include "app/scratch_folder.h"
 #include "util/archive.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
@@ -99,10 +98,9 @@ class FrameSampler {
 
 FilmCost measured_cost(const Scene& scene, const FilmOptions& options, Progress& progress) {
     const Stopwatch watch;
-    const ScratchFolder folder;
     FilmOptions its = options;
+    its.take = [](const FilmWriter&) {};
     const OutputFormat& format = format_of_film(options.output);
-    its.output = folder.path() / (format.name == "png" ? "frames/" : "film." + format.name);
     const FilmPlan plan = prepare(scene, its, progress);
     const std::unique_ptr<FilmWriter> writer = film_writer(plan, its);
     if (!plan.colors.empty()) writer->use_colors(plan.colors);

@@ -5,10 +5,10 @@
 #include <optional>
 #include <utility>
 
-#include "app/output.h"
 #include "runs/json.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
 
@@ -71,7 +71,7 @@ FigureFolder::FigureFolder(fs::path path, std::string of, std::string manifest)
     manifest_.of = of;
     const fs::path file = path_ / manifest_name_;
     if (!is_there(file)) return;
-    saved_ = read_file(file, most_manifest_bytes);
+    saved_ = read_file(stored(manifest_name_), most_manifest_bytes);
     auto known = read_manifest(saved_);
     if (!known)
         throw UsageError(
@@ -89,7 +89,7 @@ FigureFolder::FigureFolder(fs::path path, std::string of, std::string manifest)
 bool FigureFolder::is_current(const std::string& file, const std::string& inputs) const {
     const auto known = manifest_.files.find(file);
     return known != manifest_.files.end() && known->second.inputs == inputs &&
-           fingerprint_of_file(path_ / file) == known->second.content;
+           fingerprint_of_file(stored(file)) == known->second.content;
 }
 
 std::vector<std::string> FigureFolder::foreign(std::span<const std::string> files) const {
@@ -97,7 +97,7 @@ std::vector<std::string> FigureFolder::foreign(std::span<const std::string> file
     for (const std::string& file : files) {
         if (!is_there(path_ / file)) continue;
         const auto known = manifest_.files.find(file);
-        const auto content = fingerprint_of_file(path_ / file);
+        const auto content = fingerprint_of_file(stored(file));
         if (known == manifest_.files.end() || !content ||
             (content != known->second.content && content != known->second.coming))
             found.push_back(file);
@@ -117,28 +117,29 @@ void FigureFolder::write(std::span<const NewFile> files) {
     bool any = false;
     for (const NewFile& one : files) {
         contents.push_back(fingerprint(as_text(one.bytes)));
-        if (fingerprint_of_file(path_ / one.file) == contents.back()) continue;
+        if (fingerprint_of_file(stored(one.file)) == contents.back()) continue;
         announce(one.file, one.figure, contents.back());
         any = true;
     }
     if (any) save();
     for (std::size_t i = 0; i < files.size(); ++i) {
         const NewFile& one = files[i];
-        if (fingerprint_of_file(path_ / one.file) != contents[i])
-            write_file(path_ / one.file, one.bytes);
+        if (fingerprint_of_file(stored(one.file)) != contents[i])
+            write_file(stored(one.file), one.bytes);
         manifest_.files[one.file] = {one.figure, one.inputs, contents[i]};
     }
 }
 
-void FigureFolder::take_in(const fs::path& from, const std::string& file, const std::string& figure,
-                           const std::string& inputs) {
-    const std::string content = fingerprint_of_file(from / file).value_or("");
-    announce(file, figure, content);
+void FigureFolder::write(const FilmWriter& film, const std::string& file,
+                         const std::string& inputs) {
+    GrowingFingerprint all;
+    film.copy([&](std::string_view piece) { all.add(piece); });
+    announce(file, "", all.digits());
     save();
-    Output output((path_ / file).string());
-    output.copy(from / file);
+    AtomicFile output(stored(file));
+    film.copy([&](std::string_view piece) { output.write(piece); });
     output.commit();
-    manifest_.files[file] = {figure, inputs, content};
+    manifest_.files[file] = {"", inputs, all.digits()};
 }
 
 void FigureFolder::remember(const std::string& figure, WrittenWords words) {
@@ -148,17 +149,14 @@ void FigureFolder::remember(const std::string& figure, WrittenWords words) {
 std::vector<std::string> FigureFolder::remove_all_but(const std::set<std::string>& kept,
                                                       std::vector<std::string>& removed) {
     std::vector<std::string> left;
-    const fs::path whole = fs::weakly_canonical(path_);
     std::erase_if(manifest_.files, [&](const auto& known) {
         const auto& [file, written] = known;
         if (kept.contains(file)) return false;
         if (!is_there(path_ / file)) return true;
-        // The manifest may come from elsewhere: check that the path is inside the folder.
-        const fs::path inside = fs::weakly_canonical(path_ / file).lexically_relative(whole);
-        std::error_code error;
-        const bool is_own = !inside.empty() && *inside.begin() != ".." &&
-                            fingerprint_of_file(path_ / file) == written.content;
-        (is_own && fs::remove(path_ / file, error) ? removed : left).push_back(file);
+        // The manifest may come from elsewhere: a name that leads out of the folder is not one of
+        // carom's files there.
+        const bool is_own = fingerprint_of_file(stored(file)) == written.content;
+        (is_own && remove_stored(stored(file)) ? removed : left).push_back(file);
         return true;
     });
     return left;
@@ -168,7 +166,7 @@ void FigureFolder::save() {
     if (saved_.empty() && manifest_.files.empty() && manifest_.figures.empty()) return;
     std::string text = manifest_json(manifest_);
     if (text == saved_) return;
-    write_file(path_ / manifest_name_, text);
+    write_file(stored(manifest_name_), text);
     saved_ = std::move(text);
 }
 

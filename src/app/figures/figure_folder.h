@@ -11,6 +11,9 @@
 #include <string_view>
 #include <vector>
 
+#include "media/film_writer.h"
+#include "util/files/stored_file.h"
+
 namespace carom {
 
 /// A file as carom wrote it.
@@ -66,9 +69,8 @@ class FigureFolder {
     /// recognised wherever the work is interrupted.
     void write(std::span<const NewFile> files);
 
-    /// Copies a file from the folder `from` into this folder, and records it in the same way.
-    void take_in(const std::filesystem::path& from, const std::string& file,
-                 const std::string& figure, const std::string& inputs);
+    /// Writes a film that is finished to a file, and records it in the same way.
+    void write(const FilmWriter& film, const std::string& file, const std::string& inputs);
 
     void remember(const std::string& figure, WrittenWords words);
 
@@ -83,6 +85,7 @@ class FigureFolder {
     void save();
 
   private:
+    StoredFile stored(const std::string& file) const { return {path_, file}; }
     void announce(const std::string& file, const std::string& figure, const std::string& content);
 
     std::filesystem::path path_;

@@ -18,7 +18,7 @@
 #include "scene/words.h"
 #include "scene/yaml/file_text.h"
 #include "util/diagnostics.h"
-#include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/text.h"
 
 namespace carom {

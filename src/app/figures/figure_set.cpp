@@ -11,14 +11,13 @@
 #include "app/figures/figure_pages.h"
 #include "app/film/render.h"
 #include "app/means.h"
-#include "app/scratch_folder.h"
 #include "app/simulate.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "figures/sweep_figure.h"
 #include "media/formats.h"
 #include "util/diagnostics.h"
-#include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -273,16 +272,23 @@ class Maker {
         if (!options_.films || part.compares || (is_current_film(part) && !options_.force)) return;
         const auto files = film_files(part);
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
-        const ScratchFolder hidden(set_.folder);
+        const std::string inputs = inputs_of_film(part.scene);
         const FilmOptions options{
-            .output = hidden.path() / files.at("film"), .threads = options_.threads, .text = true};
+            .output = files.at("film"),
+            .threads = options_.threads,
+            .text = true,
+            .take = [&](const FilmWriter& film) { folder_.write(film, files.at("film"), inputs); }};
         const FilmPlan plan = prepare(part.scene, options, progress);
         render(plan, options, progress);
         Canvas poster =
             draw_still(plan, time_of_poster(part.scene), output_format("png"), progress);
-        write_file(hidden.path() / files.at("poster"), poster.file());
-        for (const auto& [what, file] : files)
-            folder_.take_in(hidden.path(), file, "", inputs_of_film(part.scene));
+        std::vector<NewFile> beside{{files.at("poster"), poster.file(), "", inputs}};
+        for (const auto& [what, ending] : text_endings)
+            if (const auto file = files.find(what); file != files.end()) {
+                const std::string text = text_for_file(plan.text, what);
+                beside.push_back({file->second, {text.begin(), text.end()}, "", inputs});
+            }
+        folder_.write(beside);
         ++report_.films;
     }
 

@@ -1,12 +1,18 @@
 #include "app/film/axes_cache.h"
 
+#include <fmt/format.h>
+
 #include <memory>
+#include <system_error>
 #include <utility>
 
 #include "app/chunks/build_facts.h"
+#include "app/progress.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/fingerprint.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -47,19 +53,20 @@ Scene with_bits(Scene scene, const RunBits& bits) {
 AxesCache::AxesCache(const std::filesystem::path& folder, const Scene& asked) {
     if (folder.empty()) return;
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw SystemError("--cache " + folder.string() +
-                          ": cannot make this folder: " + error.message());
-    file_ = folder / (fingerprint_of(asked.source) + ".axes");
+    const auto found = std::filesystem::status(folder, error);
+    if (std::filesystem::exists(found) && !std::filesystem::is_directory(found))
+        error = std::make_error_code(std::errc::not_a_directory);
+    if (error == std::errc::not_a_directory)
+        throw SystemError(fmt::format("--cache {}: cannot make this folder: {}", folder.string(),
+                                      error.message()));
+    file_ = {folder, fingerprint_of(asked.source) + ".axes"};
 }
 
 std::optional<SettledAxes> AxesCache::find() const {
     constexpr std::int64_t most_bytes = std::int64_t{1} << 30;
-    std::error_code error;
-    if (file_.empty() || !std::filesystem::exists(file_, error)) return std::nullopt;
+    if (file_.name.empty()) return std::nullopt;
     try {
-        Archive archive(read_file(file_, most_bytes), file_.string());
+        Archive archive(read_file(file_, most_bytes), file_.path().string());
         SettledAxes settled;
         archive(settled);
         archive.expect_end();
@@ -70,10 +77,15 @@ std::optional<SettledAxes> AxesCache::find() const {
 }
 
 void AxesCache::keep(SettledAxes settled) const {
-    if (file_.empty()) return;
+    if (file_.name.empty()) return;
     Archive archive;
     archive(settled);
-    write_file(file_, archive.finished());
+    try {
+        write_file(file_, archive.finished());
+    } catch (const SystemError& error) {
+        say(fmt::format("carom: --cache: {}; nothing is kept for the next time\n",
+                        printable(error.what())));
+    }
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 
 #include "scene/scene.h"
 #include "util/archive.h"
+#include "util/files/stored_file.h"
 
 namespace carom {
 
@@ -36,18 +37,19 @@ struct SettledAxes {
 /// mathematical functions of the machine. Any number of processes may share the folder.
 class AxesCache {
   public:
-    /// Creates the folder if it is missing. With an empty path nothing is found or kept. Throws
-    /// SystemError if the folder cannot be created.
+    /// With an empty path nothing is found or kept. Throws SystemError if something else than a
+    /// folder has the path, or stands on the way there.
     AxesCache(const std::filesystem::path& folder, const Scene& asked);
 
-    /// What is kept for the scene; nothing if there is no file or it is damaged.
+    /// What is kept for the scene; nothing if there is no file, or it is damaged or cannot be read.
     std::optional<SettledAxes> find() const;
 
-    /// Replaces what is kept for the scene. Throws SystemError, Interrupted.
+    /// Replaces what is kept for the scene, and creates the folder if it is missing. If that fails,
+    /// warns: the cache only saves time. Throws Interrupted.
     void keep(SettledAxes settled) const;
 
   private:
-    std::filesystem::path file_;  ///< empty: there is no cache
+    StoredFile file_;  ///< with an empty name: there is no cache
 };
 
 }  // namespace carom

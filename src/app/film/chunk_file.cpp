@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
-#include <system_error>
 #include <utility>
 
 #include "util/archive.h"
-#include "util/diagnostics.h"
 
 namespace carom {
 namespace {
@@ -43,8 +40,7 @@ class ChunkWriter::Segment : public FilmSegment {
     std::unique_ptr<FilmSegment> encoded_;
 };
 
-ChunkWriter::ChunkWriter(const std::filesystem::path& path, ChunkIdentity identity,
-                         FilmWriter& encoder)
+ChunkWriter::ChunkWriter(const StoredFile& path, ChunkIdentity identity, FilmWriter& encoder)
     : file_(path), encoder_(encoder) {
     Archive header;
     header(identity);
@@ -60,16 +56,11 @@ void ChunkWriter::commit() {
     file_.commit();
 }
 
-ChunkReader::ChunkReader(const std::filesystem::path& path, const ChunkIdentity& expected)
-    : path_(path) {
-    errno = 0;
-    file_.open(path, std::ios::binary);
-    if (!file_) refuse();
-    std::error_code error;
-    left_ = std::filesystem::file_size(path, error);
-    errno = error.value();
-    if (error) refuse();
-    Archive header(next(), path_.string());
+ChunkReader::ChunkReader(const StoredFile& stored, const ChunkIdentity& expected)
+    : path_(stored.path().string()), file_(stored) {
+    file_.require_open();
+    left_ = static_cast<std::uint64_t>(file_.size());
+    Archive header(next(), path_);
     ChunkIdentity identity;
     header(identity);
     header.expect_end();
@@ -78,38 +69,27 @@ ChunkReader::ChunkReader(const std::filesystem::path& path, const ChunkIdentity&
 }
 
 std::string ChunkReader::next() {
-    std::array<unsigned char, length_bytes> length{};
-    errno = 0;
-    file_.read(reinterpret_cast<char*>(length.data()), length_bytes);
+    std::array<char, length_bytes> length{};
+    const bool is_short = file_.read(length) < length_bytes;
     std::uint64_t size = 0;
-    for (std::size_t i = length_bytes; i-- > 0;) size = size << 8 | length[i];
-    if (!file_ || left_ < length_bytes || size > left_ - length_bytes) refuse();
+    for (std::size_t i = length_bytes; i-- > 0;)
+        size = size << 8 | static_cast<unsigned char>(length[i]);
+    if (is_short || left_ < length_bytes || size > left_ - length_bytes)
+        file_.refuse("it is cut short");
     left_ -= length_bytes + size;
     std::string bytes(size, '\0');
-    file_.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (!file_) refuse();
+    if (file_.read(bytes) < size) file_.refuse("it is cut short");
     return bytes;
 }
 
-// The message gives the error of the system, if there was one.
-void ChunkReader::refuse() const {
-    const int reason = errno;
-    throw_system_error(
-        fmt::format("cannot read {}: {}", path_.string(),
-                    reason == 0 ? "it is cut short" : std::generic_category().message(reason)),
-        reason);
-}
-
 void ChunkReader::read(FilmSegment& segment) {
-    Archive content(next(), path_.string());
+    Archive content(next(), path_);
     segment.archive(content);
     content.expect_end();
 }
 
 void ChunkReader::expect_end() {
-    if (left_ > 0)
-        throw SystemError(
-            fmt::format("cannot read {}: something stands behind its end", path_.string()));
+    if (left_ > 0) file_.refuse("something stands behind its end");
 }
 
 }  // namespace carom

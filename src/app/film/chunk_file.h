@@ -3,12 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "media/film_writer.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 
 namespace carom {
 
@@ -30,7 +29,7 @@ struct ChunkIdentity {
 /// all.
 class ChunkWriter : public FilmWriter {
   public:
-    ChunkWriter(const std::filesystem::path& path, ChunkIdentity identity, FilmWriter& encoder);
+    ChunkWriter(const StoredFile& path, ChunkIdentity identity, FilmWriter& encoder);
     std::unique_ptr<FilmSegment> segment(int first) override;
     void settle() override { file_.settle(); }
     void commit() override;
@@ -49,7 +48,7 @@ class ChunkWriter : public FilmWriter {
 class ChunkReader {
   public:
     /// Throws SystemError if the file holds another chunk than `expected`.
-    ChunkReader(const std::filesystem::path& path, const ChunkIdentity& expected);
+    ChunkReader(const StoredFile& stored, const ChunkIdentity& expected);
 
     /// Reads the next segment into a new one.
     void read(FilmSegment& segment);
@@ -57,10 +56,9 @@ class ChunkReader {
 
   private:
     std::string next();
-    [[noreturn]] void refuse() const;
 
-    std::filesystem::path path_;
-    std::ifstream file_;
+    std::string path_;
+    InputFile file_;
     std::uint64_t left_ = 0;  ///< bytes not read yet
 };
 

@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "app/chunks/build_facts.h"
 #include "app/film/chunk_file.h"
-#include "app/scratch_folder.h"
 #include "media/formats.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
@@ -266,17 +266,17 @@ fs::path poster_path(const fs::path& film) {
     return name.parent_path() / (name.stem().string() + ".poster.png");
 }
 
-void write_poster(const PlanFolder& folder, const FilmPlan& whole, const fs::path& path,
-                  Progress& progress) {
+std::vector<std::uint8_t> poster_of(const PlanFolder& folder, const FilmPlan& whole,
+                                    Progress& progress) {
     const double at = time_of_poster(whole.scene);
     const int frame = std::clamp(frame_nearest_to(whole.scene.film, timeline(whole.scene), at),
                                  whole.span.first, whole.span.end - 1);
     for (const PlannedChunk& chunk : folder.chunks())
         if (frame >= chunk.first && frame < chunk.end) {
             const FilmPlan plan = plan_of_chunk(folder, whole, chunk);
-            Canvas poster = draw_still(plan, at, output_format("png"), progress);
-            write_file(path, poster.file());
+            return draw_still(plan, at, output_format("png"), progress).file();
         }
+    throw std::logic_error("a frame that is in no chunk");
 }
 
 }  // namespace
@@ -336,8 +336,7 @@ bool render_chunk(const PlanFolder& folder, const PlannedChunk& chunk, const Chu
     FilmOptions film;
     const FilmPlan whole = read_plan(folder, film);
     const FilmPlan plan = plan_of_chunk(folder, whole, chunk);
-    const ScratchFolder scratch;
-    film.output = scratch.path() / film.output;
+    film.take = [](const FilmWriter&) {};
     const std::unique_ptr<FilmWriter> encoder = film_writer(whole, film);
     if (!plan.colors.empty()) encoder->use_colors(plan.colors);
     ChunkWriter writer(folder.output(chunk), identity_of(folder, whole, chunk), *encoder);
@@ -362,8 +361,11 @@ RenderReport join_film(const PlanFolder& folder, const JoinOptions& asked, Progr
     const bool is_heard = has_sound(plan.scene, format_of_film(asked.output));
     if (is_heard) writer->add_sound(0, read_sound(folder, plan));
     join_chunks(folder, plan, *writer, progress);
-    if (asked.poster) write_poster(folder, plan, poster_path(asked.output), progress);
-    commit_with_text(*writer, plan.text, files_wanted(asked.text, is_heard), asked.output);
+    std::optional<AtomicFile> poster;
+    if (asked.poster)
+        poster.emplace(poster_path(asked.output)).write(poster_of(folder, plan, progress));
+    commit_with_text(*writer, plan.text, files_wanted(asked.text, is_heard), asked.output,
+                     poster ? &*poster : nullptr);
     report.frames = plan.frames();
     report.bytes = writer->bytes();
     report.wall_seconds = watch.wall();

@@ -36,6 +36,9 @@ struct FilmOptions {
     Recording::Room room = {};      ///< for the frames of the run; a larger run is simulated again
     std::filesystem::path cache = {};  ///< folder of an AxesCache; empty: no cache
     double most_bytes = std::numeric_limits<double>::infinity();  ///< a larger film is not written
+    /// If set, the film is not written to `output`, but to a temporary file that vanishes after it
+    /// was passed to this function, finished.
+    std::function<void(const FilmWriter&)> take = {};
 };
 
 /// A second run that a film shows next to its own.

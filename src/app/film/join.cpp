@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/scratch_folder.h"
 #include "draw/text.h"
 #include "panels/layout.h"
 #include "scene/time/timeline.h"
@@ -237,10 +236,8 @@ double seconds_of_title(const JoinedTitle& title) {
 double bytes_of_title(const std::vector<Scene>& scenes, const JoinedTitle& title,
                       const FilmOptions& options) {
     if (title.title.empty()) return 0.0;
-    const ScratchFolder folder;
     FilmOptions its = options;
-    its.output = its.output.has_filename() ? folder.path() / its.output.filename()
-                                           : folder.path() / "frames/";
+    its.take = [](const FilmWriter&) {};
     const JoinedPart card = title_part(scenes.front().film);
     const std::unique_ptr<FilmWriter> writer = film_writer(plan_of_all(scenes, card.frames), its);
     write_title(*writer, card, title);
@@ -279,10 +276,7 @@ RenderReport render_joined(const std::vector<Scene>& scenes, const JoinedTitle& 
     throw_if_interrupted();
     report.path = options.output;
     report.simulate_seconds = watch.cpu();
-    writer->settle();
-    report.bytes = writer->bytes();
-    if (fits(report, options))
-        commit_with_text(*writer, text, files_wanted(options.text, hears), options.output);
+    finish_film(*writer, text, files_wanted(options.text, hears), options, report);
     report.wall_seconds = watch.wall();
     return report;
 }

@@ -84,11 +84,8 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
     draw_frames(plan, options.threads, writer, progress, report);
     throw_if_interrupted();
     report.simulate_seconds = watch.cpu();
-    writer.settle();
-    report.bytes = writer.bytes();
-    if (fits(report, options))
-        commit_with_text(writer, plan.text, files_wanted(options.text, !plan.sound.empty()),
-                         options.output);
+    finish_film(writer, plan.text, files_wanted(options.text, !plan.sound.empty()), options,
+                report);
     report.wall_seconds = watch.wall();
     return report;
 }
@@ -222,8 +219,20 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                                      {"description", scene.description},
                                      {"comment", recipe(scene, options)}},
                         .chapters = std::move(chapters),
-                        .has_sound = has_sound(scene, format_of_film(options.output))},
+                        .has_sound = has_sound(scene, format_of_film(options.output)),
+                        .is_scratch = static_cast<bool>(options.take)},
                        plan.frames());
+}
+
+void finish_film(FilmWriter& writer, const FilmText& text, TextFiles wanted,
+                 const FilmOptions& options, RenderReport& report) {
+    writer.settle();
+    report.bytes = writer.bytes();
+    if (!fits(report, options)) return;
+    if (options.take)
+        options.take(writer);
+    else
+        commit_with_text(writer, text, wanted, options.output);
 }
 
 bool fits(const RenderReport& report, const FilmOptions& options) {

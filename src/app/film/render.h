@@ -36,6 +36,11 @@ struct RenderReport {
 /// Whether the film has at most `options.most_bytes` bytes.
 bool fits(const RenderReport& report, const FilmOptions& options);
 
+/// Finishes a film that is drawn, and passes it on or gives it its name, with its text files,
+/// unless it is larger than `options.most_bytes`. Sets the number of bytes in the report.
+void finish_film(FilmWriter& writer, const FilmText& text, TextFiles wanted,
+                 const FilmOptions& options, RenderReport& report);
+
 /// Renders the film of `scene`, which appears complete or not at all: prepares it, draws its
 /// segments in parallel and joins them. A film that exceeds `options.most_bytes` is not written.
 /// Throws SceneError (the gas cannot be placed, or does not return), SystemError, Interrupted.

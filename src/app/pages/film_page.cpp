@@ -6,17 +6,14 @@
 #include <vector>
 
 #include "app/resources.h"
-#include "app/scratch_folder.h"
 #include "media/base64.h"
-#include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::int64_t most_file_of_page = std::int64_t{1} << 30;
 
 const Placeholders& placeholders_of_film() {
     static const Placeholders names{
@@ -99,8 +96,10 @@ RenderReport render_page(const Scene& scene, FilmOptions options, Output& output
                          Progress& progress) {
     const std::string page = output.name();
     const Source document = document_template("film.html");
-    const ScratchFolder folder;
-    options.output = folder.path() / options.output.filename();
+    std::string film_bytes;
+    options.take = [&](const FilmWriter& film) {
+        film.copy([&](std::string_view piece) { film_bytes += piece; });
+    };
     options.text = true;
     const FilmPlan plan = prepare(scene, options, progress);
     RenderReport report = render(plan, options, progress);
@@ -115,8 +114,7 @@ RenderReport render_page(const Scene& scene, FilmOptions options, Output& output
         document,
         {.scene = plan.scene,
          .text = plan.text,
-         .film = {film,
-                  data_address(media_type(film), read_file(options.output, most_file_of_page))},
+         .film = {film, data_address(media_type(film), film_bytes)},
          .poster = {stem + ".png",
                     data_address("image/png",
                                  {reinterpret_cast<const char*>(poster.data()), poster.size()})},

@@ -14,11 +14,9 @@
 #include "app/film/film_request.h"
 #include "app/pages/film_page.h"
 #include "app/resources.h"
-#include "app/scratch_folder.h"
 #include "runs/json.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
-#include "util/files/atomic_file.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -283,46 +281,50 @@ class GalleryMaker {
         }
         throw_if_interrupted();
         Progress progress(Progress::fitting_form(options_.quiet), as_utf8(item.file.name));
-        const ScratchFolder hidden(options_.site);
-        const auto files = item.files(options_.format);
+        const std::string film = item.files(options_.format).at("film");
         FilmOptions options = options_.film;
-        options.output = hidden.path() / files.at("film");
+        options.output = film;
         options.text = true;
+        options.take = [&](const FilmWriter& made) { folder_.write(made, film, item.inputs); };
         FilmPlan plan = prepare(item.scene, options, progress);
         render(plan, options, progress);
-        write_page(item, plan, hidden.path());
-        write_pictures(std::move(plan), files, hidden.path(), progress);
-        for (const auto& [what, file] : files)
-            folder_.take_in(hidden.path(), file, "", item.inputs);
+        folder_.write(files_beside(item, std::move(plan), progress));
         folder_.save();
         ++report_.made;
     }
 
     // Names in the page are those beside it.
-    void write_page(const GalleryItem& item, const FilmPlan& plan, const fs::path& folder) const {
+    std::string page_of(const GalleryItem& item, const FilmPlan& plan) const {
         const auto files = item.files(options_.format);
         const auto beside = [&](const char* what) {
             return PageFile{fs::path(files.at(what)).filename().string(), ""};
         };
-        write_file(folder / files.at("scene"), item.scene.source.text);
-        write_file(folder / files.at("page"),
-                   film_page(film_template_, {.scene = plan.scene,
-                                              .text = plan.text,
-                                              .film = beside("film"),
-                                              .poster = beside("poster"),
-                                              .source = beside("scene"),
-                                              .site = title_of(options_),
-                                              .index = way_to_index(item.file.name)}));
+        return film_page(film_template_, {.scene = plan.scene,
+                                          .text = plan.text,
+                                          .film = beside("film"),
+                                          .poster = beside("poster"),
+                                          .source = beside("scene"),
+                                          .site = title_of(options_),
+                                          .index = way_to_index(item.file.name)});
     }
 
-    // The same frame twice: as large as the film, and for its card. The last use of the plan.
-    static void write_pictures(FilmPlan plan, const std::map<std::string, std::string>& files,
-                               const fs::path& folder, Progress& progress) {
+    // The page, the scene, and the same frame twice: as large as the film, and for its card. The
+    // last use of the plan.
+    std::vector<NewFile> files_beside(const GalleryItem& item, FilmPlan plan,
+                                      Progress& progress) const {
+        const auto names = item.files(options_.format);
+        std::vector<NewFile> files;
+        const auto add = [&](const char* what, const auto& bytes) {
+            files.push_back({names.at(what), {bytes.begin(), bytes.end()}, "", item.inputs});
+        };
+        add("page", page_of(item, plan));
+        add("scene", item.scene.source.text);
         const double at = time_of_poster(plan.scene);
         const OutputFormat& png = output_format("png");
-        write_file(folder / files.at("poster"), draw_still(plan, at, png, progress).file());
+        add("poster", draw_still(plan, at, png, progress).file());
         plan.scene.film.size = {width_of_card, height_of_card(plan.scene.film)};
-        write_file(folder / files.at("card"), draw_still(plan, at, png, progress).file());
+        add("card", draw_still(plan, at, png, progress).file());
+        return files;
     }
 
     void remove_others() {

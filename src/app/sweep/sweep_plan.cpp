@@ -15,6 +15,7 @@
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
@@ -223,8 +224,8 @@ void PlannedSweep::run_chunk(const PlannedChunk& chunk, int threads, Progress& p
 }
 
 RunRows PlannedSweep::rows_of(const PlannedChunk& chunk) const {
-    const fs::path file = folder_.output(chunk);
-    Archive archive(read_file(file, most_chunk_bytes), file.string());
+    const StoredFile file = folder_.output(chunk);
+    Archive archive(read_file(file, most_chunk_bytes), file.path().string());
     std::string plan;
     std::int64_t first = 0;
     RunRows rows;
@@ -259,6 +260,6 @@ SweepSummary PlannedSweep::summary(const RunTaker& take, bool allow_mixed) const
     return summary;
 }
 
-fs::path summary_in(const fs::path& folder) { return folder / "summary.json"; }
+StoredFile summary_in(const fs::path& folder) { return {folder, "summary.json"}; }
 
 }  // namespace carom

@@ -71,6 +71,6 @@ class PlannedSweep {
 };
 
 /// The path at which `carom join` always writes the summary.
-std::filesystem::path summary_in(const std::filesystem::path& folder);
+StoredFile summary_in(const std::filesystem::path& folder);
 
 }  // namespace carom

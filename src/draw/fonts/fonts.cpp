@@ -65,12 +65,13 @@ bool have_used_weights(std::span<FcPattern* const> fonts) {
 // again.
 [[noreturn]] void refuse(const std::string& file) {
     const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+    const int error = descriptor >= 0 ? EMFILE : errno;
     const std::string reason = descriptor >= 0
                                    ? "it can be opened now; there was no memory for it, or too "
                                      "many files were open"
-                                   : std::generic_category().message(errno);
+                                   : std::generic_category().message(error);
     if (descriptor >= 0) close(descriptor);
-    throw SystemError(fmt::format("cannot read the font {}: {}", file, reason));
+    throw_system_error(fmt::format("cannot read the font {}: {}", file, reason), error);
 }
 
 // GLib terminates the program if it has no memory or cannot start a thread, and leaves what was

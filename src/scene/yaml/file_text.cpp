@@ -2,26 +2,16 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <memory>
 #include <system_error>
 
 #include "scene/limits.h"
+#include "util/files/input_file.h"
 #include "util/files/one_use_paths.h"
 #include "util/interrupt.h"
 
 namespace carom {
-namespace {
 
 namespace fs = std::filesystem;
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
-std::string cause(int error) { return std::generic_category().message(error); }
-
-}  // namespace
 
 // Reads up to one byte over the limit, so that the reader then refuses the text.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
@@ -39,25 +29,21 @@ std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& 
         std::clearerr(&file);
     }
     if (std::ferror(&file) == 0) return text;
-    errors.add(name, "cannot be read: " + cause(errno));
+    errors.add(name, "cannot be read: " + std::generic_category().message(errno));
     return std::nullopt;
 }
 
-// Refuses devices and pipes that are given as paths: their text may never end.
+// A failure that may pass is no mistake of the user.
 std::optional<std::string> file_text(const fs::path& path, const Source& name, Errors& errors) {
-    std::error_code failed;
-    const fs::file_status status = fs::status(path, failed);
-    std::string reason;
-    if (fs::is_directory(status))
-        reason = "it is a folder";
-    else if (fs::exists(status) && !fs::is_regular_file(status))
-        reason = "it is no ordinary file";
-    else if (const File file{std::fopen(path.c_str(), "rb")}) {
+    InputFile file(path);
+    if (file.is_open()) {
         keep_source(path);
-        return text_of(*file, name, errors);
-    } else
-        reason = cause(errno);
-    errors.add(name, "cannot be read: " + reason);
+        std::string text(most_file_bytes.count() + 1, '\0');
+        text.resize(file.read(text));
+        return text;
+    }
+    if (file.may_pass()) file.require_open();
+    errors.add(name, "cannot be read: " + file.problem());
     return std::nullopt;
 }
 

@@ -8,13 +8,15 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <new>
+#include <stdexcept>
+#include <system_error>
 #include <vector>
 
 #include "util/diagnostics.h"
 #include "util/files/links.h"
 #include "util/files/new_file.h"
+#include "util/files/scratch_file.h"
 #include "util/memory/memory_reserve.h"
 
 namespace carom {
@@ -23,8 +25,18 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(std::string_view what, const fs::path& path, int error = errno) {
-    throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(), std::strerror(error)),
+    throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(),
+                                   std::generic_category().message(error)),
                        error);
+}
+
+std::span<const std::uint8_t> as_bytes(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+
+// In messages.
+fs::path name_of_scratch(const char* what) {
+    return fmt::format("a temporary {} in {}", what, folder_for_scratch().string());
 }
 
 void create_folder_of(const fs::path& path) {
@@ -51,21 +63,31 @@ void sync_folder(const fs::path& folder) {
 
 }  // namespace
 
+void refuse_existing(const fs::path& path) {
+    throw UsageError(fmt::format("{} exists already and was left unchanged", path.string()));
+}
+
 void commit_together(const std::vector<PendingOutput*>& outputs) {
     for (PendingOutput* output : outputs) output->settle();
     const MustCleanUp together;
     std::string there;
+    const auto with_those = [&](const char* failure) {
+        return fmt::format("{}; already written: {}", failure, there);
+    };
     for (PendingOutput* output : outputs) {
         std::string next = there + (there.empty() ? "" : ", ") + output->name();
         try {
             output->commit();
+        } catch (const TemporaryError& error) {
+            if (there.empty()) throw;
+            throw TemporaryError(with_those(error.what()));
         } catch (const SystemError& error) {
             if (there.empty()) throw;
-            throw SystemError(fmt::format("{}; already written: {}", error.what(), there));
+            throw SystemError(with_those(error.what()));
         } catch (const std::bad_alloc&) {
             if (there.empty()) throw;
-            throw SystemError(fmt::format("cannot write {}: not enough memory; already written: {}",
-                                          output->name(), there));
+            throw SystemError(with_those(
+                fmt::format("cannot write {}: not enough memory", output->name()).c_str()));
         }
         there.swap(next);
     }
@@ -73,7 +95,6 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
 
 // A symbolic link is kept: the file that it points to is written.
 AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
-    only_.emplace(path_, target_);
     std::error_code error;
     const fs::file_status status = fs::status(target_, error);
     if (fs::is_directory(status)) fail("write", path_, EISDIR);
@@ -81,24 +102,84 @@ AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_l
         throw SystemError(fmt::format(
             "cannot write {}: a device or a pipe would be replaced by a file", path_.string()));
     create_folder_of(target_);
-    named_.emplace();
-    file_ = temporary_file(target_);
-    if (file_.name.empty()) named_.reset();
-    if (file_.descriptor < 0) fail("write", path_);
+    begin();
+}
+
+AtomicFile::AtomicFile(fs::path path, Earlier earlier)
+    : path_(std::move(path)),
+      target_(earlier == Earlier::kept ? path_ : behind_links(path_)),
+      earlier_(earlier) {
+    create_folder_of(target_);
+    begin();
+}
+
+// The path by way of the open folder leads there even if somebody puts a link in the place of the
+// folder meanwhile.
+AtomicFile::AtomicFile(const StoredFile& file)
+    : folder_(opened_folder_of(file, MissingFolders::create)), path_(file.path()) {
+    if (!folder_.is_open()) {
+        const int cause = errno;
+        throw_system_error(
+            fmt::format("cannot write {}: {}", path_.string(), cause_of_failure(cause)), cause);
+    }
+    const fs::path name = file.name.filename(), opened = path_of_descriptor(folder_.number());
+    target_ = opened.empty() ? path_ : opened / name;
+    struct stat status = {};
+    if (fstatat(folder_.number(), name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 &&
+        S_ISDIR(status.st_mode))
+        fail("write", path_, EISDIR);
+    begin();
+}
+
+AtomicFile::AtomicFile(Scratch) : path_(name_of_scratch("file")) {
+    require_folder_for_scratch();
+    open_beside(folder_for_scratch() / "scratch");
+}
+
+void AtomicFile::begin() {
+    struct stat status = {};
+    if (lstat(target_.c_str(), &status) != 0 && errno == ENAMETOOLONG) fail("write", path_);
+    only_.emplace(path_, folder_.is_open() ? path_ : target_);
+    open_beside(target_);
     fchmod(file_.descriptor, usual_rights(0666));
 }
 
-AtomicFile::~AtomicFile() {
-    if (!file_.name.empty()) unlink(file_.name.c_str());
-    if (file_.descriptor >= 0) close(file_.descriptor);
+void AtomicFile::open_beside(const fs::path& path) {
+    named_.emplace();
+    file_ = temporary_file(path);
+    if (file_.name.empty()) named_.reset();
+    if (file_.descriptor < 0) fail("write", path_);
 }
+
+AtomicFile::~AtomicFile() { discard(file_); }
 
 void AtomicFile::write(std::span<const std::uint8_t> bytes) {
     write_all(file_.descriptor, bytes, path_);
 }
 
-void AtomicFile::write(std::string_view text) {
-    write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+void AtomicFile::write(std::string_view text) { write(as_bytes(text)); }
+
+void AtomicFile::write_at(std::int64_t place, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = pwrite(file_.descriptor, bytes.data(), bytes.size(), place);
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) throw_unwritable(path_, count == 0 ? ENOSPC : errno);
+        place += count;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+}
+
+std::size_t AtomicFile::read_at(std::int64_t place, std::span<std::uint8_t> to) const {
+    std::size_t done = 0;
+    while (done < to.size()) {
+        const ssize_t count = pread(file_.descriptor, to.data() + done, to.size() - done,
+                                    place + static_cast<std::int64_t>(done));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail("read back", path_);
+        if (count == 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    return done;
 }
 
 std::int64_t AtomicFile::size() const {
@@ -107,12 +188,8 @@ std::int64_t AtomicFile::size() const {
     return status.st_size;
 }
 
-fs::path AtomicFile::temporary() const {
-    return file_.name.empty() ? path_of_descriptor(file_.descriptor) : file_.name;
-}
-
 void AtomicFile::settle() {
-    if (!is_settled_) sync_file(file_.descriptor, path_);
+    if (!is_settled_ && !target_.empty()) sync_file(file_.descriptor, path_);
     is_settled_ = true;
 }
 
@@ -120,27 +197,43 @@ void AtomicFile::settle() {
 // name, for as short a time as possible.
 bool AtomicFile::appears() {
     if (file_.name.empty()) {
-        if (linkat(AT_FDCWD, temporary().c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) ==
-            0)
+        if (linkat(AT_FDCWD, path_of_descriptor(file_.descriptor).c_str(), AT_FDCWD,
+                   target_.c_str(), AT_SYMLINK_FOLLOW) == 0)
             return true;
-        if (errno != EEXIST) return false;
+        if (errno != EEXIST || earlier_ == Earlier::kept) return false;
         named_.emplace();
         file_.name = named_beside(target_, file_.descriptor);
         if (file_.name.empty()) return false;
     }
-    if (rename(file_.name.c_str(), target_.c_str()) != 0) return false;
+    if (!takes_its_name()) return false;
     file_.name.clear();
     named_.reset();
+    return true;
+}
+
+bool AtomicFile::takes_its_name() {
+    if (earlier_ == Earlier::replaced) return rename(file_.name.c_str(), target_.c_str()) == 0;
+#ifdef RENAME_NOREPLACE
+    if (renameat2(AT_FDCWD, file_.name.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0)
+        return true;
+    if (errno != EINVAL && errno != ENOSYS) return false;
+#endif
+    if (link(file_.name.c_str(), target_.c_str()) != 0) return false;
+    unlink(file_.name.c_str());
     return true;
 }
 
 // The file is closed after it has its name, because until then its lock shows that it is not
 // abandoned. Errors that close() could report have already been reported by fsync().
 void AtomicFile::commit() {
+    if (target_.empty()) throw std::logic_error("a temporary file gets no name");
     settle();
     const fs::path folder = folder_of(target_);  // allocates while that may still fail
     throw_if_memory_ran_out();
-    if (!appears()) fail("write", path_);
+    if (!appears()) {
+        if (errno == EEXIST && earlier_ == Earlier::kept) refuse_existing(path_);
+        fail("write", path_);
+    }
     note_output();
     only_.reset();
     close(file_.descriptor);
@@ -165,23 +258,27 @@ AtomicFolder::AtomicFolder(fs::path path) : path_(std::move(path)) {
     if (folder_.descriptor < 0) fail("write", path_);
 }
 
-AtomicFolder::~AtomicFolder() {
-    std::error_code error;
-    if (!folder_.name.empty()) fs::remove_all(folder_.name, error);
-    if (folder_.descriptor >= 0) close(folder_.descriptor);
+AtomicFolder::AtomicFolder(Scratch) : path_(name_of_scratch("folder")), is_scratch_(true) {
+    require_folder_for_scratch();
+    folder_ = temporary_folder(folder_for_scratch() / "scratch");
+    if (folder_.descriptor < 0) fail("write", path_);
 }
 
+AtomicFolder::~AtomicFolder() { discard(folder_); }
+
 void AtomicFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
-    write_new_file(folder_.name / name, bytes, path_ / name);
+    write_new_file(folder_.name / name, bytes, is_scratch_ ? path_ : path_ / name);
 }
 
 void AtomicFolder::settle() {
+    if (is_scratch_) return;
     if (chmod(folder_.name.c_str(), usual_rights(0777)) != 0) fail("write", path_);
     sync_folder(folder_.name);
 }
 
 // rename() replaces an empty folder in a single step, and fails for any other folder.
 void AtomicFolder::commit() {
+    if (is_scratch_) throw std::logic_error("a temporary folder gets no name");
     settle();
     const fs::path folder = folder_of(path_);
     throw_if_memory_ran_out();
@@ -191,36 +288,25 @@ void AtomicFolder::commit() {
     sync_folder(folder);
 }
 
-void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
-    AtomicFile file(path);
+namespace {
+
+void write_and_commit(AtomicFile&& file, std::span<const std::uint8_t> bytes) {
     file.write(bytes);
     file.commit();
 }
 
-void write_file(const std::filesystem::path& path, std::string_view text) {
-    write_file(path, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+}  // namespace
+
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    write_and_commit(AtomicFile(path), bytes);
 }
 
-std::string read_file(const fs::path& path, std::int64_t most) {
-    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0) fail("read", path);
-    struct Closer {
-        int descriptor;
-        ~Closer() { close(descriptor); }
-    } closer{descriptor};
+void write_file(const fs::path& path, std::string_view text) { write_file(path, as_bytes(text)); }
 
-    std::string text;
-    std::vector<char> buffer(1 << 16);
-    while (true) {
-        const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail("read", path);
-        if (count == 0) return text;
-        text.append(buffer.data(), static_cast<std::size_t>(count));
-        if (static_cast<std::int64_t>(text.size()) > most)
-            throw SystemError(
-                fmt::format("cannot read {}: it is larger than {} bytes", path.string(), most));
-    }
+void write_file(const StoredFile& file, std::span<const std::uint8_t> bytes) {
+    write_and_commit(AtomicFile(file), bytes);
 }
+
+void write_file(const StoredFile& file, std::string_view text) { write_file(file, as_bytes(text)); }
 
 }  // namespace carom

@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <new>
+#include <string>
 #include <system_error>
 
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 
@@ -49,6 +52,19 @@ void write_new_file(const fs::path& path, std::span<const std::uint8_t> bytes,
         throw;
     }
     if (close(descriptor) != 0) throw_unwritable(shown, errno);
+}
+
+void discard(TemporaryFile& file) noexcept {
+    try {
+        const std::string name = printable(file.name.string());
+        const int error = remove_temporary(file);
+        if (error == 0) return;
+        write_to_standard_error({"carom: cannot remove ", name, ": ",
+                                 std::generic_category().message(error),
+                                 "; the next command that writes there removes it\n"});
+    } catch (const std::bad_alloc&) {
+        remove_temporary(file);
+    }
 }
 
 }  // namespace carom

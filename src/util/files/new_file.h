@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <span>
 
+#include "util/pending/temporary.h"
+
 namespace carom {
 
 /// Throws the error that the file cannot be written, with its cause.
@@ -21,5 +23,9 @@ void sync_file(int descriptor, const std::filesystem::path& shown);
 /// Creates a file with these bytes and syncs it. It must not exist yet.
 void write_new_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                     const std::filesystem::path& shown);
+
+/// Removes a temporary file or folder and closes it. If that fails, a line on standard error names
+/// what remains.
+void discard(TemporaryFile& file) noexcept;
 
 }  // namespace carom

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "util/diagnostics.h"
+#include "util/pending/temporary.h"
 
 namespace carom {
 namespace {
@@ -48,7 +49,10 @@ void keep_source(const fs::path& path) {
     uses().sources.insert(place);
 }
 
-OutputPath::OutputPath(const fs::path& path, const fs::path& target) : place_(place_of(target)) {
+// A link in the place of the file itself is replaced, not followed.
+OutputPath::OutputPath(const fs::path& path, const fs::path& target)
+    : place_(place_of(folder_of(target))) {
+    if (!place_.empty()) place_ = (fs::path(place_) / target.filename()).string();
     if (place_.empty()) return;
     const std::scoped_lock lock(uses().mutex);
     if (uses().sources.contains(place_)) refuse_source(path);

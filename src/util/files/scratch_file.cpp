@@ -18,10 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// /tmp may be in memory; /var/tmp is on a disk.
-fs::path folder_for_scratch() {
-    if (const auto asked = asked_folder_for_scratch()) return *asked;
-    return access("/var/tmp", W_OK) == 0 ? "/var/tmp" : "/tmp";
+// An empty $TMPDIR is none.
+std::optional<fs::path> asked_folder() {
+    const char* const asked = std::getenv("TMPDIR");
+    if (asked == nullptr || *asked == '\0') return std::nullopt;
+    return asked;
 }
 
 std::int64_t half_of_free(const fs::path& folder) {
@@ -34,16 +35,27 @@ std::int64_t half_of_free(const fs::path& folder) {
 
 }  // namespace
 
-std::optional<fs::path> asked_folder_for_scratch() {
-    const char* const asked = std::getenv("TMPDIR");
-    if (asked == nullptr || *asked == '\0') return std::nullopt;
-    return asked;
+// /tmp may be in memory; /var/tmp is on a disk.
+fs::path folder_for_scratch() {
+    if (const auto asked = asked_folder()) return *asked;
+    return access("/var/tmp", W_OK) == 0 ? "/var/tmp" : "/tmp";
+}
+
+void require_folder_for_scratch() {
+    std::error_code error;
+    if (fs::is_directory(folder_for_scratch(), error)) return;
+    if (!error) error = std::make_error_code(std::errc::not_a_directory);
+    const auto asked = asked_folder();
+    throw SystemError(fmt::format("cannot write to the folder for temporary files{}: {}",
+                                  asked ? fmt::format(" (TMPDIR is {})", asked->string()) : "",
+                                  error.message()));
 }
 
 ScratchFile::ScratchFile(std::int64_t most) : most_(std::min(most, room())) {
     if (most_ <= 0) return;
     const TemporaryFile file = temporary_file(folder_for_scratch() / "scratch");
     descriptor_ = file.descriptor;
+    // If that fails, it is removed by the next process that creates a temporary file there.
     if (!file.name.empty()) unlink(file.name.c_str());
 }
 

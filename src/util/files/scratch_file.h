@@ -10,16 +10,19 @@
 
 namespace carom {
 
-/// Returns $TMPDIR if it is set and not empty.
-std::optional<std::filesystem::path> asked_folder_for_scratch();
+/// Returns the folder for temporary files: $TMPDIR or, if that is not set, /var/tmp or /tmp.
+std::filesystem::path folder_for_scratch();
+
+/// Throws SystemError if that folder does not exist.
+void require_folder_for_scratch();
 
 class ScratchFile {
   public:
     /// The largest size of one scratch file, however much space is free.
     static constexpr std::int64_t most_bytes = std::int64_t{32} << 30;
 
-    /// Creates the file in $TMPDIR or, if that is not set, in /var/tmp or /tmp. It grows to at most
-    /// `most` bytes and at most half of the space that is free there now.
+    /// Creates the file in folder_for_scratch(). It grows to at most `most` bytes and at most half
+    /// of the space that is free there now.
     explicit ScratchFile(std::int64_t most = most_bytes);
     ~ScratchFile();
     ScratchFile(const ScratchFile&) = delete;

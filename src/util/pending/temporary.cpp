@@ -19,6 +19,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace carom {
 namespace {
@@ -75,18 +76,38 @@ void remove_if_dead(const fs::path& path) {
     close(descriptor);
 }
 
-void remove_dead_of(const fs::path& folder) {
+// Whether a folder is seen for the first time, by whatever path.
+bool is_first_look_at(const fs::path& folder) {
     static std::mutex mutex;
-    static std::set<fs::path> done;
-    {
-        const std::lock_guard lock(mutex);
-        if (!done.insert(folder).second) return;
-    }
+    static std::set<fs::path> seen;
+    std::error_code error;
+    fs::path place = fs::canonical(folder, error);
+    if (error) return false;
+    const std::lock_guard lock(mutex);
+    return seen.insert(std::move(place)).second;
+}
+
+// The names in a folder, which is open only while they are read.
+std::vector<std::string> names_in(const fs::path& folder) {
+    std::vector<std::string> names;
     DIR* const entries = opendir(folder.c_str());
-    if (entries == nullptr) return;
+    if (entries == nullptr) return names;
     while (const dirent* const entry = readdir(entries))
-        if (is_temporary(entry->d_name)) remove_if_dead(folder / entry->d_name);
+        if (const std::string_view name = entry->d_name; name != "." && name != "..")
+            names.emplace_back(name);
     closedir(entries);
+    return names;
+}
+
+// std::filesystem::remove_all() keeps a descriptor open for each level of folders, and fails where
+// all descriptors are in use.
+int remove_tree(const fs::path& path) {
+    const auto is_removed = [&] { return std::remove(path.c_str()) == 0 || errno == ENOENT; };
+    if (is_removed()) return 0;
+    if (errno != ENOTEMPTY && errno != EEXIST) return errno;
+    for (const std::string& name : names_in(path))
+        if (const int error = remove_tree(path / name); error != 0) return error;
+    return is_removed() ? 0 : errno;
 }
 
 // Waits for the lock: between the creation and the locking of a file, another process may take it
@@ -118,8 +139,8 @@ int unnamed_file(const fs::path& folder) {
     do descriptor = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
     while (descriptor < 0 && errno == EINTR);
     if (descriptor < 0) return -1;
-    // Without /proc, libraries could not open the file, and it could not be given a name.
-    if (access(path_of_descriptor(descriptor).c_str(), F_OK) == 0) return descriptor;
+    // Without /proc it could not be given a name.
+    if (!path_of_descriptor(descriptor).empty()) return descriptor;
     close(descriptor);
 #endif
     errno = EOPNOTSUPP;
@@ -132,10 +153,31 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-fs::path path_of_descriptor(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+fs::path path_of_descriptor(int descriptor) {
+    std::string path = fmt::format("/proc/self/fd/{}", descriptor);
+    return access(path.c_str(), F_OK) == 0 ? fs::path(std::move(path)) : fs::path();
+}
+
+void remove_abandoned(const fs::path& folder) {
+    if (!is_first_look_at(folder)) return;
+    for (const std::string& name : names_in(folder))
+        if (is_temporary(name)) remove_if_dead(folder / name);
+}
+
+// It is closed first: removing what is in a folder takes a descriptor.
+int remove_temporary(TemporaryFile& file) noexcept {
+    if (file.descriptor >= 0) close(std::exchange(file.descriptor, -1));
+    if (file.name.empty()) return 0;
+    try {
+        const int error = remove_tree(std::exchange(file.name, {}));
+        return error;
+    } catch (const std::bad_alloc&) {
+        return ENOMEM;
+    }
+}
 
 TemporaryFile temporary_file(const fs::path& path) {
-    remove_dead_of(folder_of(path));
+    remove_abandoned(folder_of(path));
     const int unnamed = unnamed_file(folder_of(path));
     if (unnamed >= 0) {
         flock(unnamed, LOCK_EX);  // protects it while it has a temporary name, see named_beside()
@@ -160,7 +202,7 @@ fs::path named_beside(const fs::path& path, int descriptor) {
 }
 
 TemporaryFile temporary_folder(const fs::path& path) {
-    remove_dead_of(folder_of(path));
+    remove_abandoned(folder_of(path));
     return locked(path, [](std::string& name) {
         if (mkdtemp(name.data()) == nullptr) return -1;
         const int descriptor = open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

@@ -18,8 +18,7 @@ struct TemporaryFile {
 };
 
 /// Creates a temporary file in the folder of `path`; on failure the descriptor is -1 and errno is
-/// set. The first call for a folder removes from it the temporary files of killed processes of this
-/// machine.
+/// set. Calls remove_abandoned() for the folder.
 TemporaryFile temporary_file(const std::filesystem::path& path);
 
 /// Gives a file without a name a temporary one in the folder of `path` and returns it; on failure
@@ -29,8 +28,16 @@ std::filesystem::path named_beside(const std::filesystem::path& path, int descri
 /// Like temporary_file(), for a folder that only its owner may access.
 TemporaryFile temporary_folder(const std::filesystem::path& path);
 
+/// Removes a temporary file or folder, with what is in it, and closes it. If that fails returns
+/// errno, otherwise 0. Needs no more descriptors than the one it closes.
+int remove_temporary(TemporaryFile& file) noexcept;
+
+/// Removes the temporary files and folders that killed processes of this machine have left in a
+/// folder, if this process has not done so yet.
+void remove_abandoned(const std::filesystem::path& folder);
+
 /// Returns the path under which the system lists an open file, by which it can be opened again and
-/// given a name.
+/// given a name; empty if the system has no such list (/proc).
 std::filesystem::path path_of_descriptor(int descriptor);
 
 }  // namespace carom

@@ -19,21 +19,44 @@ NewFile file_of(const std::string& name, const std::string& text) {
     return {name, {text.begin(), text.end()}, "a", "from " + text};
 }
 
+// A film that consists of these bytes.
+class FinishedFilm : public FilmWriter {
+  public:
+    explicit FinishedFilm(std::string bytes) : bytes_(std::move(bytes)) {}
+    std::unique_ptr<FilmSegment> segment(int /*first*/) override { return nullptr; }
+    std::int64_t bytes() const override { return static_cast<std::int64_t>(bytes_.size()); }
+    void copy(const std::function<void(std::string_view)>& take) const override { take(bytes_); }
+    void settle() override {}
+    void commit() override {}
+    std::string name() const override { return ""; }
+
+  private:
+    std::string bytes_;
+};
+
 const std::vector<std::string> both{"a.svg", "b.svg"};
 
 }  // namespace
 
-TEST_CASE("a file that is taken in follows the link in its place") {
+TEST_CASE("a link in the place of a file, or of a folder above it, is not followed") {
     const test::TemporaryFolder folder;
     const fs::path path = folder.path() / "figures";
-    folder.write("from/films/a.mp4", "film");
+    folder.write("elsewhere.mp4", "mine");
     fs::create_directories(path / "films");
     fs::create_symlink("../../elsewhere.mp4", path / "films/a.mp4");
     FigureFolder figures(path, "scene.yaml");
-    figures.take_in(folder.path() / "from", "films/a.mp4", "", "inputs");
-    CHECK(fs::is_symlink(path / "films/a.mp4"));
-    CHECK(test::contents(folder.path() / "elsewhere.mp4") == "film");
+    CHECK(figures.foreign(std::vector<std::string>{"films/a.mp4"}).size() == 1);
+    figures.write(FinishedFilm("film"), "films/a.mp4", "inputs");
+    CHECK_FALSE(fs::is_symlink(path / "films/a.mp4"));
+    CHECK(test::contents(path / "films/a.mp4") == "film");
     CHECK(figures.is_current("films/a.mp4", "inputs"));
+
+    fs::create_directory(folder.path() / "other");
+    fs::create_symlink("../other", path / "more");
+    CHECK_THROWS_WITH_AS(figures.write(FinishedFilm("film"), "more/b.mp4", "inputs"),
+                         doctest::Contains("link"), SystemError);
+    CHECK(fs::is_empty(folder.path() / "other"));
+    CHECK(test::contents(folder.path() / "elsewhere.mp4") == "mine");
 }
 
 TEST_CASE("a folder that was cut off while it was written knows what is in it") {
@@ -81,23 +104,19 @@ TEST_CASE("the first files of a folder are known too, and no others") {
     CHECK(figures.foreign(both) == both);
 }
 
-TEST_CASE("a file that others have written is moved in, and known before it is there") {
+TEST_CASE("a film is known before it is there") {
     const test::TemporaryFolder folder;
     fs::create_directories(folder.path() / "film.mp4");  // nothing can take its place
     folder.write("film.mp4/mine", "");
-    fs::create_directory(folder.path() / "hidden");
-    folder.write("hidden/film.mp4", "frames");
     {
         FigureFolder figures(folder.path(), "scene.yaml");
-        CHECK_THROWS_AS(figures.take_in(folder.path() / "hidden", "film.mp4", "", "x"),
-                        SystemError);
+        CHECK_THROWS_AS(figures.write(FinishedFilm("frames"), "film.mp4", "x"), SystemError);
     }
     fs::remove_all(folder.path() / "film.mp4");
-    fs::rename(folder.path() / "hidden/film.mp4", folder.path() / "film.mp4");
+    folder.write("film.mp4", "frames");
     FigureFolder figures(folder.path(), "scene.yaml");
     CHECK(figures.foreign(std::vector<std::string>{"film.mp4"}).empty());
-    folder.write("hidden/film.mp4", "other frames");
-    figures.take_in(folder.path() / "hidden", "film.mp4", "", "x");
+    figures.write(FinishedFilm("other frames"), "film.mp4", "x");
     CHECK(figures.is_current("film.mp4", "x"));
     CHECK(test::contents(folder.path() / "film.mp4") == "other frames");
 }

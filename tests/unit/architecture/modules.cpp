@@ -65,7 +65,7 @@ const std::map<std::string, Parts> parts_of_module{
      {{"chunks", "sweep", "film", "cost", "figures", "pages", "report", "manual", "commands",
        "app"},
       {"command.h", "depfile.h", "json.h", "means.h", "output.h", "progress.h", "resources.h",
-       "scratch_folder.h", "simulate.h"}}},
+       "simulate.h"}}},
 };
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
@@ -154,8 +154,8 @@ bool is_own(const std::string& header) { return allowed_modules.contains(module(
 // Headers of C, POSIX and glibc, with their folders; all others with a slash or .h are third-party.
 bool is_system(const std::string& header) {
     static const std::set<std::string> posix{
-        "dirent.h",   "fcntl.h",        "sys/file.h",    "unistd.h", "sys/stat.h",
-        "sys/mman.h", "sys/resource.h", "sys/statvfs.h", "dlfcn.h",  "malloc.h"};
+        "dirent.h",   "fcntl.h",        "sys/file.h",    "unistd.h", "sys/stat.h", "sys/mman.h",
+        "sys/auxv.h", "sys/resource.h", "sys/statvfs.h", "dlfcn.h",  "malloc.h"};
     return posix.contains(header) || header.find_first_of("/.") == std::string::npos;
 }
 

@@ -8,6 +8,7 @@
 #include "support/files.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 
 using namespace carom;
 using test::TemporaryFolder;

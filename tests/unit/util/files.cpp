@@ -13,6 +13,7 @@
 
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 #include "util/text.h"
 
 using namespace carom;

@@ -6,6 +6,7 @@
 
 #include "support/files.h"
 #include "util/diagnostics.h"
+#include "util/files/input_file.h"
 
 using namespace carom;
 

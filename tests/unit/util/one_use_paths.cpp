@@ -9,6 +9,7 @@
 #include "support/process.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/input_file.h"
 
 using namespace carom;
 namespace fs = std::filesystem;

@@ -423,21 +423,31 @@ std::filesystem::path text_path(const std::filesystem::path& path, const std::st
     return stem.string() + text_endings.at(what);
 }
 
+std::string text_for_file(const FilmText& text, const std::string& what) {
+    const std::string& words = what == "captions"       ? text.captions
+                               : what == "chapters"     ? text.chapters
+                               : what == "descriptions" ? text.descriptions
+                                                        : text.transcript;
+    return words.empty() ? webvtt({}) : words;
+}
+
 void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wanted,
-                      const std::filesystem::path& path) {
+                      const std::filesystem::path& path, PendingOutput* picture) {
     std::vector<PendingOutput*> outputs{&film};
-    if (wanted == TextFiles::none) return commit_together(outputs);
     std::vector<std::unique_ptr<AtomicFile>> files;
-    for (const auto& [what, words] : {std::pair{"captions", &text.captions},
-                                      {"chapters", &text.chapters},
-                                      {"descriptions", &text.descriptions},
-                                      {"transcript", &text.transcript}}) {
-        if (wanted == TextFiles::captions && words != &text.captions) continue;
+    for (const auto& [what, ending] : text_endings) {
+        const bool is_wanted =
+            wanted == TextFiles::all || (wanted == TextFiles::captions && what == "captions");
         const std::filesystem::path file = text_path(path, what);
-        if (words->empty() && !std::filesystem::exists(file)) continue;  // nothing to empty
+        std::error_code error;
+        // If there are no captions, earlier ones are emptied.
+        const bool is_missing =
+            what == "captions" && text.captions.empty() && !std::filesystem::exists(file, error);
+        if (!is_wanted || is_missing) continue;
         outputs.push_back(files.emplace_back(std::make_unique<AtomicFile>(file)).get());
-        files.back()->write(words->empty() ? webvtt({}) : *words);
+        files.back()->write(text_for_file(text, what));
     }
+    if (picture != nullptr) outputs.push_back(picture);
     commit_together(outputs);
 }
 

@@ -125,10 +125,13 @@ inline TextFiles files_wanted(bool text, bool has_sound) {
 /// folder of frames it is named after the folder.
 std::filesystem::path text_path(const std::filesystem::path& path, const std::string& what);
 
-/// Commits the film at `path` together with the wanted text files next to it (text_path()). All of
-/// them appear or none. A film without captions gets no caption file, but an existing one is
-/// replaced by an empty one. Throws SystemError.
+/// The contents of a text file; `what` is a key of text_endings.
+std::string text_for_file(const FilmText& text, const std::string& what);
+
+/// Commits the film at `path` together with the wanted text files next to it (text_path()), and
+/// with `picture` unless it is null. All of them appear or none. A film without captions gets no
+/// caption file, but an existing one is replaced by an empty one. Throws SystemError.
 void commit_with_text(PendingOutput& film, const FilmText& text, TextFiles wanted,
-                      const std::filesystem::path& path);
+                      const std::filesystem::path& path, PendingOutput* picture = nullptr);
 
 }  // namespace carom

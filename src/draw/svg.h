@@ -10,7 +10,9 @@
 namespace carom {
 
 /// Returns the document with `<title>`, `<desc>` and `role="img"`, from which screen readers know
-/// what the picture is, and with ids that do not depend on what was drawn before in this process.
+/// what the picture is, and with ids that begin with the fingerprint of the document: several
+/// pictures can be put into one page, where ids are shared, and the same picture always has the
+/// same ids.
 /// Throws SystemError if it is not SVG.
 std::vector<std::uint8_t> finished_svg(std::span<const std::uint8_t> document,
                                        const PictureWords& words);

@@ -4,6 +4,7 @@
 //   node pages.cjs gallery SITE/index.html [PICTURE.png]   a site
 //   node pages.cjs pictures PAGE.html FOLDER         screenshots at three widths, light and dark
 //   node pages.cjs picture PAGE.html PICTURE.png WIDTH HEIGHT   one screenshot
+//   node pages.cjs inlined PAGE.html     whether each of several SVGs in a page looks as it does alone
 //
 // NODE_PATH leads to playwright-core and axe-core.
 'use strict';
@@ -174,6 +175,22 @@ async function gallery(page, url) {
   return answer;
 }
 
+// Each picture is compared at the same place with and without the others, so that pixels can be equal.
+async function inlined(page, url) {
+  const shot = index => page.locator(`svg >> nth=${index}`).screenshot();
+  await page.goto(url);
+  const count = await page.locator('svg').count();
+  const answer = { same: [], bytes: [] };
+  for (let i = 0; i < count; ++i) {
+    await page.goto(url);
+    const together = await shot(i);
+    await page.evaluate(kept => document.querySelectorAll('svg').forEach((svg, k) => { if (k !== kept) svg.replaceChildren(); }), i);
+    answer.same.push(together.equals(await shot(i)));
+    answer.bytes.push(together.length);
+  }
+  return answer;
+}
+
 async function pictures(browser, url, folder) {
   for (const width of [390, 820, 1440])
     for (const colorScheme of ['light', 'dark']) {
@@ -205,7 +222,7 @@ async function picture(browser, url, file, width, height) {
     if (mode === 'picture') return console.log(JSON.stringify(await picture(browser, url, more, width, height)));
     const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
     const bad = watched(page);
-    const answer = await (mode === 'film' ? film(page, url) : gallery(page, url));
+    const answer = await { film, gallery, inlined }[mode](page, url);
     if (more) await page.screenshot({ path: more, fullPage: true });
     console.log(JSON.stringify({ ...answer, bad }));
   } finally {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "e2e/figure_folder.h"
+#include "e2e/in_browser.h"
 
 using namespace carom::test;
 using nlohmann::json;
@@ -42,6 +43,28 @@ TEST_CASE("pages show the figures, in words that are escaped") {
     const Outcome text = run({"pdftotext", "text.pdf", "-"}, folder.path());
     CHECK(has(text.out, "Figure 1: Ten & more"));
     CHECK(has(text.out, "See 2."));
+}
+
+TEST_CASE("figures of a scene in one page look as each does alone") {
+    if (!can_browse()) return;
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: Three\nbox: {size: [40, 30]}\ngas: [{count: 10, radius: 1, speed: 2}]\n"
+                 "run: {until: 10}\nfilm: {seconds: 2}\nfigures:\n"
+                 "  - {name: start, kind: gas, at: 0}\n"
+                 "  - {name: speeds, kind: speed-histogram}\n"
+                 "  - {name: entropy, kind: entropy}\n");
+    REQUIRE(figures(folder, {"scene.yaml", "--formats", "svg"}).exit_code == 0);
+    std::string page = "<!DOCTYPE html><html><head><title>Three</title></head><body>";
+    for (const std::string name : {"start", "speeds", "entropy"}) {
+        const std::string svg = contents(folder.path() / "out/scene" / (name + ".svg"));
+        page += "<div>" + svg.substr(svg.find("<svg")) + "</div>";
+    }
+    folder.write("page.html", page + "</body></html>");
+    const json answer = browsed("inlined", folder.path() / "page.html");
+    CHECK(answer.at("bad") == json::array());
+    CHECK(answer.at("same") == json{true, true, true});
+    for (const json& bytes : answer.at("bytes")) CHECK(bytes.get<int>() > 2000);
 }
 
 TEST_CASE("films stand beside their figures, and are rendered once") {

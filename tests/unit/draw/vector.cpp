@@ -1,7 +1,10 @@
 // SVG and PDF: read back by another reader than the writer.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <pugixml.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +35,28 @@ struct Svg {
         REQUIRE(document.load_string(text.c_str()));
         root = document.document_element();
         REQUIRE(std::string(root.name()) == "svg");
+    }
+
+    std::set<std::string> ids() const {
+        std::set<std::string> all;
+        for (const pugi::xpath_node& found : document.select_nodes("//@id"))
+            CHECK(all.insert(found.attribute().value()).second);
+        return all;
+    }
+
+    // What links and `url(#...)` refer to.
+    std::set<std::string> references() const {
+        std::set<std::string> all;
+        for (const pugi::xpath_node& found : document.select_nodes("//@*[contains(., '#')]")) {
+            const std::string value = found.attribute().value();
+            for (std::size_t at = value.find('#'); at != std::string::npos;
+                 at = value.find('#', at + 1)) {
+                const bool is_address = at >= 4 && value.compare(at - 4, 4, "url(") == 0;
+                if (at != 0 && !is_address) continue;
+                all.insert(value.substr(at + 1, value.find_first_of(")'\"", at) - at - 1));
+            }
+        }
+        return all;
     }
 
     std::size_t count(const std::string& name) const {
@@ -103,6 +128,46 @@ TEST_CASE("the same drawing gives the same document, whatever was drawn before")
         CHECK(first.size() > 1000);
         CHECK(drawn(format) == first);
     }
+}
+
+TEST_CASE("two pictures share no id, and every reference leads to one of the same picture") {
+    const Svg svg(drawn(VectorFormat::svg));
+    Canvas canvas(size, VectorFormat::svg, words);
+    draw_text(canvas, {20, 200}, "other letters", {});
+    canvas.clip_to({10, 10, 100, 100});
+    canvas.fill_all(blue);
+    canvas.release_clip();
+    const Svg other(file_of(canvas));
+    for (const Svg* one : {&svg, &other}) {
+        CHECK(one->ids().size() > 5);
+        const std::set<std::string> ids = one->ids(), references = one->references();
+        CHECK(references.size() > 5);
+        CHECK(std::ranges::includes(ids, references));
+    }
+    std::vector<std::string> both;
+    std::ranges::set_intersection(svg.ids(), other.ids(), std::back_inserter(both));
+    CHECK(both.empty());
+}
+
+TEST_CASE("every kind of reference follows the ids") {
+    const std::string text =
+        "<svg xmlns='http://www.w3.org/2000/svg' fill='#102030'><clipPath id='a'/>"
+        "<g id='b' clip-path='url(#a)' style='mask:url(#b); fill:url(#a)'/>"
+        "<use href='#a'/><use xlink:href='#b'/><a href='other#a'/></svg>";
+    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    const std::vector<std::uint8_t> finished = finished_svg(bytes, words);
+    const Svg svg({finished.begin(), finished.end()});
+    const auto value = [&](const char* path) {
+        return std::string(svg.document.select_node(path).attribute().value());
+    };
+    const std::string a = value("//clipPath/@id"), b = value("//g/@id");
+    CHECK(a.size() > 2);
+    CHECK(value("//g/@clip-path") == "url(#" + a + ")");
+    CHECK(value("//g/@style") == "mask:url(#" + b + "); fill:url(#" + a + ")");
+    CHECK(value("(//use)[1]/@href") == "#" + a);
+    CHECK(value("(//use)[2]/@*") == "#" + b);
+    CHECK(value("//a/@href") == "other#a");
+    CHECK(value("/svg/@fill") == "#102030");
 }
 
 TEST_CASE("a PDF tells its title, and no date of its making") {

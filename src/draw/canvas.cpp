@@ -72,6 +72,7 @@ cairo_status_t append(void* closure, const unsigned char* data, unsigned length)
 }
 
 constexpr double points_of_a_pixel = 0.75;
+constexpr double usual_resolution = 72.0 / points_of_a_pixel;  // dots per inch
 
 // A fixed date: otherwise the file of the same picture would change every second.
 void set_metadata(cairo_surface_t* pdf, const PictureWords& words) {
@@ -208,6 +209,7 @@ struct Canvas::Implementation {
     Backdrop backdrop = Backdrop::transparent;
     std::optional<VectorFormat> format;  ///< none: a raster
     PictureWords words;
+    double resolution = usual_resolution;
     std::vector<std::uint8_t> bytes;  ///< of the document; outlives the surface that writes them
     Surface surface;
     Context context;
@@ -226,6 +228,11 @@ Canvas::Canvas(PixelSize size, VectorFormat format, PictureWords words)
 void Canvas::describe(PictureWords words) {
     assert(is_raster());
     implementation_->words = std::move(words);
+}
+
+void Canvas::set_resolution(double dots_per_inch) {
+    assert(is_raster());
+    implementation_->resolution = dots_per_inch;
 }
 
 Canvas::~Canvas() = default;
@@ -380,7 +387,7 @@ std::vector<std::uint8_t> Canvas::png() const {
     std::vector<std::uint8_t> bytes;
     check(cairo_surface_write_to_png_stream(implementation_->surface.get(), append, &bytes),
           "encode a PNG");
-    return bytes;
+    return with_resolution(std::move(bytes), implementation_->resolution);
 }
 
 std::vector<std::uint8_t> Canvas::file() {

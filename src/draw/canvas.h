@@ -1,6 +1,6 @@
 // A surface to draw on: pixels or, with the same calls, SVG and PDF. The only interface to Cairo.
 // Lengths are pixels, y down: in SVG one pixel is one user unit, in PDF three quarters of a point
-// (96 pixels per inch). Independent of gases.
+// (96 pixels per inch). A PNG says the same unless another resolution is set. Independent of gases.
 #pragma once
 
 #include <cstdint>
@@ -63,6 +63,9 @@ class Canvas {
 
     /// Sets the description that file() stores with a raster.
     void describe(PictureWords words);
+
+    /// Sets the resolution of a raster, which its PNG states: 96 dots per inch if it is not called.
+    void set_resolution(double dots_per_inch);
 
     PixelSize size() const;
     bool is_raster() const;

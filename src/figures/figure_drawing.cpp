@@ -152,12 +152,17 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
     const Sheet sheet = sheet_of(run.scene(), spec);
     const PixelSize size{static_cast<int>(std::lround(sheet.width * unit)),
                          static_cast<int>(std::lround(sheet.height * unit))};
-    Canvas canvas = format ? Canvas(size, *format, words) : Canvas(size);
-    if (canvas.is_raster()) canvas.describe(words);
+    const bool transparent = run.scene().film.transparent;
+    Canvas canvas = format ? Canvas(size, *format, words)
+                           : Canvas(size, transparent ? Backdrop::transparent : Backdrop::black);
+    if (canvas.is_raster()) {
+        canvas.describe(words);
+        canvas.set_resolution(raster);
+    }
     DiskPainter disks;
     const DrawContext dc{
         {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};
-    canvas.fill_all(dc.theme.page);
+    if (!transparent) canvas.fill_all(dc.theme.page);
     if (is_gas(spec))
         draw_gas(canvas, dc, sheet, figure, run.scene());
     else

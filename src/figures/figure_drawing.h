@@ -20,8 +20,9 @@ std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec);
 void refuse_long_words(const Scene& scene, const FigureSpec& spec);
 
 /// The picture of a figure, as vector graphics in `format` or else as pixels; `words` are stored
-/// with it. Pixel pictures have 300 pixels per inch (slides 144); vector pictures have the same
-/// lengths in centimetres to within a quarter of a millimetre. Throws SystemError.
+/// with it. Pixel pictures have 300 pixels per inch (slides 144) and say so; vector pictures have
+/// the same lengths in centimetres to within a quarter of a millimetre. The background is that of
+/// the theme, or none where the scene's film has none (`film.ground`). Throws SystemError.
 Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,
                    const PictureWords& words);
 

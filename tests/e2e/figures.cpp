@@ -2,6 +2,7 @@
 // which of them are made again.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -37,6 +38,74 @@ TEST_CASE("the files of figures are read by independent programs") {
     CHECK(words["figures"][0]["alt"] == "Ten disks in a box");
     CHECK(words["figures"][1]["over"] == json{2.0, 8.0});
     CHECK(words["figures"][1]["size_cm"] == json{10.0, 6.0});
+}
+
+namespace {
+
+// What read_png.py finds in a picture, and the samples of its pixels at some places.
+json png(const fs::path& picture, const std::vector<std::string>& places = {}) {
+    std::vector<std::string> command{"python3", (root / "tests/e2e/read_png.py").string(),
+                                     picture.string()};
+    command.insert(command.end(), places.begin(), places.end());
+    const Outcome outcome = run(command);
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    return json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("a picture in pixels says how large it is on paper") {
+    if (!is_installed("python3")) return;
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    REQUIRE(figures(folder, {"scene.yaml", "--formats", "png"}).exit_code == 0);
+    const json picture = png(folder.path() / "out/scene/speeds.png");
+    CHECK(picture.at("dots_in_a_metre") == json{11811, 11811});  // 300 in an inch
+    // 10 by 6 cm, to within half a pixel.
+    CHECK(std::abs(picture.at("width").get<double>() / 118.11 - 10.0) < 0.005);
+    CHECK(std::abs(picture.at("height").get<double>() / 118.11 - 6.0) < 0.005);
+    // Slides have 144 in an inch, and frames of films 96, as an SVG has.
+    REQUIRE(figures(folder, {"scene.yaml", "--formats", "png", "--set", "figures.speeds.size=slide",
+                             "-o", "slide"})
+                .exit_code == 0);
+    CHECK(png(folder.path() / "slide/speeds.png").at("dots_in_a_metre") == json{5669, 5669});
+    REQUIRE(run({program, "still", "scene.yaml", "--at", "1", "-o", "still.png"}, folder.path())
+                .exit_code == 0);
+    CHECK(png(folder.path() / "still.png").at("dots_in_a_metre") == json{3780, 3780});
+}
+
+TEST_CASE("without a ground nothing lies behind a figure") {
+    if (!is_installed("python3")) return;
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", ten_disks);
+    for (const std::string theme : {"print", "light", "dark"}) {
+        CAPTURE(theme);
+        const auto made = [&](const std::string& ground) {
+            const std::string name = theme + ground;
+            REQUIRE(figures(folder, {"scene.yaml", "--set", "figures.start.theme=" + theme, "--set",
+                                     "figures.speeds.theme=" + theme, "--set",
+                                     "film.ground=" + ground, "-o", name})
+                        .exit_code == 0);
+            return folder.path() / name;
+        };
+        const fs::path none = made("none"), paper = made("theme");
+        const json page = png(paper / "speeds.png", {"0,0", "-1,-1"});
+        const json white{255, 255, 255};
+        if (theme != "dark") CHECK(page.at("pixels") == json{white, white});
+        const json clear{0, 0, 0, 0};
+        CHECK(png(none / "speeds.png", {"0,0", "-1,-1"}).at("pixels") == json{clear, clear});
+        // The gas lies in its box as before.
+        const json box = png(none / "start.png", {"0,0", "500,300"}).at("pixels");
+        CHECK(box[0] == clear);
+        CHECK(box[1][3] == 255);
+        REQUIRE(run({"rsvg-convert", "speeds.svg", "-o", "svg.png"}, none).exit_code == 0);
+        CHECK(png(none / "svg.png", {"0,0"}).at("pixels")[0] == clear);
+        // Poppler draws a PDF on nothing if it is asked to.
+        REQUIRE(run({"pdftocairo", "-png", "-transp", "-singlefile", "speeds.pdf", "pdf"}, none)
+                    .exit_code == 0);
+        CHECK(png(none / "pdf.png", {"0,0"}).at("pixels")[0] == clear);
+    }
 }
 
 TEST_CASE("the same scene gives the same bytes in another folder") {

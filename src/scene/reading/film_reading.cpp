@@ -127,8 +127,8 @@ std::vector<Binding<FilmDraft>> picture_keys() {
                  "The language of carom's own words, numbers and lists: English, German, French or "
                  "Spanish. The words of the scene stay as they are."),
         bind_key("ground", &Film::transparent, one_of<bool>({{"theme", false}, {"none", true}}),
-                 "The background: the theme's, or none, so that a slide shows through. Choose the "
-                 "theme that suits the slide.")};
+                 "The background of film and figures: the theme's, or none, so that a slide shows "
+                 "through. Choose the theme that suits the slide.")};
 }
 
 // Keys for the drawing of the gas.

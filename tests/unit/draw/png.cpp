@@ -38,6 +38,18 @@ TEST_CASE("words follow the header as chunks of text, each with its check sum") 
     CHECK(with_words(joined({header, rest}), {.title = "Tä", .description = ""}) == expected);
 }
 
+TEST_CASE("a resolution follows the header, in dots per metre") {
+    // 300 dots per inch are 11811.02 per metre; zlib.crc32(b'pHYs\0\0\x2e\x23\0\0\x2e\x23\1') is
+    // 0x78A53F76.
+    const Bytes expected = joined({header,
+                                   {0, 0, 0, 9},
+                                   bytes("pHYs"),
+                                   {0, 0, 0x2E, 0x23, 0, 0, 0x2E, 0x23, 1},
+                                   {0x78, 0xA5, 0x3F, 0x76},
+                                   bytes("pixels")});
+    CHECK(with_resolution(joined({header, bytes("pixels")}), 300.0) == expected);
+}
+
 TEST_CASE("a picture without words stays as it is") {
     const Bytes picture = joined({header, bytes("pixels")});
     CHECK(with_words(picture, {}) == picture);

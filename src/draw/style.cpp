@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-constexpr Theme light_theme = {.page = rgb(0xFBFAF7),
+constexpr Theme light_theme = {.page = rgb(0xFFFFFF),
                                .ground = rgb(0xFFFFFF),
                                .ink = rgb(0x1B1F24),
                                .muted = rgb(0x5B6470),

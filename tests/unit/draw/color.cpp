@@ -109,6 +109,11 @@ TEST_CASE("the first colours of kinds stand out from their ground") {
     }
 }
 
+TEST_CASE("paper is white") {
+    for (const ThemeKind kind : {ThemeKind::light, ThemeKind::print})
+        CHECK(to_pixel(theme(kind).page) == 0xFFFFFFFFU);
+}
+
 TEST_CASE("every theme is legible") {
     for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark, ThemeKind::print}) {
         CAPTURE(static_cast<int>(kind));

@@ -27,15 +27,24 @@ std::string kind_words(const Scene& scene, const FigureSpec& spec) {
     return capitalised(name_of_panel(language, spec.panel));
 }
 
-// "Speed histogram at time 20", "Entropy from time 6 to 12".
-std::string kind_and_time(const Scene& scene, const FigureSpec& spec) {
+ShownTimes times_of(const Figure& figure) {
+    const FigureSpec& spec = *figure.spec;
+    const auto measured = figure.panel ? figure.panel->time_shown(spec.times.back()) : std::nullopt;
+    if (!measured) return times_of(spec);
+    const auto [from, until] = *measured;
+    if (from == until) return {.times = {until}, .are_of_collisions = until != spec.times.back()};
+    return {spec.times, measured};
+}
+
+// "Speed histogram at time 20", "Free path from time 6 to 12".
+std::string kind_and_time(const Scene& scene, const Figure& figure) {
     const Language language = scene.film.language;
-    const std::string kind = kind_words(scene, spec);
-    const std::string times = shown_times(language, spec);
-    if (spec.panel.over && start_of_mean(*spec.panel.over, spec.times.back()))
-        return say(language, "{} from time {}", kind, times);
-    return spec.times.size() > 1 ? say(language, "{} at times {}", kind, times)
-                                 : say(language, "{} at time {}", kind, times);
+    const std::string kind = kind_words(scene, *figure.spec);
+    const ShownTimes shown = times_of(figure);
+    const std::string times = words_of(language, shown);
+    if (shown.over) return say(language, "{} from time {}", kind, times);
+    return shown.times.size() > 1 ? say(language, "{} at times {}", kind, times)
+                                  : say(language, "{} at time {}", kind, times);
 }
 
 bool have_one_time(const Figure& figure) {
@@ -57,7 +66,7 @@ std::string comparison_words(const Scene& scene, const Figure& figure) {
     const Language language = scene.film.language;
     const std::size_t runs = figure.sides.size();
     if (have_one_time(figure))
-        return say(language, "{} of {} runs", kind_and_time(scene, *figure.spec), runs);
+        return say(language, "{} of {} runs", kind_and_time(scene, figure), runs);
     return say(language, "{} of {} runs, each at its end", kind_words(scene, *figure.spec), runs);
 }
 
@@ -138,15 +147,15 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
             say(language,
                 "{}: mean of {} independent runs of {} each, with its standard error; reduced "
                 "units.",
-                kind_and_time(scene, *figure.spec), figure.spec->panel.seeds, count);
+                kind_and_time(scene, figure), figure.spec->panel.seeds, count);
         return fmt::format("{} {}{}{}", title, caption, account.empty() ? "" : " ", account);
     }
     if (!account.empty())
         return fmt::format("{} {} {}", title, sentence(kind_words(scene, *figure.spec)), account);
     return fmt::format(
         "{} {}", title,
-        say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, *figure.spec),
-            count, collisions_counted(language, figure.moments.back().collisions.particle)));
+        say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, figure), count,
+            collisions_counted(language, figure.moments.back().collisions.particle)));
 }
 
 std::string account_of(const Figure& figure) {
@@ -163,7 +172,7 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
     if (figure.spec->panel.given) return fmt::format("{} {}", sentence(kind), account);
     const Language language = scene.film.language;
     const bool is_mean = figure.spec->panel.seeds > 1;
-    std::string what = kind_and_time(scene, *figure.spec);
+    std::string what = kind_and_time(scene, figure);
     if (is_mean)
         what = say(language, "{}, mean of {} independent runs", what, figure.spec->panel.seeds);
     if (!account.empty()) return what + ". " + account;
@@ -179,14 +188,22 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
 
 }  // namespace
 
-std::string shown_times(Language language, const FigureSpec& spec) {
+ShownTimes times_of(const FigureSpec& spec) {
     const double at = spec.times.back();
     if (const auto& over = spec.panel.over)
-        if (const auto start = start_of_mean(*over, at))
-            return say(language, "{} to {}", plain_number(language, *start),
-                       plain_number(language, at));
+        if (const auto start = start_of_mean(*over, at)) return {spec.times, {{*start, at}}};
+    return {spec.times};
+}
+
+std::string words_of(Language language, const ShownTimes& shown) {
+    const auto number = [&](double time) {
+        return shown.are_of_collisions ? three_digits(language, time)
+                                       : plain_number(language, time);
+    };
+    if (shown.over)
+        return say(language, "{} to {}", number((*shown.over)[0]), number((*shown.over)[1]));
     std::vector<std::string> times;
-    for (const double time : spec.times) times.push_back(plain_number(language, time));
+    for (const double time : shown.times) times.push_back(number(time));
     return listed(language, times);
 }
 
@@ -231,6 +248,8 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
         words.alt = formula::spoken_text(scene.film.language, *figure.spec->alt);
     else
         words.alt = compares ? alt_of_runs(scene, figure) : made_alt(run, figure);
+    words.shown = times_of(figure);
+    words.time = words_of(scene.film.language, words.shown);
     return words;
 }
 

@@ -2,19 +2,35 @@
 // from what the figure shows.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "figures/figure_run.h"
 
 namespace carom {
 
+/// The simulated times that a figure shows.
+struct ShownTimes {
+    std::vector<double> times;                       ///< several of a strip
+    std::optional<std::array<double, 2>> over = {};  ///< of a mean: from and until
+    bool are_of_collisions = false;                  ///< measured: three digits in words
+};
+
 struct FigureWords {
     std::string caption;  ///< with formulae between `$` signs; `\$` is a dollar sign
     std::string alt;      ///< plain text, for people who cannot see the picture
+    std::string time;     ///< the times that it shows: 12, 6 to 12, "0, 1 and 4"
+    ShownTimes shown;     ///< the same as numbers
 };
 
-/// The simulated times that a figure shows: 12, 6 to 12, "0, 1 and 4".
-std::string shown_times(Language language, const FigureSpec& spec);
+/// The times that a figure shows by its spec. Some kinds show others, which are known only after
+/// the run: the time of a collision, or of a mean over all of it.
+ShownTimes times_of(const FigureSpec& spec);
+
+/// These times in words.
+std::string words_of(Language language, const ShownTimes& shown);
 
 /// The quantity that a key of a scene sets, in words: "temperature" for "gas.0.temperature.exact",
 /// with the name of the species if there are several.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -101,6 +102,14 @@ class Panel {
     /// A description of what the panel shows, with its numbers, in whole sentences: for captions
     /// and alternative texts that the scene does not give; empty for most panels.
     virtual std::string account(const PanelState&) const { return ""; }
+
+    /// The simulated time of what a figure at the time `at` shows, from and until, if it is not
+    /// what the figure's spec says: the time of a collision, or the time that is averaged over.
+    /// Valid after fix_axes().
+    virtual std::optional<std::array<double, 2>> time_shown(double at) const {
+        (void)at;
+        return {};
+    }
 
     /// Whether state() needs the collisions between frames.
     virtual bool wants_collisions() const { return false; }

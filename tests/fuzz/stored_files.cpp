@@ -182,7 +182,8 @@ void read_segment(const std::string& bytes) {
 }
 
 std::string figures_json() {
-    return R"({"about": "x", "of": "set", "figures": {"a": {"inputs": "1", "caption": "c", "alt": "d"}},)"
+    return R"({"about": "x", "of": "set", "figures": {"a": {"inputs": "1", "caption": "c", "alt": "d",)"
+           R"( "time": "0 to 1", "times": [1], "over": [0, 1]}},)"
            R"( "files": {"a.svg": {"figure": "a", "inputs": "1", "content": "2", "coming": "3"}}})";
 }
 

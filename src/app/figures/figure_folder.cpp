@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -28,6 +29,28 @@ std::string_view as_text(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
+Json json_of(const WrittenWords& written) {
+    const FigureWords& words = written.words;
+    Json json{{"inputs", written.inputs},
+              {"caption", words.caption},
+              {"alt", words.alt},
+              {"time", words.time},
+              {"times", words.shown.times}};
+    if (words.shown.over) json["over"] = *words.shown.over;
+    return json;
+}
+
+WrittenWords words_in(const Json& json) {
+    WrittenWords written{json.at("inputs").get<std::string>(),
+                         {.caption = json.at("caption").get<std::string>(),
+                          .alt = json.at("alt").get<std::string>(),
+                          .time = json.at("time").get<std::string>(),
+                          .shown = {json.at("times").get<std::vector<double>>()}}};
+    if (json.contains("over"))
+        written.words.shown.over = json.at("over").get<std::array<double, 2>>();
+    return written;
+}
+
 std::string manifest_json(const Manifest& manifest) {
     Json files = Json::object(), figures = Json::object();
     for (const auto& [name, file] : manifest.files) {
@@ -35,8 +58,7 @@ std::string manifest_json(const Manifest& manifest) {
         its = {{"figure", file.figure}, {"inputs", file.inputs}, {"content", file.content}};
         if (!file.coming.empty()) its["coming"] = file.coming;
     }
-    for (const auto& [name, words] : manifest.figures)
-        figures[name] = {{"inputs", words.inputs}, {"caption", words.caption}, {"alt", words.alt}};
+    for (const auto& [name, written] : manifest.figures) figures[name] = json_of(written);
     return text_of({{"about", "what carom wrote into this folder, and from what; keep it here"},
                     {"of", utf8_of_name(manifest.of)},
                     {"figures", std::move(figures)},
@@ -55,9 +77,7 @@ std::optional<Manifest> read_manifest(std::string_view text) {
                 file.at("figure").get<std::string>(), file.at("inputs").get<std::string>(),
                 file.at("content").get<std::string>(), file.value("coming", "")};
         for (const auto& [name, words] : json.at("figures").items())
-            manifest.figures[name] = {words.at("inputs").get<std::string>(),
-                                      words.at("caption").get<std::string>(),
-                                      words.at("alt").get<std::string>()};
+            if (words.contains("times")) manifest.figures[name] = words_in(words);
         return manifest;
     } catch (const Json::exception&) {
         return std::nullopt;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "figures/figure_words.h"
 #include "media/film_writer.h"
 #include "util/files/stored_file.h"
 
@@ -35,7 +36,7 @@ struct NewFile {
 /// The texts of a figure, stored so that captions need no new run of the physics.
 struct WrittenWords {
     std::string inputs;
-    std::string caption, alt;
+    FigureWords words;
 };
 
 /// The contents of figures.json.

@@ -12,7 +12,6 @@
 #include "figures/figure_words.h"
 #include "media/base64.h"
 #include "media/formats.h"
-#include "panels/plots/window.h"
 #include "runs/json.h"
 #include "scene/limits.h"
 #include "scene/words.h"
@@ -59,16 +58,16 @@ PageFields fields_of(const FigureSet& set, const SetFigure& figure, int number, 
     PageFields fields;
     fields.words = {{"name", figure.spec->name},
                     {"number", std::to_string(number)},
-                    {"alt", figure.alt},
+                    {"alt", figure.words.alt},
                     {"kind", figure.spec->panel.kind},
-                    {"time", shown_times(figure.part->scene.film.language, *figure.spec)},
+                    {"time", figure.words.time},
                     {"title", figure.part->title},
                     {"scene", as_utf8(figure.part->stem)},
                     {"seed", std::to_string(figure.part->scene.seed)},
                     {"width", fmt::format("{:g}", width)},
                     {"height", fmt::format("{:g}", height)},
                     {"wide", width > widest_of_a_column ? "wide" : ""}};
-    fields.formulated = {{"caption", figure.caption}};
+    fields.formulated = {{"caption", figure.words.caption}};
     fields.files = {{"picture", picture}, {"csv", file_of(figure.files, "csv")}};
     for (const std::string& format : figure_formats())
         fields.files[format] = file_of(figure.files, format);
@@ -100,14 +99,16 @@ Source template_file(const fs::path& path) {
 Json figure_json(const SetFigure& figure) {
     const Scene& scene = figure.part->scene;
     const FigureSpec& spec = *figure.spec;
-    Json json{{"name", spec.name},          {"kind", spec.panel.kind},
-              {"caption", figure.caption},  {"alt", figure.alt},
-              {"scene", figure.part->stem}, {"scene_title", scene.title},
-              {"seed", scene.seed},         {"overrides", scene.source.overrides},
-              {"times", spec.times}};
-    if (spec.panel.over)
-        if (const auto start = start_of_mean(*spec.panel.over, spec.times.back()))
-            json["over"] = {*start, spec.times.back()};
+    Json json{{"name", spec.name},
+              {"kind", spec.panel.kind},
+              {"caption", figure.words.caption},
+              {"alt", figure.words.alt},
+              {"scene", figure.part->stem},
+              {"scene_title", scene.title},
+              {"seed", scene.seed},
+              {"overrides", scene.source.overrides},
+              {"times", figure.words.shown.times}};
+    if (figure.words.shown.over) json["over"] = *figure.words.shown.over;
     for (const ComparedRun& run : spec.compare)
         json["runs"].push_back(
             {{"label", run.label},

@@ -248,7 +248,7 @@ class Maker {
         for (const std::string& file : planned.due)
             files.push_back({file, bytes_of(run, figure, words, origin_of(planned), file), name,
                              planned.inputs});
-        folder_.remember(name, {planned.inputs, words.caption, words.alt});
+        folder_.remember(name, {planned.inputs, words});
     }
 
     // The existing figures that are up to date with the scenes.
@@ -256,8 +256,7 @@ class Maker {
         std::vector<SetFigure> all;
         for (const PlannedFigure& planned : figures_)
             if (const WrittenWords* words = words_there(planned))
-                all.push_back(
-                    {planned.part, planned.spec, words->caption, words->alt, files_there(planned)});
+                all.push_back({planned.part, planned.spec, words->words, files_there(planned)});
         return all;
     }
 

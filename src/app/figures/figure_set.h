@@ -55,7 +55,7 @@ struct SetOptions {
 struct SetFigure {
     const SetPart* part;
     const FigureSpec* spec;
-    std::string caption, alt;
+    FigureWords words;
     std::vector<std::string> files;  ///< files that show it, in the order of figure_formats
 };
 

@@ -16,7 +16,6 @@
 #include "media/formats.h"
 #include "panels/field/field_layer.h"
 #include "panels/frame.h"
-#include "panels/plots/window.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/law.h"
@@ -295,15 +294,28 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t pa
     return facts;
 }
 
-// "speeds, a speed-histogram at time 4, 8.9 by 6.2 cm".
+// Whether the time that a figure shows is known only after the run, or it shows none.
+bool has_unknown_time(const PanelSpec& panel) {
+    return panel.kind == "single-collision" || panel.kind == "contact-time" ||
+           (panel.kind == "collision-map" && !panel.walk) || panel.kind == "sweep";
+}
+
+// " at time 4", " over time 6 to 12".
+std::string words_of_time(const FigureSpec& spec) {
+    if (has_unknown_time(spec.panel)) return "";
+    const ShownTimes shown = times_of(spec);
+    return fmt::format(" {} time {}", shown.over ? "over" : "at",
+                       words_of(Language::english, shown));
+}
+
+// "speeds: speed-histogram at time 4, 8.9 by 6.2 cm".
 std::string figure_words(const Scene& scene, const FigureSpec& spec) {
     const auto [width, height] = figure_size(scene, spec);
-    const bool over = spec.panel.over && start_of_mean(*spec.panel.over, spec.times.back());
     const std::string kind =
         spec.compare.empty() ? spec.panel.kind
                              : fmt::format("{} of {} runs", spec.panel.kind, spec.compare.size());
-    return fmt::format("{}: {} {} time {}, {:.3g} by {:.3g} cm", spec.name, kind,
-                       over ? "over" : "at", shown_times(Language::english, spec), width, height);
+    return fmt::format("{}: {}{}, {:.3g} by {:.3g} cm", spec.name, kind, words_of_time(spec), width,
+                       height);
 }
 
 Json figure_value(const Scene& scene, const FigureSpec& spec) {

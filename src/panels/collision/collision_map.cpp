@@ -88,6 +88,7 @@ class CollisionMapPanel : public PlotPanel {
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive&) override {}
     Plot plot(const PanelState* state) const override;
+    std::optional<std::array<double, 2>> time_shown(double at) const override;
 
   private:
     bool is_walk() const { return spec_.walk; }
@@ -469,6 +470,12 @@ std::string CollisionMapPanel::account_of(std::size_t steps) const {
                   few_digits(language, motion_.energy()), momentum_words(language, motion_));
     return say(language, "{}, with velocities {} before their collision and {} after it: {}.", pair,
                both(motion_.before), both(motion_.after), kept);
+}
+
+std::optional<std::array<double, 2>> CollisionMapPanel::time_shown(double at) const {
+    if (is_walk()) return {{0.0, at}};
+    if (!met_) return {};
+    return {{met_->time, met_->time}};
 }
 
 Plot CollisionMapPanel::plot(const PanelState* state) const {

@@ -2,6 +2,7 @@
 // two roots at which it equals the squared contact distance, of which the first is the contact
 // time. After the contact the actual distance is drawn too, with a mark at the present.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -39,6 +40,9 @@ class ContactTimePanel : public PlotPanel {
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive&) override {}
     Plot plot(const PanelState* state) const override;
+    std::optional<std::array<double, 2>> time_shown(double) const override {
+        return {{collision_.time, collision_.time}};
+    }
     void archive(Archive& archive) override {
         archive(collision_, contact_, are_points_, first_, last_, top_);
     }
@@ -53,6 +57,7 @@ class ContactTimePanel : public PlotPanel {
     Label label(const std::string& words, std::vector<Anchor> anchors) const;
     void add_labels(Plot& plot) const;
     void add_present(Plot& plot, double now) const;
+    std::string account() const;
 
     PanelContext context_;
     PanelSpec spec_;
@@ -215,6 +220,17 @@ void ContactTimePanel::add_present(Plot& plot, double now) const {
               {.role = {Role::Of::highlight}, .radius = 0.4, .halo = 0.1}, {Role::Of::ink}, false);
 }
 
+std::string ContactTimePanel::account() const {
+    const Language language = context_.language();
+    const std::string names = plain_names_of(context_, collision_);
+    const std::string contact = three_digits(language, collision_.time);
+    if (are_points_) return say(language, "{} meet at time {}.", names, contact);
+    return say(language,
+               "{} touch at time {}; if they passed through each other, they would separate at "
+               "time {}.",
+               names, contact, three_digits(language, collision_.other_root()));
+}
+
 Plot ContactTimePanel::plot(const PanelState* state) const {
     const Language language = context_.language();
     const Text title = say(language, "Squared distance r²");
@@ -230,6 +246,7 @@ Plot ContactTimePanel::plot(const PanelState* state) const {
     add_roots(plot);
     add_labels(plot);
     if (state == nullptr) return plot;
+    plot.account = account();
     if (const auto now = static_cast<const ContactState&>(*state).time) add_present(plot, *now);
     return plot;
 }

@@ -8,6 +8,7 @@
 
 #include "panels/chosen.h"
 #include "panels/plot/layers.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -147,6 +148,11 @@ plot::Text names_of(const PanelContext& context, const PairCollision& pair) {
                            plot::Sample::disk);
     };
     return plot::text_of(context.language(), Phrase{"particles {} and {}"}, {name(0), name(1)});
+}
+
+std::string plain_names_of(const PanelContext& context, const PairCollision& pair) {
+    return capitalised(
+        say(context.language(), "particles {} and {}", pair.particle[0], pair.particle[1]));
 }
 
 }  // namespace carom

@@ -69,6 +69,9 @@ class PairCollisionWatch {
 /// The names of the two particles: their numbers, in their colours.
 plot::Text names_of(const PanelContext& context, const PairCollision& pair);
 
+/// The same at the beginning of a sentence, without colours.
+std::string plain_names_of(const PanelContext& context, const PairCollision& pair);
+
 /// The colour of particle k of the pair: that of its species, or a colour of its own if both are of
 /// the same species.
 plot::Role role_of(const PanelContext& context, const PairCollision& pair, std::size_t k);

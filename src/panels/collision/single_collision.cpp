@@ -34,6 +34,10 @@ class SingleCollisionPanel : public Panel {
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
+    std::string account(const PanelState& state) const override;
+    std::optional<std::array<double, 2>> time_shown(double) const override {
+        return {{met_.time, met_.time}};
+    }
 
   private:
     CollisionStages stages(const DrawContext& dc) const;
@@ -176,6 +180,17 @@ std::array<plot::Text, 2> SingleCollisionPanel::amounts(std::size_t index) const
                                role_of(context_, met_, k));
     }
     return texts;
+}
+
+std::string SingleCollisionPanel::account(const PanelState&) const {
+    const Language language = context_.language();
+    const auto speeds = [&](const std::array<Eigen::Array2d, 2>& velocities) {
+        return listed(language, std::array{three_digits(language, length_of(velocities[0])),
+                                           three_digits(language, length_of(velocities[1]))});
+    };
+    return say(language, "{} collide at time {}: speeds {} before and {} after.",
+               plain_names_of(context_, met_), three_digits(language, met_.time),
+               speeds(met_.before), speeds(met_.after));
 }
 
 // The numbers under a stage: in one row, or one below the other.

@@ -8,6 +8,7 @@
 #include "draw/axis.h"
 #include "panels/archived.h"
 #include "panels/chosen.h"
+#include "panels/plots/window.h"
 #include "stats/mean_error.h"
 #include "util/text.h"
 
@@ -351,6 +352,12 @@ std::string CurvePanel::remark() const {
     if (record_.runs_in_mean == 1) return "";
     return counted(context_.language(), record_.runs_in_mean, Phrase{"mean of {} run"},
                    Phrase{"mean of {} runs"});
+}
+
+std::optional<std::array<double, 2>> CurvePanel::time_shown(double at) const {
+    const auto start = start_of_mean(subject_.over, at);
+    if (!start) return {};
+    return {{*start, at}};
 }
 
 plot::Plot CurvePanel::plot(const PanelState* state) const {

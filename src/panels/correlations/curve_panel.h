@@ -74,8 +74,9 @@ struct CurveSubject {
                                        ///< several compared runs has its own
     std::optional<double> top = {};    ///< end of the vertical axis; none: from the data
     std::optional<double> level = {};  ///< horizontal line across the plot
-    double least_top = 0.0;            ///< lower bound of the vertical axis's end
-    bool logarithmic = false;          ///< whether the vertical axis is
+    Over over = {Over::Since::start, 0.0};  ///< the time that is averaged over
+    double least_top = 0.0;                 ///< lower bound of the vertical axis's end
+    bool logarithmic = false;               ///< whether the vertical axis is
     std::function<std::string(const CurveValues&, std::size_t line)> account =
         {};  ///< result of a line in words: "mean free path 1.25"; empty if not known
 
@@ -139,6 +140,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     plot::Plot plot(const PanelState* state) const override;
     bool surveys_collisions() const override { return true; }
     bool wants_collisions() const override { return true; }
+    std::optional<std::array<double, 2>> time_shown(double at) const override;
 
   protected:
     void finish_record() override;

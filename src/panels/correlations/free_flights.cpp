@@ -227,6 +227,7 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
     PanelSpec timed = spec;
     if (!timed.over) timed.over = Over{Over::Since::start, 0.0};
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = flight_bins};
+    subject.over = *timed.over;
     subject.meter = [context, spec, flown, window = window_of(*timed.over)] {
         return std::make_unique<FlightMeter>(context, spec, flown, window);
     };

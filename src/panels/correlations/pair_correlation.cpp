@@ -107,6 +107,7 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     wanted.window = window_of(*timed.over);
 
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = rings.count};
+    subject.over = *timed.over;
     subject.meter = [context, wanted] { return std::make_unique<PairMeter>(context, wanted); };
     const std::string what = say(language, "Pair correlation") + " <i>g</i>(<i>r</i>)";
     name_curves(subject, context, spec, what, time_words(language, timed));

@@ -83,6 +83,9 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
+    std::optional<std::array<double, 2>> time_shown(double at) const override {
+        return {{at, at}};  // the curve is of all times until then
+    }
     void archive(Archive& archive) override;
 
   private:
@@ -138,10 +141,9 @@ void PressureVolumePanel::make_axes() {
     const plot::Text title = spec_.title ? escape_markup(*spec_.title)
                                          : say(language, is_line ? Phrase{"Pressure and length"}
                                                                  : Phrase{"Pressure and area"});
-    PanelSpec timed = spec_;
-    timed.over = over();
-    whole_.titles = {
-        plot::text_of(language, Phrase{"{}: {}"}, {title, time_words(language, timed)}), title};
+    whole_.titles = {plot::text_of(language, Phrase{"{}: {}"},
+                                   {title, words_of_moments(language, spec_, over())}),
+                     title};
     whole_.x = {.title = say(language, area), .low = INFINITY, .high = 0.0};
     std::vector<double> pressures;
     for (const PressureVolumeRun& run : record_.runs) {

@@ -94,6 +94,7 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
 
     void survey(const FrameInput& input) override;
     void archive(Archive& archive) override;
+    std::optional<std::array<double, 2>> time_shown(double at) const override;
     bool surveys_collisions() const override { return window_of(over_) != 0.0; }
     bool wants_collisions() const override { return surveys_collisions(); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
@@ -377,6 +378,12 @@ void ProfilePanel::add_errors(plot::Plot& plot, plot::Line& line, const Eigen::A
 }
 
 // "between 0.02 and 0.11", of all particles or of some.
+std::optional<std::array<double, 2>> ProfilePanel::time_shown(double at) const {
+    const auto start = start_of_mean(over_, at);
+    if (!start) return {};
+    return {{*start, at}};
+}
+
 std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t choice) const {
     const Language language = context_.language();
     const auto known = !values.isNaN();

@@ -67,6 +67,9 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
     bool surveys_collisions() const override { return subject_.needs_collisions; }
+
+    /// Each point may be a mean over the time before it, but the curve is of all times until `at`.
+    std::optional<std::array<double, 2>> time_shown(double at) const override { return {{at, at}}; }
     void archive(Archive& archive) override;
 
   protected:

@@ -13,6 +13,12 @@ namespace carom::test {
 
 using Row = std::map<std::string, std::string>;  ///< cells by column name
 
+/// Whether a row's numbers are drawn: not those beyond the axes, and not those of equations.
+inline bool is_drawn(const Row& row) {
+    const std::string& part = row.at("part");
+    return part != "below" && part != "above" && part != "parabola" && part != "matrix";
+}
+
 struct DrawnFigure {
     std::string name;
     SvgPicture picture;

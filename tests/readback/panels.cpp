@@ -103,6 +103,10 @@ bool is_read(const std::string& kind, const std::string& column) {
     static const std::multimap<std::string, std::string> others{
         {"collision-map", "step (number)"},  // the order of the steps
         {"collision-map", "time (time)"},
+        {"collision-map", "coefficient of sqrt(m1) v1 (number)"},
+        {"collision-map", "coefficient of sqrt(m0) v0 (number)"},
+        {"contact-time", "r.v (length^2/time)"},
+        {"contact-time", "v.v (length^2/time^2)"},
         {"return-distance", "reversal (number)"},
         {"return-distance", "since the reversal (time)"},  // the axis shows collisions instead
         {"return-distance", "distance (length)"},          // it shows logarithms
@@ -119,11 +123,10 @@ bool is_read(const std::string& kind, const std::string& column) {
 std::optional<DrawnFigure> changed(DrawnFigure figure, const std::string& column, double rank) {
     std::vector<std::pair<double, std::string*>> numbers;
     for (Row& row : figure.table) {
-        const bool is_shown = row.at("part") != "below" && row.at("part") != "above";
         std::string& cell = row.at(column);
         const bool is_number =
             !cell.empty() && cell.find_first_not_of("+-.0123456789e") == std::string::npos;
-        if (is_shown && is_number && std::stod(cell) != 0.0)
+        if (is_drawn(row) && is_number && std::stod(cell) != 0.0)
             numbers.emplace_back(std::abs(std::stod(cell)), &cell);
     }
     if (numbers.empty()) return {};

@@ -105,7 +105,7 @@ class PlotReading {
         std::map<std::string, std::size_t> known;
         for (const Row& row : figure_.table) {
             const std::string& part = row.at("part");
-            if (part == "below" || part == "above") continue;  // beyond the axis
+            if (!is_drawn(row)) continue;
             const auto piece = row.find("piece (number)");
             const std::string key =
                 part + "/" + row.at("of") + "/" + (piece == row.end() ? "" : piece->second);

@@ -96,6 +96,7 @@ class CollisionMapPanel : public PlotPanel {
     void find_motion();
     Counts counts_of(std::size_t steps) const;
     std::string subscripted(const char* letter, std::size_t k) const;
+    std::string name_of(std::size_t k) const;
     std::string column_of(std::size_t k) const;
     Axis axis(std::size_t k) const;
     std::vector<Text> titles() const;
@@ -113,6 +114,7 @@ class CollisionMapPanel : public PlotPanel {
     void make_plot();
     void add_energy();
     void add_collision();
+    void add_matrix();
     void add_walk(Plot& plot, std::size_t steps) const;
     std::string account_of(std::size_t steps) const;
 
@@ -193,10 +195,13 @@ std::string CollisionMapPanel::subscripted(const char* letter, std::size_t k) co
     return words;
 }
 
+std::string CollisionMapPanel::name_of(std::size_t k) const {
+    return is_scaled() ? fmt::format("sqrt(m{0}) v{0}", number_[k])
+                       : fmt::format("v{}", number_[k]);
+}
+
 std::string CollisionMapPanel::column_of(std::size_t k) const {
-    return is_scaled()
-               ? column_name(fmt::format("sqrt(m{0}) v{0}", number_[k]), "mass^0.5 length/time")
-               : column_name(fmt::format("v{}", number_[k]), reduced::speed);
+    return column_name(name_of(k), is_scaled() ? "mass^0.5 length/time" : reduced::speed);
 }
 
 Axis CollisionMapPanel::axis(std::size_t k) const {
@@ -382,6 +387,24 @@ void CollisionMapPanel::add_collision() {
         line({motion_.before - far, motion_.before + far}, of_momentum(), depth_of_lines));
 }
 
+// Each row gives a velocity after a collision, as the axes show it, as a sum of those before it.
+void CollisionMapPanel::add_matrix() {
+    const Eigen::Matrix2d matrix = factor_.matrix().asDiagonal() *
+                                   collision_matrix(motion_.inverse_mass) *
+                                   factor_.inverse().matrix().asDiagonal();
+    for (std::size_t k = 0; k < 2; ++k)
+        whole_.columns.push_back(
+            column_name(fmt::format("coefficient of {}", name_of(k)), "number"));
+    for (std::size_t row = 0; row < 2; ++row) {
+        Layer numbers{.part = "matrix", .of = name_of(row)};
+        for (std::size_t k = 0; k < 2; ++k)
+            numbers.more.push_back(
+                column(whole_.columns[2 + 2 + k],
+                       {matrix(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k))}));
+        whole_.numbers.push_back(std::move(numbers));
+    }
+}
+
 void CollisionMapPanel::make_plot() {
     whole_ = {.language = context_.language(),
               .titles = titles(),
@@ -399,6 +422,7 @@ void CollisionMapPanel::make_plot() {
     whole_.layers.emplace_back(line({-far, far}, of_equal, depth_of_equal));
     add_energy();
     if (!is_walk()) add_collision();
+    add_matrix();
 }
 
 // Long walks are drawn finer.

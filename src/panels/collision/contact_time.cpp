@@ -28,6 +28,8 @@ constexpr std::string_view passing = Phrase{"if they passed through each other"}
 const Stroke level_stroke{.width = 0.08};
 const std::string time_column = column_name("time", reduced::time);
 const std::string square_column = column_name("squared distance", "length^2");
+const std::string rv_column = column_name("r.v", "length^2/time");
+const std::string vv_column = column_name("v.v", "length^2/time^2");
 
 class ContactTimePanel : public PlotPanel {
   public:
@@ -51,6 +53,7 @@ class ContactTimePanel : public PlotPanel {
     using Curve = std::function<double(double)>;
     Line line(const char* of, const Curve& curve, double from, double to, Stroke stroke) const;
     void add_lines(Plot& plot) const;
+    void add_parabola(Plot& plot) const;
     void add_point(Plot& plot, const char* of, Point at, const plot::Mark& mark, const Role& drop,
                    bool still) const;
     void add_roots(Plot& plot) const;
@@ -128,6 +131,17 @@ void ContactTimePanel::add_lines(Plot& plot) const {
     solid.fade = 0.35;
     plot.layers.push_back(line("after", truth, met, std::min(last_, collision_.until), solid));
     plot.layers.push_back(std::move(through));
+}
+
+// The coefficients of the parabola, whose time counts from that of the row. At contact it has the
+// value of the level.
+void ContactTimePanel::add_parabola(Plot& plot) const {
+    const PairCollision::Parabola terms = collision_.parabola();
+    plot.numbers.push_back(
+        {.part = "parabola",
+         .of = "before",
+         .more = {column(time_column, {collision_.since}), column(square_column, {terms.rr}),
+                  column(rv_column, {terms.rv}), column(vv_column, {terms.vv})}});
 }
 
 // A point, with a line down to the time.
@@ -241,8 +255,9 @@ Plot ContactTimePanel::plot(const PanelState* state) const {
               .x = {.title = say(language, "time"), .low = first_, .high = last_},
               .y = {.high = top_}};
     if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
-    plot.columns = {time_column, square_column};
+    plot.columns = {time_column, square_column, rv_column, vv_column};
     add_lines(plot);
+    add_parabola(plot);
     add_roots(plot);
     add_labels(plot);
     if (state == nullptr) return plot;

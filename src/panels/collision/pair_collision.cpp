@@ -40,6 +40,12 @@ double PairCollision::free_square(double at) const {
     return square_after(place[1] - place[0], before[1] - before[0], at - time);
 }
 
+PairCollision::Parabola PairCollision::parabola() const {
+    const Eigen::Array2d moving = before[1] - before[0];
+    const Eigen::Array2d apart = place[1] - place[0] - (time - since) * moving;
+    return {dot(apart, apart), dot(apart, moving), dot(moving, moving)};
+}
+
 double PairCollision::other_root() const {
     const Eigen::Array2d moving = before[1] - before[0];
     return time - 2.0 * dot(place[1] - place[0], moving) / dot(moving, moving);

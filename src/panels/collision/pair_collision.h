@@ -28,6 +28,14 @@ struct PairCollision {
     /// The squared distance if they passed through each other: the parabola of the flight before.
     double free_square(double at) const;
 
+    /// The coefficients of free_square() as a polynomial of the time after `since`, from the
+    /// position r and the velocity v of the second particle relative to the first:
+    /// r.r + 2 r.v t + v.v t^2.
+    struct Parabola {
+        double rr, rv, vv;
+    };
+    Parabola parabola() const;
+
     /// The second root of the contact condition: the other time at which free_square() has the
     /// value that it has at contact.
     double other_root() const;

@@ -292,6 +292,7 @@ struct Plot {
     Axis x = {}, y = {};
     bool has_equal_scales = false;  ///< then axes may show more than `low` to `high`
     std::vector<AnyLayer> layers = {};
+    std::vector<Layer> numbers = {};  ///< of the table only: not drawn
     std::vector<Note> notes = {};
     std::optional<BarNotes> bar_notes = {};
     std::vector<std::string> columns = {};           ///< of the table, in order

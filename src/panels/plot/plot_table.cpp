@@ -17,15 +17,22 @@ class Rows {
         : plot_(plot), run_(run), table_(table) {}
 
     void add(const AnyLayer& layer) {
-        const Layer& all = common(layer);
-        if (all.part.empty() || (run_ && all.run && *all.run != *run_)) return;
-        part_ = all.part;
-        of_ = all.of;
-        last_.clear();
-        std::visit([&](const auto& one) { rows_of(one); }, layer);
+        if (begins(common(layer))) std::visit([&](const auto& one) { rows_of(one); }, layer);
+    }
+    void add_numbers(const Layer& numbers) {
+        if (begins(numbers)) rows_of(numbers);
     }
 
   private:
+    // Whether the layer has rows here; prepares for them.
+    bool begins(const Layer& layer) {
+        if (layer.part.empty() || (run_ && layer.run && *layer.run != *run_)) return false;
+        part_ = layer.part;
+        of_ = layer.of;
+        last_.clear();
+        return true;
+    }
+
     // A number, or none, in each of the named columns.
     using Numbers = std::map<std::string, double>;
 
@@ -118,6 +125,7 @@ Table table_of(const Plot& plot) {
     for (std::size_t k = 0; k < std::max<std::size_t>(1, plot.runs.size()); ++k) {
         Rows rows(plot, plot.runs.empty() ? std::nullopt : std::optional(k), table);
         for (const AnyLayer& layer : plot.layers) rows.add(layer);
+        for (const Layer& numbers : plot.numbers) rows.add_numbers(numbers);
     }
     return table;
 }

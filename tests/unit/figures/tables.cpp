@@ -1,7 +1,9 @@
 // The tables beside figures: read back by a reader of this file's own, they say what is drawn.
 #include <doctest/doctest.h>
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -254,6 +256,67 @@ TEST_CASE("beads and their world lines: the last bend of each is the bead") {
         CHECK(number(last, "x as drawn (length)") ==
               doctest::Approx(number(bead, "x as drawn (length)")).epsilon(1e-6));
     }
+}
+
+// Disks of radius 2 whose centres are 9 apart along the motion, and 2 across it.
+TEST_CASE("the quadratic equation of a contact has the two times as its roots") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [24, 18]}\n"
+        "gas: [{name: a, position: [4, 9], radius: 2, velocity: [1, 0]},\n"
+        "      {name: b, position: [13, 7], radius: 2}]\n"
+        "run: {until: 12}\nfigures: [{name: a, kind: contact-time}]\n");
+    const FigureRun run = run_of(scene);
+    const auto rows = table(run, 0);
+    const auto parabola = part(rows, "parabola");
+    REQUIRE(parabola.size() == 1);
+    const double rr = number(parabola[0], "squared distance (length^2)"),
+                 rv = number(parabola[0], "r.v (length^2/time)"),
+                 vv = number(parabola[0], "v.v (length^2/time^2)");
+    CHECK(number(parabola[0], "time (time)") == 0.0);
+    CHECK(rr == doctest::Approx(81.0 + 4.0).epsilon(1e-14));
+    CHECK(rv == doctest::Approx(-9.0).epsilon(1e-14));
+    CHECK(vv == 1.0);
+    const double at_contact = number(part(rows, "level").at(0), "squared distance (length^2)");
+    CHECK(at_contact == 16.0);
+    const double root = std::sqrt(rv * rv - vv * (rr - at_contact));
+    const auto points = part(rows, "mark");
+    CHECK(number(points.at(0), "time (time)") == doctest::Approx((-rv - root) / vv).epsilon(1e-13));
+    CHECK(number(points.at(1), "time (time)") == doctest::Approx((-rv + root) / vv).epsilon(1e-13));
+}
+
+TEST_CASE("the matrix of a collision maps the velocities before to those after") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {length: 26}\ngas:\n  - {name: a, position: 4, velocity: 0.5}\n"
+        "  - {name: b, position: 14, mass: 9, velocity: -1}\nrun: {until: 26}\nfigures:\n"
+        "  - {name: plain, kind: collision-map}\n"
+        "  - {name: scaled, kind: collision-map, scaled: true}\n"
+        "  - {name: walk, kind: collision-map, walk: true, scaled: false}\n"
+        "  - {name: wall, kind: collision-map, masses: [1, infinite], velocities: [1, -0.5]}\n");
+    const FigureRun run = run_of(scene);
+    const auto matrix = [&](std::size_t figure, const std::array<std::string, 2>& names) {
+        const auto rows = part(table(run, figure), "matrix");
+        REQUIRE(rows.size() == 2);
+        Eigen::Matrix2d all;
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK(rows[i].at("of") == names[i]);
+            for (std::size_t k = 0; k < 2; ++k)
+                all(Eigen::Index(i), Eigen::Index(k)) =
+                    number(rows[i], "coefficient of " + names[k] + " (number)");
+        }
+        return all;
+    };
+    // Masses 1 and 9: v0' = (-8 v0 + 18 v1) / 10, v1' = (2 v0 + 8 v1) / 10.
+    const Eigen::Matrix2d exact{{-0.8, 1.8}, {0.2, 0.8}};
+    for (const std::size_t figure : {0U, 2U})
+        CHECK(matrix(figure, {"v0", "v1"}).isApprox(exact, 1e-15));
+    // A reflection: symmetric, and its own inverse.
+    const Eigen::Matrix2d scaled = matrix(1, {"sqrt(m0) v0", "sqrt(m1) v1"});
+    CHECK(scaled.isApprox(Eigen::Matrix2d{{-0.8, 0.6}, {0.6, 0.8}}, 1e-15));
+    CHECK(matrix(3, {"v1", "v2"}).isApprox(Eigen::Matrix2d{{-1.0, 2.0}, {0.0, 1.0}}, 1e-15));
+    const auto points = part(table(run, 0), "point");
+    const Eigen::Vector2d before{0.5, -1.0}, after = exact * before;
+    CHECK(number(points.at(1), "v0 (length/time)") == doctest::Approx(after[0]));
+    CHECK(number(points.at(1), "v1 (length/time)") == doctest::Approx(after[1]));
 }
 
 TEST_CASE("a curve has enough points that no corner is seen where it turns") {

@@ -1,5 +1,7 @@
 #include "figures/escaping.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -16,7 +18,12 @@ namespace {
 using std::string;
 using std::string_view;
 
+// Jekyll reads Markdown, and HTML that begins with front matter, with Liquid first. Liquid looks
+// for two braces, or a brace and a percent sign, and a backslash does not stop it.
+constexpr string_view hidden_brace = "&#123;";
+
 string html(string_view letter) {
+    if (letter == "{") return string(hidden_brace);
     if (letter == "&") return "&amp;";
     if (letter == "<") return "&lt;";
     if (letter == ">") return "&gt;";
@@ -24,11 +31,40 @@ string html(string_view letter) {
     return letter == "'" ? "&#39;" : string(letter);
 }
 
+bool is_of_scheme(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           string_view("+-.").find(c) != string_view::npos;
+}
+
+bool is_blank(char c) { return string_view(" \n\t\r").find(c) != string_view::npos; }
+
+// Whether a colon after `before` may end the scheme of an address, as in http://a.b or doi:10.1.
+bool ends_scheme(string_view before) {
+    const auto word = std::ranges::find_if_not(before.rbegin(), before.rend(), is_of_scheme);
+    return std::any_of(before.rbegin(), word, [](char c) { return c > '9'; });
+}
+
+bool ends_with_www(string_view text) {
+    constexpr std::size_t letters = 3;
+    return text.size() >= letters &&
+           std::ranges::all_of(text.substr(text.size() - letters),
+                               [](char c) { return c == 'w' || c == 'W'; });
+}
+
+// A letter without which bare addresses, http://a.b, www.a.b and a@b.c, are not found: many readers
+// of Markdown make links of them.
+bool makes_address(string_view letter, string_view before, string_view after) {
+    if (letter == ":") return !after.empty() && !is_blank(after.front()) && ends_scheme(before);
+    return letter == "@" || (letter == "." && ends_with_www(before));
+}
+
 // Characters that begin a heading, a list or a quotation are escaped only at the start of a line.
-// Braces are escaped for programs that look for {{ or {% before Markdown is parsed, such as Jekyll.
-string markdown(string_view letter, string_view before) {
+string markdown(string_view letter, string_view before, string_view after) {
+    if (letter == "{") return string(hidden_brace);
+    if (makes_address(letter, before, after))
+        return fmt::format("&#{};", static_cast<int>(letter.front()));
     const bool number = before.find_first_not_of("0123456789") == string_view::npos;
-    if (string_view("\\`*_[]<>&|$~{").find(letter) != string_view::npos ||
+    if (string_view("\\`*_[]<>&|$~").find(letter) != string_view::npos ||
         (before.empty() && string_view("#+-=!:").find(letter) != string_view::npos) ||
         (!before.empty() && number && (letter == "." || letter == ")")))
         return "\\" + string(letter);
@@ -190,7 +226,6 @@ bool is_latex_letter(char32_t letter) {
 // Puts the blanks at the ends of the original text, at most one at each end, around the converted
 // line.
 string with_blanks(const string& text, const string& line) {
-    const auto is_blank = [](char c) { return c == ' ' || c == '\n'; };
     if (line.empty()) return text.empty() ? "" : " ";
     return (is_blank(text.front()) ? " " : "") + line + (is_blank(text.back()) ? " " : "");
 }
@@ -246,7 +281,7 @@ string escaped(string_view text, PageKind kind) {
     for (std::size_t i = 0, next = 0; i < text.size(); i = next) {
         next = next_code_point(text, i);
         const string_view letter = text.substr(i, next - i);
-        if (letter == " " || letter == "\n" || letter == "\t" || letter == "\r") {
+        if (is_blank(letter.front())) {
             blank = !line.empty();
             continue;
         }
@@ -255,7 +290,7 @@ string escaped(string_view text, PageKind kind) {
             plain += ' ';
         }
         if (kind == PageKind::html) line += html(letter);
-        if (kind == PageKind::markdown) line += markdown(letter, plain);
+        if (kind == PageKind::markdown) line += markdown(letter, plain, text.substr(next));
         if (kind == PageKind::latex) line += latex(letter, plain);
         plain += letter;
     }

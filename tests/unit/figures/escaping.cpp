@@ -19,8 +19,14 @@ TEST_CASE("words are escaped as the kind of page asks") {
           "a \\*b\\* \\[c\\](d) \\<e\\> \\`f\\` a\\_b");
     CHECK(escaped("# no heading - 1. x", PageKind::markdown) == "\\# no heading - 1. x");
     CHECK(escaped("12. May", PageKind::markdown) == "12\\. May");
-    // Jekyll's tags are read before Markdown is.
-    CHECK(escaped("{{ site.x }} {% raw %}", PageKind::markdown) == "\\{\\{ site.x }} \\{% raw %}");
+    // Jekyll's tags are read before Markdown and HTML are, and a backslash does not hide them.
+    for (const PageKind kind : {PageKind::markdown, PageKind::html})
+        CHECK(escaped("{{ x }} {% raw %}", kind) == "&#123;&#123; x }} &#123;% raw %}");
+    // Readers of Markdown make links of bare addresses.
+    CHECK(escaped("http://a.b www.a.b a@b.c doi:1 x-y1:z", PageKind::markdown) ==
+          "http&#58;//a.b www&#46;a.b a&#64;b.c doi&#58;1 x-y1&#58;z");
+    CHECK(escaped("mass 2: 12:30, www wWw.x, at: b", PageKind::markdown) ==
+          "mass 2: 12:30, www wWw&#46;x, at: b");
     for (const PageKind kind : {PageKind::html, PageKind::latex, PageKind::markdown})
         CHECK(escaped(" two\n\nparagraphs ", kind) == "two paragraphs");
 }

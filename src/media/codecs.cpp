@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
 namespace carom {
 namespace {
 
@@ -52,10 +56,44 @@ CodecOptions vp9_options(Quality quality, Motion /*motion*/) {
             {"aq-mode", "0"}};
 }
 
+// MaxFS and MaxMBPS of table A-1. Levels 1b, 2 and 4.1 have those of the level before them. Levels
+// from 6 on came in 2016, and decoders in hardware end at 5.2, as do those of operating systems.
+constexpr std::array<H264Level, 17> levels{{{"1", 99, 1'485, true},
+                                            {"1.1", 396, 3'000, true},
+                                            {"1.2", 396, 6'000, true},
+                                            {"1.3", 396, 11'880, true},
+                                            {"2.1", 792, 19'800, true},
+                                            {"2.2", 1'620, 20'250, true},
+                                            {"3", 1'620, 40'500, true},
+                                            {"3.1", 3'600, 108'000, true},
+                                            {"3.2", 5'120, 216'000, true},
+                                            {"4", 8'192, 245'760, true},
+                                            {"4.2", 8'704, 522'240, true},
+                                            {"5", 22'080, 589'824, true},
+                                            {"5.1", 36'864, 983'040, true},
+                                            {"5.2", 36'864, 2'073'600, true},
+                                            {"6", 139'264, 4'177'920, false},
+                                            {"6.1", 139'264, 8'355'840, false},
+                                            {"6.2", 139'264, 16'711'680, false}}};
+
+std::int64_t blocks_along(int pixels) { return (pixels + 15) / 16; }
+
 }  // namespace
 
 const Codec h264{"libx264", "mp4", {"movflags", "faststart"}, false, h264_options, {"aac", 96'000}};
 const Codec vp9{"libvpx-vp9", "webm",      {"cues_to_front", "1"},
                 true,         vp9_options, {"libopus", 64'000}};
+
+std::optional<H264Level> h264_level(int width, int height, int fps) {
+    const std::int64_t across = blocks_along(width), down = blocks_along(height);
+    const std::int64_t longer = std::max(across, down), blocks = across * down;
+    const auto allows = [&](const H264Level& level) {
+        return blocks <= level.most_blocks && longer * longer <= 8 * level.most_blocks &&
+               blocks * fps <= level.most_blocks_in_a_second;
+    };
+    const auto found = std::ranges::find_if(levels, allows);
+    if (found == levels.end()) return std::nullopt;
+    return *found;
+}
 
 }  // namespace carom

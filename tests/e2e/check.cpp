@@ -238,6 +238,25 @@ TEST_CASE("a length that the command line sets is checked, whichever the file ha
     }
 }
 
+TEST_CASE("an MP4 that many players refuse is named") {
+    const std::string scene = "'" + library_scene("one-hot-particle") + "' ";
+    for (const auto& [options, level, words] :
+         {std::tuple{"--size 2160p --fps 60", json("5.2"), ""},
+          {"--size 2160p --fps 120", json("6"), "it needs H.264 level 6, "},
+          {"--size 8192x4320", json("6"), "it needs H.264 level 6, "},
+          {"--size 8192x8192", json(), "it is beyond all levels of H.264, "},
+          {"--size 8192x4320 --format webm", json(), ""}}) {
+        CAPTURE(options);
+        const std::string call = "'" + program + "' check " + scene + options;
+        const json film = json::parse(shell(call + " --json", "/").out).at(0).at("film");
+        CHECK(film.at("h264_level") == level);
+        const Outcome table = shell(call, "/");
+        CHECK(table.exit_code == 0);
+        CHECK(has(table.out, "players ") == !std::string(words).empty());
+        CHECK(has(table.out, words));
+    }
+}
+
 // As measured: docs/encoding.md has 9.3 and 13.0 ms of one core a frame, and 2.62 and 5.14 MB in
 // 300 frames, of 200 and 1,000 disks.
 TEST_CASE("the rough cost of a film is that of the films that were measured") {

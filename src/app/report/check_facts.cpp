@@ -10,6 +10,7 @@
 #include "app/film/frame_span.h"
 #include "app/progress.h"
 #include "app/report/cut_distributions.h"
+#include "app/report/players.h"
 #include "app/report/theory_facts.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
@@ -268,6 +269,7 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t pa
                {"seconds", frames == frame_count(film) ? film.seconds : seconds},
                {"fps", film.fps},
                {"size", Json::array({film.size.width, film.size.height})},
+               {"h264_level", h264_level_of(film, checked.formats)},
                {"sound", sound_value(film)},
                {"passes", passes},
                {"rough", rough_costs(costs, options.threads)}};
@@ -287,7 +289,8 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t pa
           shown("rough cost", rough_words(costs, options))},
          measured_rows(checked.measured, options),
          sound_rows(film),
-         {shown("memory", memory_words(costs, options.threads))}});
+         {shown("memory", memory_words(costs, options.threads))},
+         player_rows(film, checked.formats)});
     if (film.beside)
         facts.push_back({"beside", Json::array({film.beside->own_label, film.beside->label}),
                          "side by side", film.beside->own_label + " | " + film.beside->label});

@@ -1,6 +1,7 @@
 // What a newcomer is likely to write, and what carom says to write instead.
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,21 @@ TEST_CASE("carom figure draws a figure that the scene does not list") {
     CHECK(has(contents(made / "gas.svg"), "width=\"302px\""));  // 8 cm at 96 dots an inch
     CHECK(contents(made / "gas.png").starts_with("\x89PNG"));
     CHECK_FALSE(std::filesystem::exists(made / "gas.pdf"));
+    CHECK(shell("'" + program + "' figure '" + plain +
+                    "' --kind speed-histogram --of 'the fast disk,3' --over 2,5 --theme dark "
+                    "--formats svg,csv -o dark",
+                folder.path())
+              .exit_code == 0);
+    const auto words = nlohmann::json::parse(contents(folder.path() / "dark/captions.json"));
+    const auto& figure = words.at("figures").at(0);
+    CHECK(figure.at("times") == nlohmann::json{5.0});
+    CHECK(figure.at("over") == nlohmann::json{2.0, 5.0});
+    CHECK(has(figure.at("alt").get<std::string>(), "from time 2 to 5"));
+    const std::string svg = contents(folder.path() / "dark/speed-histogram.svg");
+    CHECK(has(svg, "fill:rgb(6.27451%,7.843137%,9.411765%)"));  // #101418, that of films
+    const std::string csv = contents(folder.path() / "dark/speed-histogram.csv");
+    CHECK(has(csv, "the fast disk"));
+    CHECK(has(csv, "particle 3"));
     const Outcome wrong = shell(call + "--width 8mm", folder.path());
     CHECK(wrong.exit_code == 2);
     CHECK(has(wrong.err, "expected a width in centimetres"));
@@ -154,6 +170,12 @@ TEST_CASE("mistakes in what carom figure is asked for are shown at the option th
           {"gas --at 1000", "--at 1000: error: expected a time from 0 to "},
           {"gas --width 900cm", "      | --width 900cm\n      |         ^^^^^\n"},
           {"gas --width 8 --at [1", "--at: expected a number, found `[1`"},
+          {"gas --theme paper", "--theme"},
+          {"speed-histogram --of fsat", "      | --of fsat\n      |      ^^^^\n"},
+          {"speed-histogram --of \"all', title: 'T\"", "--of all',title: 'T: error: "},
+          {"speed-histogram --over begin", "      | --over begin\n      |        ^^^^^\n"},
+          {"speed-histogram --over 5,2", "--over 5,2: error: expected [from, to] with from < to"},
+          {"speed-histogram --over '{window: 5}'", "--over {window: 5}: expected now, start, a"},
           {"Speed-histogram", "--kind Speed-histogram: expected a name such as speed-histogram"},
           {"'gas, title: T'", "--kind gas, title: T: expected a name such as speed-histogram"}}) {
         const Outcome outcome = shell(call + asked, folder.path());

@@ -154,7 +154,8 @@ void make_all(const FiguresArguments& arguments) {
 struct FigureAsked {
     std::string kind;
     std::optional<double> at;
-    std::string width;
+    std::string over, theme, width;
+    std::vector<std::string> of;
 };
 
 std::string as_centimetres(const std::string& width) {
@@ -163,6 +164,39 @@ std::string as_centimetres(const std::string& width) {
         throw UsageError(
             fmt::format("--width {}: expected a width in centimetres, for instance 8cm", width));
     return number;
+}
+
+// A text as YAML, whatever its letters.
+std::string in_quotes(const std::string& text) {
+    std::string quoted;
+    for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+    return "'" + quoted + "'";
+}
+
+// One or several choices of particles, as the scene writes them.
+std::string as_choices(const std::vector<std::string>& of) {
+    std::vector<std::string> choices;
+    for (const std::string& one : of) {
+        const bool is_number =
+            !one.empty() && one.find_first_not_of("0123456789") == std::string::npos;
+        choices.push_back(is_number ? one : in_quotes(one));
+    }
+    return choices.size() == 1 ? choices.front() : fmt::format("[{}]", fmt::join(choices, ", "));
+}
+
+// A word, a window or an interval, as the scene writes it.
+std::string as_times(const std::string& over) {
+    const auto has_only = [&](const char* letters) {
+        return over.find_first_not_of(letters) == std::string::npos;
+    };
+    if (has_only("abcdefghijklmnopqrstuvwxyz")) return over;
+    const auto commas = std::ranges::count(over, ',');
+    if (!has_only("0123456789.e+-,") || commas > 1)
+        throw UsageError(
+            fmt::format("--over {}: expected now, start, a window of time such as 5, "
+                        "or an interval such as 6,12",
+                        printable(over)));
+    return commas == 0 ? "{window: " + over + "}" : "[" + over + "]";
 }
 
 void check_kind(const std::string& kind) {
@@ -189,6 +223,11 @@ std::vector<AskedKey> keys_of(const FigureAsked& asked) {
         const std::string time = fmt::format("{}", *asked.at);
         keys.push_back({"at", "--at", time, time});
     }
+    if (!asked.over.empty()) keys.push_back({"over", "--over", asked.over, as_times(asked.over)});
+    if (!asked.of.empty())
+        keys.push_back(
+            {"of", "--of", fmt::format("{}", fmt::join(asked.of, ",")), as_choices(asked.of)});
+    if (!asked.theme.empty()) keys.push_back({"theme", "--theme", asked.theme, asked.theme});
     if (!asked.width.empty())
         keys.push_back({"size", "--width", asked.width, as_centimetres(asked.width)});
     return keys;
@@ -293,25 +332,35 @@ Command figure_command() {
     };
     const auto arguments = std::make_shared<Arguments>();
     Arguments& its = *arguments;
-    return {"figure", "draw one figure, whether or not the scene lists it",
-            joined<Option>(
-                {{{"scene", "a scene file, or - for standard input", &its.scene},
-                  {"--kind KIND", "the kind of the figure: gas, speed-histogram, pressure, ...",
-                   &its.asked.kind},
-                  {"--at T", "the time that it shows; default: the end of the run", &its.asked.at},
-                  {"--width WIDTH", "its width in centimetres, for instance 8cm", &its.asked.width},
-                  {"-o,--output FOLDER", "output folder; default: out/SCENE-KIND", &its.output},
-                  formats_option(its),
-                  {"--force", "draw it again, and replace files that carom did not write",
-                   &its.options.force},
-                  depfile_option(its.depfile)},
-                 {limits_option(its)},
-                 drawing_options(its)}),
-            [arguments] {
-                arguments->scenes = {arguments->scene};
-                make_one(*arguments, arguments->asked);
-            },
-            figure_text()};
+    return {
+        "figure", "draw one figure, whether or not the scene lists it",
+        joined<Option>(
+            {{{"scene", "a scene file, or - for standard input", &its.scene},
+              {"--kind KIND", "the kind of the figure: gas, speed-histogram, pressure, ...",
+               &its.asked.kind},
+              {"--at T", "the time that it shows; default: the end of the run", &its.asked.at},
+              {"--over TIME",
+               "the time over which values are taken: now, start, a window such as 5, or an "
+               "interval such as 6,12",
+               &its.asked.over},
+              {"--of PARTICLES",
+               "the particles that it shows: all, a species, a number; several separated by "
+               "commas",
+               CommaSeparated{&its.asked.of}},
+              {"--theme", "colours; default: print", &its.asked.theme, {"light", "dark", "print"}},
+              {"--width WIDTH", "its width in centimetres, for instance 8cm", &its.asked.width},
+              {"-o,--output FOLDER", "output folder; default: out/SCENE-KIND", &its.output},
+              formats_option(its),
+              {"--force", "draw it again, and replace files that carom did not write",
+               &its.options.force},
+              depfile_option(its.depfile)},
+             {limits_option(its)},
+             drawing_options(its)}),
+        [arguments] {
+            arguments->scenes = {arguments->scene};
+            make_one(*arguments, arguments->asked);
+        },
+        figure_text()};
 }
 
 Command figures_command() {

@@ -66,7 +66,7 @@ std::vector<Definition> files() {
              "scenes, below the folder that carom is installed in"},
             {"share/carom/templates/", "layouts of films and pages of figures"},
             {"share/carom/cluster/", "recipes for Snakemake and Slurm"},
-            {"share/doc/carom/", "README and changelog"}};
+            {"share/doc/carom/", "manual and changelog"}};
 }
 
 std::vector<Definition> environment() {

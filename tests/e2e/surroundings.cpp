@@ -48,6 +48,9 @@ TEST_CASE("a name that is too long for one of the files is refused before any is
     CHECK(outcome.exit_code == 1);
     CHECK(has(outcome.err, "carom: cannot write " + name));
     CHECK(has(outcome.err, "File name too long"));
+    const Outcome planned = run({program, "plan", "scene.yaml", "-o", name + name}, folder.path());
+    CHECK(planned.exit_code == 1);
+    CHECK(has(planned.err, "carom: cannot create the folder " + name));
     CHECK(folder.names() == std::vector<std::string>{"scene.yaml"});
 }
 

@@ -67,7 +67,8 @@ void refuse_other_files(const fs::path& folder) {
         else if (path.extension() == ".json")
             lists.push_back(path);
     }
-    if (error && fs::exists(folder))
+    std::error_code unknown;
+    if (error && fs::exists(folder, unknown))
         throw UsageError(fmt::format("{}: {}", folder.string(), error.message()));
     if (is_plan(folder)) lists = {folder / "plan.json"};
     for (const fs::path& path : lists)

@@ -104,6 +104,9 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"panels_displacement", several_places},  // times against `until`
     {"panels_order_wire", several_places},
     {"panels_range", several_places},
+    {"speed_alone", several_places},  // speeds against walls and counts
+    {"speed_unbalanced", several_places},
+    {"speed_wire", several_places},
     {"time_step_precision", several_places},  // the step against `precision`
     {"time_step_wire", several_places},
     {"precision", "53 bits are a double, those between 53 and 64 are nothing"},

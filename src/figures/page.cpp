@@ -99,7 +99,7 @@ class Parser {
     }
 
     void check(const Tag& tag, const Scopes& scopes) {
-        if (errors_.is_full()) return errors_.add(page_, tag.place, "");
+        if (errors_.is_full()) return errors_.add(page_, tag.place, "", "");
         if (const auto phrase = phrase_of(tag.name); phrase && is_known(*phrase)) return;
         const std::vector<string> names = names_in(scopes);
         const bool lists = tag.sign == ' ' && !tag.name.empty() && names_.contains(tag.name);
@@ -129,9 +129,10 @@ class Parser {
             if (tag->sign == '!') continue;
             if (tag->sign == '/') {
                 if (opened != nullptr && tag->name == opened->name) return parts;
-                errors_.add(page_, tag->place,
-                            fmt::format("{} is closed, and is not open here", in_quotes(tag->name)),
-                            opened != nullptr ? fmt::format("`{}` is open", opened->name) : "");
+                errors_.add(
+                    page_, tag->place,
+                    fmt::format("{} is closed, and is not open here", in_quotes(tag->name)),
+                    opened != nullptr ? fmt::format("`{}` is open", opened->name) : "leave it out");
                 continue;
             }
             check(*tag, scopes);

@@ -10,6 +10,7 @@
 #include "scene/feasibility/classroom.h"
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
+#include "scene/left_out.h"
 #include "scene/other_runs.h"
 #include "scene/overrides.h"
 #include "scene/reading/event_reading.h"
@@ -121,8 +122,10 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
     tree.template_file = std::move(*root);
     tree.template_name = file->name;
     if (!tree.template_file.is_mapping()) {
-        errors.add(tree.template_file, "expected a template (a mapping with `layout`), found " +
-                                           described(tree.template_file));
+        errors.add(
+            tree.template_file,
+            "expected a template (a mapping with `layout`), found " + described(tree.template_file),
+            "a template begins with `layout:`, see templates/films/ of carom");
         return;
     }
     const FixedTable<FilmDraft>& table = template_table(resources.panels);
@@ -228,6 +231,7 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
         errors.throw_if_any();
     }
     if (draft.description.empty()) draft.description = describe(draft);
+    draft.notes = errors.notes();
     return draft;
 }
 
@@ -259,19 +263,29 @@ SceneSource source_of(const Tree& tree, const Source& source, const SceneResourc
     return all;
 }
 
-Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
-                Wanted wanted, const ScenePart& part);
+/// What is loaded: a scene with overrides, or a part of it, without some items of its lists.
+struct Asked {
+    const fs::path& path;
+    const SceneResources& resources;
+    Overrides overrides;
+    Wanted wanted;
+    ScenePart part = {};
+    ListItems left_out = {};
+};
 
-Scene load(Source file, const fs::path& path, const SceneResources& resources,
-           const Overrides& overrides, Wanted wanted, const ScenePart& part = {}) {
+Source source_at(const fs::path& path, const SceneResources& resources);
+
+Scene load_once(Source file, const Asked& asked) {
     const EndsAtOnce whole;
+    const auto& [path, resources, overrides, wanted, part, left_out] = asked;
     Sources sources{std::move(file)};
     const Source& source = sources.front();
     Errors errors;
     Tree tree;
     auto root = read_yaml(source, errors);
     if (root && root->kind == Node::Kind::null)
-        errors.add(source, std::size_t{0}, "the scene is empty");
+        errors.add(source, std::size_t{0}, "the scene is empty",
+                   "`carom new NAME` writes a scene to start from");
     if (!root || root->kind == Node::Kind::null) errors.throw_if_any();
     tree.root = std::move(root.value());
     if (tree.root.is_mapping()) apply_overrides(overrides, tree.root, sources, errors);
@@ -279,10 +293,13 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
         errors.add(tree.root,
                    "expected a scene (a mapping with `title`, `box`, `gas` and `run`), "
                    "found " +
-                       described(tree.root));
+                       described(tree.root),
+                   "`carom new NAME` writes a scene to start from");
         errors.throw_if_any();
     }
+    remove_items(tree.root, left_out);
     keep_part(tree.root, part);
+    leave_out_later(tree.root, left_out, errors);
     refuse_newer_format(tree.root);
     refuse_figure_set(tree.root);
     tree.dimension = dimension_of(tree.root);
@@ -298,18 +315,50 @@ Scene load(Source file, const fs::path& path, const SceneResources& resources,
     refuse_many_scenes(scene);
     const Wanted compared = wanted == Wanted::physics ? wanted : Wanted::figures;
     load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
-        return load(source, path, resources, others, compared, {.figure = name});
+        return load_once(source, {path, resources, others, compared, {.figure = name}, left_out});
     });
     load_sweep_figures(scene, resources);
-    load_beside(scene, tree.root, overrides,
-                [&](const std::string& name, const ScenePart& other, const Overrides& changes) {
-                    if (name.empty()) return load(source, path, resources, changes, wanted, other);
-                    const fs::path its = path.parent_path() / name;
-                    if (!resources.files.contains(its.string()))
-                        require_in_folder(its, *find(*find(tree.film, "beside"), "scene"));
-                    return load_file(its, resources, changes, wanted, other);
-                });
+    load_beside(
+        scene, tree.root, overrides,
+        [&](const std::string& name, const ScenePart& other, const Overrides& changes) {
+            if (name.empty())
+                return load_once(source, {path, resources, changes, wanted, other, left_out});
+            const fs::path its = path.parent_path() / name;
+            if (!resources.files.contains(its.string()))
+                require_in_folder(its, *find(*find(tree.film, "beside"), "scene"));
+            return load_once(source_at(its, resources), {its, resources, changes, wanted, other});
+        });
     return scene;
+}
+
+// Whether errors only arise because the command line ends the run earlier than the scene does: then
+// adds the items of lists with the errors to what is left out.
+bool leave_out(const SceneError& error, const Source& file, Asked& asked) {
+    Asked whole = asked;
+    std::erase_if(whole.overrides,
+                  [](const std::string& set) { return set.starts_with("run.until="); });
+    if (whole.overrides.size() == asked.overrides.size()) return false;
+    Errors errors;
+    Sources sources{file};
+    auto root = read_yaml(sources.front(), errors);
+    if (!root || !root->is_mapping()) return false;
+    apply_overrides(asked.overrides, *root, sources, errors);
+    const auto until = number_in(*find(*find(*root, "run"), "until"));
+    if (!until || !add_items_with(error.diagnostics(), *root, asked.left_out)) return false;
+    whole.left_out.clear();
+    try {
+        return load_once(file, whole).run.until > *until;
+    } catch (const SceneError&) {
+        return false;
+    }
+}
+
+Scene load(const Source& file, Asked asked) {
+    while (true) try {
+            return load_once(file, asked);
+        } catch (const SceneError& error) {
+            if (!leave_out(error, file, asked)) throw;
+        }
 }
 
 // The path of a scene as messages name it.
@@ -331,7 +380,8 @@ Source source_at(const fs::path& path, const SceneResources& resources) {
 
 Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
                 Wanted wanted, const ScenePart& part) {
-    return load(source_at(path, resources), name_of(path), resources, overrides, wanted, part);
+    const fs::path name = name_of(path);
+    return load(source_at(path, resources), {name, resources, overrides, wanted, part});
 }
 
 }  // namespace
@@ -348,8 +398,9 @@ Scene load_scene(const fs::path& path, const SceneResources& resources, const Ov
 LoadedScene load_for_all(const fs::path& path, const SceneResources& resources,
                          const Overrides& overrides) {
     const Source source = source_at(path, resources);
+    const fs::path name = name_of(path);
     const auto loaded = [&](Wanted wanted) {
-        return load(source, name_of(path), resources, overrides, wanted);
+        return load(source, {name, resources, overrides, wanted});
     };
     try {
         return {loaded(Wanted::film)};
@@ -364,12 +415,14 @@ LoadedScene load_for_all(const fs::path& path, const SceneResources& resources,
 
 Scene load_run_text(const std::string& text, const std::string& name,
                     const SceneResources& resources, const Overrides& overrides) {
-    return load({name, text}, name, resources, overrides, Wanted::physics, {.figure = ""});
+    const fs::path path = name;
+    return load({name, text}, {path, resources, overrides, Wanted::physics, {.figure = ""}});
 }
 
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const SceneResources& resources, const Overrides& overrides, Wanted wanted) {
-    return load({name, text}, name, resources, overrides, wanted);
+    const fs::path path = name;
+    return load({name, text}, {path, resources, overrides, wanted});
 }
 
 }  // namespace carom

@@ -26,6 +26,7 @@ Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides
             return scene;
         error.message = fmt::format("with this change the scene has no figure `{}` of kind `{}`",
                                     figure.name, figure.panel.kind);
+        error.hint = "change the gas or the run, not the figures";
     } catch (const SceneError& refused) {
         error.message =
             "with this change the scene is not valid: " + refused.diagnostics().front().message;

@@ -73,8 +73,10 @@ Node* enter(Node& node, const Source& source, const Step& step, Errors& errors) 
     if (node.is_list()) return enter_list(node, source, step, errors);
     if (node.kind == Node::Kind::null) node.kind = Node::Kind::mapping;
     if (node.is_mapping()) return enter_mapping(node, source, step);
-    errors.add(key_node(source, step), fmt::format("{} is set inside {}, which is no mapping",
-                                                   in_quotes(step.word), described(node)));
+    errors.add(key_node(source, step),
+               fmt::format("{} is set inside {}, which is no mapping", in_quotes(step.word),
+                           described(node)),
+               "the keys before it lead to a single value: leave out what follows that");
     return nullptr;
 }
 

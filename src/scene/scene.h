@@ -382,6 +382,8 @@ struct Scene {
     Film film;
     std::vector<FigureSpec> figures;
     SceneSource source;
+    std::vector<Diagnostic> notes;  ///< what is valid in its files but should be written in another
+                                    ///< way, and what was left out
     std::vector<Diagnostic> surface_places;  ///< of each surface of the box; for sides that are not
                                              ///< in the file, the place of the box
     Diagnostic surfaces_place;   ///< of the first that does more than reflect, or of gravity

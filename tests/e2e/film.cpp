@@ -217,7 +217,8 @@ TEST_CASE("render names callouts that no frame shows") {
         "scene.yaml",
         "title: T\nbox: {size: [10, 10]}\ngas: [{count: 20, radius: 0.3, speed: 1}]\n"
         "run: {until: 4}\nfilm: {size: [320, 180], fps: 10, seconds: 4, panels: [speed-histogram], "
-        "callouts: [{at: 1, on: {panel: speed-histogram, x: 1}, text: seen}, {at: 1, on: {panel: "
+        "callouts: [{at: 1, points_to: {panel: speed-histogram, x: 1}, text: seen}, {at: 1, "
+        "points_to: {panel: "
         "speed-histogram, x: 50}, text: too fast}]}\n");
     const Outcome outcome = run_carom({"render", scene.string()}, folder.path());
     REQUIRE(outcome.exit_code == 0);

@@ -28,7 +28,7 @@ film:
   panels:
     - {kind: text, title: "<09>", words: "words <10> $\\text{in <11>}$"}
     - {kind: sides, regions: [{name: "<12>", within: [0, 0, 5, 10]}, {name: B, within: [5, 0, 10, 10]}]}
-  callouts: [{at: 1, on: 0, text: "<13>"}]
+  callouts: [{at: 1, points_to: 0, text: "<13>"}]
   beside: {label: "<14>", own_label: "own <15>", set: seed=2}
 figures:
   - {name: f, kind: speed-histogram, title: "<16>", compare: [{label: "<17>", set: seed=1}, {label: b, set: seed=2}]}

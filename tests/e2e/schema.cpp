@@ -22,15 +22,17 @@ namespace {
 const std::string python = "/usr/bin/python3";
 
 // What the validator says of each file: null where it takes it.
-json verdicts(const std::vector<fs::path>& files, const std::string& what = "scene") {
+json verdicts(const std::vector<fs::path>& files, const std::string& what = "scene",
+              const std::vector<std::string>& options = {}) {
     const TemporaryFolder folder;
     const fs::path schema = folder.path() / "schema.json";
     const Outcome made = run({program, "schema", "--for", what});
     REQUIRE(made.exit_code == 0);
     CHECK(made.err.empty());
     std::ofstream(schema) << made.out;
-    std::vector<std::string> command{python, (root / "tests/support/validate.py").string(),
-                                     schema.string()};
+    std::vector<std::string> command{python, (root / "tests/support/validate.py").string()};
+    command.insert(command.end(), options.begin(), options.end());
+    command.push_back(schema.string());
     for (const fs::path& file : files) command.push_back(file.string());
     const Outcome outcome = run(command);
     CAPTURE(outcome.err);
@@ -265,6 +267,13 @@ const std::vector<Case> cases{
     {plane("", "film: {panels: [{kind: energy-by-species, bins: 10}]}\n"), false},
     {plane("", "film: {panels: [{title: words}]}\n"), false},
     {plane("", "film:\n"), false},
+    {plane("", "film: {spotlight: [{from: 1, of: a}]}\n"), true},
+    {plane("", "film: {spotlight: [{from: 1, on: a}]}\n"), true},
+    {plane("", "film: {spotlight: [{from: 1, of: a, on: a}]}\n"), false},
+    {plane("", "film: {spotlight: [{from: 1}]}\n"), false},
+    {plane("", "film: {callouts: [{at: 1, points_to: 0, text: t}]}\n"), true},
+    {plane("", "film: {callouts: [{at: 1, on: 0, text: t}]}\n"), true},
+    {plane("", "film: {callouts: [{at: 1, text: t}]}\n"), false},
 };
 
 }  // namespace
@@ -317,6 +326,22 @@ TEST_CASE("every good scene fits the schema") {
         CAPTURE(verdict);
         CHECK(verdict.is_null());
     }
+}
+
+// PyYAML, and what is built on it, reads YAML 1.1: `on` is true there, and `1e-20` a text.
+TEST_CASE("every scene and set of the library fits the schema for readers of YAML 1.1, too") {
+    const auto check = [](const std::vector<fs::path>& files, const std::string& what) {
+        CHECK(files.size() >= 2);
+        const json all = verdicts(files, what, {"--yaml-1.1"});
+        for (const auto& [file, verdict] : all.items()) {
+            CAPTURE(file);
+            CAPTURE(verdict);
+            CHECK(verdict.is_null());
+        }
+    };
+    check(carom::test::library_files(), "scene");
+    check(yaml_files(root / "docs/panels"), "scene");
+    check(yaml_files(root / "scenes/sets"), "set");
 }
 
 TEST_CASE("every bad scene is refused by the schema, where a schema can") {

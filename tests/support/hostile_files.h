@@ -160,7 +160,7 @@ inline std::vector<HostileFile> hostile_files() {
         number("panels", gas + "film:\n  seconds: 1\n  panels:\n",
                "    - {kind: text, words: w@}\n"),
         number("overlays", gas + "film:\n  seconds: 1\n  callouts:\n",
-               "    - {at: @, on: 0, text: t@}\n"),
+               "    - {at: @, points_to: 0, text: t@}\n"),
         fill("a description", gas + "description: |\n", "  A word and another one.\n"),
         fill("words to be spelt with disks",
              start + "gas: [{radius: 0.1, position: {within: [0, 0, 9, 9], text: \"", "W ",

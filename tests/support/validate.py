@@ -1,8 +1,9 @@
-"""validate.py SCHEMA FILE...: what python3-jsonschema says of YAML files, as one JSON object
-{file: null when valid, else its first error in words}.
+"""validate.py [--yaml-1.1] SCHEMA FILE...: what python3-jsonschema says of YAML files, as one JSON
+object {file: null when valid, else its first error in words}.
 
 PyYAML reads YAML 1.1, where `1e9` is a text, `yes` is true and `1_000` a number. carom and editors
-read YAML 1.2, so scalars are resolved here by the core schema of YAML 1.2.
+read YAML 1.2, so scalars are resolved here by the core schema of YAML 1.2; with --yaml-1.1 they
+are left to PyYAML.
 """
 import json
 import re
@@ -43,10 +44,10 @@ for tag, pattern, make in (
     Yaml12.add_constructor("!" + tag, make)
 
 
-def verdict(validator, path):
+def verdict(validator, loader, path):
     try:
         with open(path, "rb") as file:
-            scene = yaml.load(file, Yaml12)
+            scene = yaml.load(file, loader)
     except (yaml.YAMLError, RecursionError) as error:
         return "no YAML: " + str(error).replace("\n", " ")
     try:
@@ -59,8 +60,12 @@ def verdict(validator, path):
     return f"{place}: {errors[0].message}"[:400]
 
 
-with open(sys.argv[1], encoding="utf-8") as file:
+arguments = sys.argv[1:]
+loader = yaml.SafeLoader if arguments[0] == "--yaml-1.1" else Yaml12
+if loader is yaml.SafeLoader:
+    arguments = arguments[1:]
+with open(arguments[0], encoding="utf-8") as file:
     schema = json.load(file)
 jsonschema.Draft7Validator.check_schema(schema)
 validator = jsonschema.Draft7Validator(schema)
-print(json.dumps({path: verdict(validator, path) for path in sys.argv[2:]}))
+print(json.dumps({path: verdict(validator, loader, path) for path in arguments[1:]}))

@@ -90,7 +90,8 @@ Source template_file(const fs::path& path) {
     Errors errors;
     const std::optional<std::string> text = file_text(path, source, errors);
     if (text && text->size() > most_file_bytes.count())
-        errors.add(source, fmt::format("the file has more than {} bytes", most_file_bytes.count()));
+        errors.add(source, fmt::format("the file has more than {} bytes", most_file_bytes.count()),
+                   "a template of pages is a few lines");
     errors.throw_if_any();
     source.text = *text;
     return source;

@@ -104,6 +104,13 @@ Json key_schema(const Key& key) {
     return schema;
 }
 
+// Editors mark the former name of a key, which a scene may still use.
+Json former_schema(const Key& key) {
+    Json schema = key_schema(key);
+    schema["deprecationMessage"] = "`" + key.formerly + "` is now called `" + key.name + "`.";
+    return schema;
+}
+
 Json needs(const std::vector<std::string>& names) { return {{"required", names}}; }
 
 void add_choice(Json& rules, const Choice& choice) {
@@ -144,9 +151,13 @@ void add_kinds(Json& rules, const Section& section) {
 
 void add_rules(Json& schema, const Section& section) {
     std::vector<std::string> required;
-    for (const Key& key : section.keys)
-        if (key.required) required.push_back(key.name);
     Json rules = Json::array();
+    for (const Key& key : section.keys) {
+        if (!key.formerly.empty())
+            add_choice(rules, {{key.name, key.formerly}, key.required});
+        else if (key.required)
+            required.push_back(key.name);
+    }
     for (const Choice& choice : section.choices) {
         if (choice.required && choice.names.size() == 1)
             required.push_back(choice.names.front());
@@ -161,7 +172,10 @@ void add_rules(Json& schema, const Section& section) {
 Json section_schema(const Section& section) {
     Json schema{{"type", "object"}, {"additionalProperties", false}};
     schema["properties"] = Json::object();
-    for (const Key& key : section.keys) schema["properties"][key.name] = key_schema(key);
+    for (const Key& key : section.keys) {
+        schema["properties"][key.name] = key_schema(key);
+        if (!key.formerly.empty()) schema["properties"][key.formerly] = former_schema(key);
+    }
     add_rules(schema, section);
     return schema;
 }

@@ -76,7 +76,8 @@ void check_collision_map(PanelSpec& panel, const Node& node, Reading& reading) {
         reading.errors.add(*masses, "two infinite masses do not collide",
                            "give at least one finite mass");
     if (panel.given->velocity[0] == panel.given->velocity[1])
-        reading.errors.add(*velocities, "two beads of equal velocities never collide");
+        reading.errors.add(*velocities, "two beads of equal velocities never collide",
+                           "the left bead must be the faster one");
 }
 
 }  // namespace carom

@@ -107,7 +107,8 @@ ProblemText too_dense(const Problem& p, const Gas& gas) {
 ProblemText in_region(const Problem& p, const Gas& gas, std::string_view region) {
     const Species& species = gas.species[p.species];
     if (p.kind == Kind::region_outside)
-        return {fmt::format("{} reaches outside {}", region, whole_box(gas)), ""};
+        return {fmt::format("{} reaches outside {}", region, whole_box(gas)),
+                "make it smaller, or the box larger"};
     const Eigen::Array2d size = size_of_region(species);
     if (p.kind == Kind::region_too_narrow)
         return {fmt::format("a disk of radius {:.6g} does not fit into {}, {}", p.value, region,
@@ -212,7 +213,7 @@ ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
         case Kind::too_many:
             return {fmt::format("{} {} are more than the {:.0f} particles that a gas may have",
                                 p.count, members(gas, p.species), p.bound),
-                    ""};
+                    "give fewer"};
         case Kind::not_positive:
             return {fmt::format("the distribution of the {} gives {:.3g}, which is not above zero",
                                 p.quantity, p.value),

@@ -265,7 +265,7 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
         case Kind::not_finite:
             return {fmt::format("a number of {} is not finite, or not positive where it must be",
                                 is_there ? name : "gravity"),
-                    ""};
+                    "give a number, for instance 1"};
         case Kind::no_wall:
             return {fmt::format("{} is periodic: there is no wall", name),
                     "make it and the opposite side solid"};
@@ -290,7 +290,8 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
             return {fmt::format("{} has no meaning on a line", name),
                     "a line has a left and a right end, and gravity along it"};
         case Kind::no_surface:
-            return {fmt::format("there is no surface {}", p.surface), ""};
+            return {fmt::format("there is no surface {}", p.surface),
+                    fmt::format("surfaces are numbered from 0 to {}", names.size() - 1)};
         case Kind::not_a_partition:
             return {fmt::format("{} does not open: only partitions do", name),
                     "give the name of a partition"};

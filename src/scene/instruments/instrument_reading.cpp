@@ -190,7 +190,8 @@ Notation<CountingLine> counting_line_notation() {
         const Box& box = reading.gas.box;
         CountingLine line{.axis = written.x ? 0 : 1, .at = written.x ? *written.x : *written.y};
         if (line.axis >= box.dimension || (box.dimension == 1 && written.between)) {
-            reading.errors.add(node, "on a wire a `line` takes only `x`");
+            reading.errors.add(node, "on a wire a `line` takes only `x`",
+                               "a wire is crossed at a place: {x: 10}");
             return std::nullopt;
         }
         if (box.size[line.axis] > 0.0 && line.at > box.size[line.axis]) {
@@ -202,7 +203,8 @@ Notation<CountingLine> counting_line_notation() {
         line.between = std::pair((*written.between)[0], (*written.between)[1]);
         if (line.between->first < line.between->second) return line;
         reading.errors.add(*given(node, "between"),
-                           "expected [from, to] with from < to for `between`");
+                           "expected [from, to] with from < to for `between`",
+                           "write the smaller one first");
         return std::nullopt;
     };
     return parsed(mapping(table, "{x: place} or {y: place}"), complete);
@@ -219,9 +221,11 @@ Notation<WatchStart> watch_start_notation() {
         const double until = reading.run.until;
         if (*time >= 0.0 && !(until > 0.0 && *time >= until)) return WatchStart{.at = *time};
         reading.errors.add(
-            node, fmt::format("expected a time from 0 on and below `until` ({}) for `since`, found "
-                              "{}",
-                              until, in_quotes(node.text)));
+            node,
+            fmt::format("expected a time from 0 on and below `until` ({}) for `since`, found "
+                        "{}",
+                        until, in_quotes(node.text)),
+            "an earlier time; it is simulated time");
         return std::nullopt;
     };
     return parsed(word, read);

@@ -57,6 +57,18 @@ struct Binding {
         return std::move(*this);
     }
 
+    /// Gives the name that the key had in earlier versions. Scenes may still use it, with a note.
+    Binding formerly(std::string name) && {
+        key.formerly = std::move(name);
+        return std::move(*this);
+    }
+
+    /// Gives other names that users are likely to try: the hint for them is this key.
+    Binding tried_as(std::vector<std::string> names) && {
+        key.tried = std::move(names);
+        return std::move(*this);
+    }
+
     /// Restricts the key to some kinds of panel.
     Binding only_with(std::vector<std::string> kinds) && {
         key.kinds = std::move(kinds);

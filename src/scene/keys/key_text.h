@@ -15,4 +15,7 @@ std::string forms_text(const Key& key);
 /// short one of the first form.
 std::string example_text(const Key& key);
 
+/// Returns a short example of a value of this form.
+std::string example_text(const Form& form);
+
 }  // namespace carom

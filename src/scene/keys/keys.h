@@ -36,14 +36,15 @@ struct Elsewhere {
 /// One form that a value may take. The shape determines which of the members are used.
 struct Form {
     Shape shape = Shape::text;
-    Range range = {};                             ///< number, integer
-    std::vector<std::string> words = {};          ///< word: those allowed; text: one as an example
-    std::vector<Elsewhere> elsewhere = {};        ///< word: others that users are likely to try
-    bool lines = false;                           ///< text: whether it may have line breaks
-    std::vector<Form> items = {};                 ///< list: what each item may be
-    std::size_t shortest = 1;                     ///< list, text: least length
-    Limit most = {0};                             ///< list, text: greatest length
-    std::string instead_of_list = {};             ///< no list: hint if a list is given
+    Range range = {};                       ///< number, integer
+    std::vector<std::string> words = {};    ///< word: those allowed; text: one as an example
+    std::vector<Elsewhere> elsewhere = {};  ///< word: others that users are likely to try
+    bool lines = false;                     ///< text: whether it may have line breaks
+    bool formulas = false;                  ///< text: whether it may hold formulae
+    std::vector<Form> items = {};           ///< list: what each item may be
+    std::size_t shortest = 1;               ///< list, text: least length
+    Limit most = {0};                       ///< list, text: greatest length
+    std::string list_hint = {};  ///< hint for a list of another length; no list: for any list
     std::shared_ptr<const Section> section = {};  ///< mapping
     std::string phrase = {};                      ///< how a message calls it; empty: by the shape
 };
@@ -56,6 +57,8 @@ struct Key {
     std::string default_value = {};       ///< as written in a scene; empty: none
     std::string default_text = {};        ///< the default in words, if it is not a fixed value
     std::vector<std::string> kinds = {};  ///< of panels that take it; empty: all
+    std::string formerly = {};            ///< its name in earlier versions, still read, with a note
+    std::vector<std::string> tried = {};  ///< other names that users are likely to try
 };
 
 /// Keys that cannot be combined.

@@ -53,7 +53,8 @@ KeyTable<Distribution> distribution(Range range) {
         if (ends[0] <= ends[1]) return UniformDistribution{ends[0], ends[1]};
         reading.errors.add(
             list,
-            fmt::format("expected [low, high] for `uniform`, found {} above {}", ends[0], ends[1]));
+            fmt::format("expected [low, high] for `uniform`, found {} above {}", ends[0], ends[1]),
+            fmt::format("write `[{}, {}]`", ends[1], ends[0]));
         return std::nullopt;
     };
     const auto positive_mean = [range](const Eigen::Array2d& parameters, const Node& list,
@@ -61,7 +62,8 @@ KeyTable<Distribution> distribution(Range range) {
         if (parameters[0] >= range.low) return NormalDistribution{parameters[0], parameters[1]};
         reading.errors.add(list.items[0],
                            fmt::format("expected a positive mean for `normal`, found {}",
-                                       in_quotes(list.items[0].text)));
+                                       in_quotes(list.items[0].text)),
+                           "for instance `normal: [1, 0.1]`");
         return std::nullopt;
     };
     const Range spread{0.0, range.most};
@@ -124,6 +126,7 @@ Notation<std::string> lines(std::size_t shortest, Limit most) {
 }
 
 Notation<std::string> with_formulas(Notation<std::string> text) {
+    text.forms.front().formulas = true;
     return checked(std::move(text),
                    [](const std::string& words, const Node& node, Reading& reading) {
                        try {

@@ -82,6 +82,21 @@ struct Notation {
     /// number.
     SharedFunction<std::string(const V&)> write = [](const V&) { return std::string{}; };
 
+    /// Returns this notation with a hint for lists: of its first form, for lists of another length,
+    /// or where it is no list, for any.
+    Notation with_list_hint(std::string hint) const {
+        Notation notation = *this;
+        notation.forms.front().list_hint = std::move(hint);
+        return notation;
+    }
+
+    /// Returns this notation with words that its first form does not take, and their hints.
+    Notation with_elsewhere(std::vector<Elsewhere> words) const {
+        Notation notation = *this;
+        notation.forms.front().elsewhere = std::move(words);
+        return notation;
+    }
+
     /// Returns this notation with a phrase by which messages call its first form.
     Notation called(std::string phrase) const {
         Notation notation = *this;

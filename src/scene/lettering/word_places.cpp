@@ -32,7 +32,7 @@ bool check_word(const Node& word, const WordShape& shape, Errors& errors) {
         errors.add(word, fmt::format("no pattern for {}", listed(without, "and", "`")),
                    fmt::format("there is one for {}", letters_with_shape));
     else if (shape.cells.empty())
-        errors.add(word, "expected at least one letter for `text`");
+        errors.add(word, "expected at least one letter for `text`", "for instance `text: CAROM`");
     return without.empty() && !shape.cells.empty();
 }
 
@@ -62,7 +62,8 @@ std::optional<Places> places_of_word(const Node& word, const Region& region, con
     const auto largest = largest_of(radius);
     if (!check_word(word, shape, errors)) return std::nullopt;
     if (!largest) {
-        errors.add(word, "a `text` needs radii with an upper bound, not a normal distribution");
+        errors.add(word, "a `text` needs radii with an upper bound, not a normal distribution",
+                   "for instance `radius: 0.3`");
         return std::nullopt;
     }
     const double cell = shape.cell_in(region);

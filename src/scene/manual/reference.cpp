@@ -40,7 +40,7 @@ film:
 constexpr const char* rules =
     R"(- An unknown key, a key that is there twice, or a value of the wrong kind is an error, reported with its place, together with all others of the file.
 - Quantities are in reduced units: a length, a mass and a time of your choice, Boltzmann's constant 1.
-- A number is written in decimal (`0.5`, `1e9`), without quotes. Texts need quotes where YAML would read something else, such as `": "` or `#`.
+- A number is written in decimal (`0.5`, `1e9`), without quotes; programs that read YAML 1.1, such as PyYAML, take it for a number only with a point and a sign of the exponent (`1.0e+9`). Texts need quotes where YAML would read something else, such as `": "` or `#`.
 - A box with `size` is a plane that holds disks, one with `length` is a wire that holds beads. Where keys differ on a wire, a second table lists them.
 - An editor with a YAML language server completes and checks all this: `carom schema > scene.schema.json`, and as the first line of a scene `# yaml-language-server: $schema=scene.schema.json`. `carom new` writes that line.
 - `carom check SCENE` says whether a scene is valid.
@@ -69,6 +69,7 @@ std::string default_of(const Section& section, const Key& key) {
 std::string row(const Section& section, const Key& key) {
     std::string meaning = key.meaning;
     if (!key.kinds.empty()) meaning += " Applies to " + listed(key.kinds, "and", "`") + ".";
+    if (!key.formerly.empty()) meaning += " Formerly `" + key.formerly + "`, which is still read.";
     std::string values = forms_text(key);
     if (std::ranges::find(key.forms, Shape::color, &Form::shape) != key.forms.end())
         values += ", see [Colours](#colours)";

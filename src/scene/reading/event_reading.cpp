@@ -88,7 +88,8 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
     return {
         bind_key("at", &EventDraft::at, number(not_negative),
                  "When, in simulated time, before `until`.")
-            .required(),
+            .required()
+            .tried_as({"time", "t", "when"}),
         bind_key("reverse", &EventDraft::reverses, one_of<bool>({{"velocities", true}}),
                  "Reverses all velocities; a run with one reversal must last until the gas has "
                  "returned, at twice the time of the reversal."),
@@ -178,7 +179,7 @@ void check_beside(const EventDraft& event, const Node& node, Errors& errors) {
     if (action == nullptr)
         refuse("mirror", "`open`, `close`, `move`, `hold`, `release`, `wall` and `heat`");
     if (event.seconds && find(node, "caption") == nullptr)
-        errors.add(*given(node, "for"), "`for` applies only to `caption`");
+        errors.add(*given(node, "for"), "`for` applies only to `caption`", "leave it out");
 }
 
 // Returns the new behaviour of a wall; nothing if there is a mistake.
@@ -301,9 +302,10 @@ void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
         // At least ten bits of the displacement itself must be resolved.
         const double bits = 10.0 + std::log2(size) - std::log2(length);
         if (length == 0.0)
-            errors.add(by, "a nudge of 0 moves nothing");
+            errors.add(by, "a nudge of 0 moves nothing", "for instance `by: [1.0e-6, 0]`");
         else if (length >= size)
-            errors.add(by, fmt::format("a nudge by {:.3g} leads out of the box", length));
+            errors.add(by, fmt::format("a nudge by {:.3g} leads out of the box", length),
+                       "a nudge is small, for instance `by: [1.0e-6, 0]`");
         else if (run.bits && *run.bits < bits)
             errors.add(
                 by,

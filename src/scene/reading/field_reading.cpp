@@ -27,7 +27,8 @@ std::optional<Field> field_of(const FieldDraft& draft, const Node& node, Reading
         reading.errors.add(node, "a `concentration` is that of a species: `species` is missing",
                            "for instance {of: concentration, " + example + "}");
     if (!is_share && named != nullptr)
-        reading.errors.add(*named, "`species` applies to `of: concentration` only");
+        reading.errors.add(*named, "`species` applies to `of: concentration` only",
+                           "leave it out, or write `of: concentration`");
     if (!is_share || named == nullptr) return field;
     const auto found = std::ranges::find(all, draft.name, &Species::name);
     if (found == all.end()) {

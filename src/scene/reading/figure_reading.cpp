@@ -121,7 +121,9 @@ void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
                     "keep one of them: an interval ends at the time that the figure shows");
         const double from = figure.interval[0], to = figure.interval[1];
         check_time(over.items[1], to, reading);
-        if (from >= to) reading.errors.add(over, "expected [from, to] with from < to for `over`");
+        if (from >= to)
+            reading.errors.add(over, "expected [from, to] with from < to for `over`",
+                               "write the earlier time first");
         figure.times = {to};
         figure.over = Over{Over::Since::window, to - from};
     }
@@ -129,7 +131,8 @@ void complete_times(FigureReading& figure, const Node& node, Reading& reading) {
         const Node& moment = given(node, "strip")->items[i];
         check_time(moment, figure.strip[i], reading);
         if (i > 0 && figure.strip[i] <= figure.strip[i - 1])
-            reading.errors.add(moment, "expected increasing times");
+            reading.errors.add(moment, "expected increasing times",
+                               "write the times in order, each once");
     }
     if (!figure.strip.empty()) figure.times = figure.strip;
     figure.at = figure.times.back();
@@ -277,10 +280,12 @@ Binding<FigureReading> over_key() {
 }
 
 std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
-    Notation<double> one_time = number(not_negative);
-    one_time.forms.front().instead_of_list =
-        "a figure has one time; `strip` shows several side by side, in a figure of kind `gas`";
+    const auto one_time = number(not_negative)
+                              .with_list_hint(
+                                  "a figure has one time; `strip` shows several side by side, in a "
+                                  "figure of kind `gas`");
     return {bind_key("at", &FigureReading::one_time, one_time, "The simulated time that it shows.")
+                .tried_as({"time", "t", "when", "times"})
                 .default_text("the end of the run"),
             over_key().only_with(kinds_that_can(kinds, Ability::over)),
             bind_key("strip", &FigureReading::strip,
@@ -363,7 +368,8 @@ Binding<ComparedRun> changes_key() {
                                fmt::format("expected KEY.PATH=VALUE, found {}", in_quotes(change)),
                                "for instance gas.0.temperature=4");
     };
-    const auto one = checked(text(3, most_title_letters).called("KEY.PATH=VALUE"), check);
+    auto one = checked(text(3, most_title_letters).called("KEY.PATH=VALUE"), check);
+    one.forms.front().words = {"gas.0.temperature=4"};
     return bind_key("set", &ComparedRun::values,
                     one_or_list(one, most_changes, "a list of KEY.PATH=VALUE"),
                     "The values to change in its scene: KEY.PATH=VALUE as for `--set`, or a list "

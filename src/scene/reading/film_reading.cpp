@@ -23,7 +23,22 @@ Notation<PictureSize> size_notation() {
     };
     return either(
         one_of<PictureSize>(
-            {{"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}}),
+            {{"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}})
+            .with_elsewhere({{"4k", "4K is `2160p`"},
+                             {"4K", "4K is `2160p`"},
+                             {"uhd", "UHD is `2160p`"},
+                             {"UHD", "UHD is `2160p`"},
+                             {"8k", "8K is `[7680, 4320]`"},
+                             {"8K", "8K is `[7680, 4320]`"},
+                             {"2k", "write `1080p`, or `[2560, 1440]`"},
+                             {"2K", "write `1080p`, or `[2560, 1440]`"},
+                             {"1440p", "write `[2560, 1440]`"},
+                             {"480p", "write `[854, 480]`"},
+                             {"360p", "write `[640, 360]`"},
+                             {"hd", "HD is `720p`, full HD is `1080p`"},
+                             {"HD", "HD is `720p`, full HD is `1080p`"},
+                             {"fhd", "full HD is `1080p`"},
+                             {"FHD", "full HD is `1080p`"}}),
         mapped(list_of(whole(smallest_side.value, largest_side), 2, {2}, "[width, height]"),
                sides));
 }
@@ -115,18 +130,34 @@ Binding<Film> sound_key() {
 std::vector<Binding<FilmDraft>> picture_keys() {
     return {
         bind_key("seconds", &FilmDraft::given_seconds, number({0.01, most_seconds}),
-                 "The length of the whole film, holds and pauses included."),
+                 "The length of the whole film, holds and pauses included.")
+            .tried_as({"duration", "length", "time"}),
         bind_key("pace", &FilmDraft::pace, number(positive),
                  "Instead of `seconds`: simulated time per second of film."),
-        bind_key("fps", &Film::fps, whole(1, most_frames_per_second), "Frames in a second."),
+        bind_key("fps", &Film::fps, whole(1, most_frames_per_second), "Frames in a second.")
+            .tried_as({"framerate", "frame_rate", "rate", "frames"}),
         bind_key("size", &Film::size, size_notation(),
                  "The size of the picture in pixels: a name, or width and height. H.264 and VP9 "
-                 "add a row or a column where these are odd."),
+                 "add a row or a column where these are odd.")
+            .tried_as({"resolution", "width", "height"}),
         theme_key(&Film::theme),
-        bind_key("language", &Film::language, one_of<Language>(),
+        bind_key("language", &Film::language,
+                 one_of<Language>().with_elsewhere({{"english", "did you mean `en`?"},
+                                                    {"English", "did you mean `en`?"},
+                                                    {"german", "did you mean `de`?"},
+                                                    {"German", "did you mean `de`?"},
+                                                    {"deutsch", "did you mean `de`?"},
+                                                    {"french", "did you mean `fr`?"},
+                                                    {"French", "did you mean `fr`?"},
+                                                    {"spanish", "did you mean `es`?"},
+                                                    {"Spanish", "did you mean `es`?"}}),
                  "The language of carom's own words, numbers and lists: English, German, French or "
                  "Spanish. The words of the scene stay as they are."),
-        bind_key("ground", &Film::transparent, one_of<bool>({{"theme", false}, {"none", true}}),
+        bind_key("ground", &Film::transparent,
+                 one_of<bool>({{"theme", false}, {"none", true}})
+                     .with_elsewhere({{"transparent", "`none` is transparent"},
+                                      {"white", "a theme has its own ground: `theme: light`"},
+                                      {"black", "a theme has its own ground: `theme: dark`"}}),
                  "The background of film and figures: the theme's, or none, so that a slide shows "
                  "through. Choose the theme that suits the slide.")};
 }
@@ -136,7 +167,11 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
     const PanelKind* gas = kind_of(kinds, "gas");
     const auto palettes = word(gas != nullptr ? gas->palettes : std::vector<std::string>{});
     return {
-        bind_key("color_by", &Film::color_by, one_of<ColorBy>(),
+        bind_key("color_by", &Film::color_by,
+                 one_of<ColorBy>().with_elsewhere({{"velocity", "did you mean `speed`?"},
+                                                   {"name", "did you mean `species`?"},
+                                                   {"kinetic-energy", "did you mean `energy`?"},
+                                                   {"angle", "did you mean `direction`?"}}),
                  "What the colour of a disk means."),
         bind_key("palette", &Film::palette, palettes, "The colours from slow to fast.")
             .default_text("the theme's"),
@@ -182,6 +217,7 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
             .default_text("time, collisions, mean-speed and mean-energy"),
         bind_key("panels", &Film::panels, panels_notation(kinds),
                  "The panels, each a kind or a mapping with options.")
+            .tried_as({"plots", "graphs"})
             .default_text("the template's")};
 }
 
@@ -236,15 +272,21 @@ void check_spans(const Spans& spans, const Run& run, Errors& errors) {
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const auto& [span, node] = spans[i];
         if (span.from >= span.to)
-            errors.add(*node, fmt::format("expected `from` below `to`, found {} and {}", span.from,
-                                          span.to));
+            errors.add(
+                *node,
+                fmt::format("expected `from` below `to`, found {} and {}", span.from, span.to),
+                "write the earlier time as `from`");
         else if (span.to > run.until)
-            errors.add(*node, fmt::format("slow motion from {} to {} goes beyond `until` ({})",
-                                          span.from, span.to, run.until));
+            errors.add(*node,
+                       fmt::format("slow motion from {} to {} goes beyond `until` ({})", span.from,
+                                   span.to, run.until),
+                       "without `to` it lasts until the end of the run");
         else if (i > 0 && spans[i - 1].value.to > span.from)
-            errors.add(*node, fmt::format("slow motion from {} to {} overlaps that from {} to {}",
-                                          span.from, span.to, spans[i - 1].value.from,
-                                          spans[i - 1].value.to));
+            errors.add(
+                *node,
+                fmt::format("slow motion from {} to {} overlaps that from {} to {}", span.from,
+                            span.to, spans[i - 1].value.from, spans[i - 1].value.to),
+                "end the first before the second begins");
     }
 }
 

@@ -18,13 +18,18 @@ KeyTable<BoxDraft> box_table(int dimension) {
     const auto of_length = [](double length) { return Eigen::Array2d(length, 0.0); };
     return {
         .name = "`box`",
-        .keys = {bind_key("size", &Box::size, pair_of(positive, "[width, height]"),
+        .keys = {bind_key("size", &Box::size,
+                          pair_of(positive, "[width, height]")
+                              .with_list_hint(
+                                  "a box is a plane, with two lengths: its width and its height"),
                           "Width and height of the box; x goes from 0 to the width, y from 0 to "
-                          "the height."),
+                          "the height.")
+                     .tried_as({"width", "height", "dimensions", "dims", "L"}),
                  bind_key("length", &Box::size, mapped(number(positive), of_length),
                           "Instead of `size`: the length of a wire; x goes from 0 to the length."),
                  bind_key("walls", &BoxDraft::sides, sides_notation(dimension),
-                          "What is at the edges of the box: walls or periodic boundaries.")},
+                          "What is at the edges of the box: walls or periodic boundaries.")
+                     .tried_as({"boundary", "boundaries", "edges", "periodic"})},
         .choices = {{{"size", "length"}, true}},
         .refused = inelastic_keys()};
 }
@@ -48,9 +53,11 @@ std::optional<WithinRegion> region_in(const std::vector<double>& ends, const Nod
         return WithinRegion{{{ends[0], 0.0}, {ends[1], 0.0}}};
     if (ends.size() == 4 && ends[0] < ends[2] && ends[1] < ends[3])
         return WithinRegion{{{ends[0], ends[1]}, {ends[2], ends[3]}}};
-    reading.errors.add(
-        node, ends.size() == 2 ? "expected [x0, x1] with x0 < x1 for `within`"
-                               : "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`");
+    reading.errors.add(node,
+                       ends.size() == 2
+                           ? "expected [x0, x1] with x0 < x1 for `within`"
+                           : "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`",
+                       "write the smaller coordinates first");
     return std::nullopt;
 }
 
@@ -95,10 +102,16 @@ Notation<PositionDraft> position_notation(int dimension) {
     const std::string phrase =
         fmt::format("{{within: {}}}{}", corners(dimension),
                     dimension == 2 ? " (and a `text`) or {side: left, of: NAME}" : "");
-    const auto anywhere =
-        mapped(one_of<bool>({{"random", false}, {"lattice", true}}), [](bool on_lattice) {
-            return on_lattice ? PositionDraft{LatticePlaces{}} : PositionDraft{RandomPlaces{}};
-        });
+    const auto anywhere = mapped(one_of<bool>({{"random", false}, {"lattice", true}})
+                                     .with_elsewhere({{"grid", "did you mean `lattice`?"},
+                                                      {"crystal", "did you mean `lattice`?"},
+                                                      {"hexagonal", "did you mean `lattice`?"},
+                                                      {"square", "did you mean `lattice`?"},
+                                                      {"uniform", "did you mean `random`?"}}),
+                                 [](bool on_lattice) {
+                                     return on_lattice ? PositionDraft{LatticePlaces{}}
+                                                       : PositionDraft{RandomPlaces{}};
+                                 });
     return either(anywhere, either(mapping(part_table(dimension), phrase),
                                    as<PositionDraft>(as<Places>(points(dimension)))));
 }
@@ -126,14 +139,17 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                      "The name of the species, shown in legends.")
                 .default_text("required when there are several species"),
             bind_key("count", &Species::count, whole(1, most_particles), "The number of particles.")
+                .tried_as({"n", "N", "number", "num", "amount", "particles"})
                 .default_text("the number of positions listed, or of disks in a `text`"),
             bind_key(
                 "radius", &SpeciesReading::written_radius, quantity(wire ? not_negative : positive),
                 wire ? "Half the length of each bead: 0 is a point." : "The radius of each disk.")
+                .tried_as({"r", "R", "size"})
                 .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
             bind_key("mass", &Species::mass, mass,
                      "The mass of each particle. Collisions do not change the velocity of a "
-                     "particle of mass `infinite`."),
+                     "particle of mass `infinite`.")
+                .tried_as({"m", "M", "weight"}),
             bind_key("density", &Species::mass, as<Density>(quantity(positive)),
                      wire ? "Instead of `mass`: mass = density * 2 radius."
                           : "Instead of `mass`: mass = density * pi * radius^2."),
@@ -142,17 +158,20 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                                  "in a periodic {}, the directions are such that all momenta of "
                                  "particles with a `speed` sum to zero.",
                                  wire ? "to the left or to the right" : "in a random direction",
-                                 wire ? "wire" : "box")),
+                                 wire ? "wire" : "box"))
+                .tried_as({"v"}),
             bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension)),
                      "One velocity for all particles, or a list with one for each."),
             bind_key("temperature", &Species::velocity, temperature_notation(),
                      "Velocities sampled from the Maxwell-Boltzmann distribution at this "
                      "temperature. The sample's own temperature differs from it by chance; with "
                      "{exact: T} the velocities are scaled to make it T.")
+                .tried_as({"T", "temp", "energy"})
                 .default_text("at rest"),
             bind_key("position", &SpeciesReading::written_position, position_notation(dimension),
                      "Where the particles start: at random, evenly spaced, in a part of the box, "
                      "or at listed positions.")
+                .tried_as({"pos", "x", "place", "places", "start"})
                 .default_value("random")};
 }
 
@@ -212,7 +231,8 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Error
     const Node* position = find(item, "position");
     const bool is_open = position != nullptr && (!position->valid || find(*position, "text"));
     if (find(item, "count") == nullptr && !is_open)
-        errors.add(item, "an item of `gas` needs `count`, or a list of positions");
+        errors.add(item, "an item of `gas` needs `count`, or a list of positions",
+                   "for instance `count: 100`");
     return 0;
 }
 
@@ -225,9 +245,11 @@ void complete_species(SpeciesReading& draft, const Node& item, int dimension, Er
     draft.side = side;
     draft.side_of = side_of;
     if (draft.side != nullptr && letters != nullptr)
-        errors.add(*letters, "a `text` needs `within`, not the side of a partition");
+        errors.add(*letters, "a `text` needs `within`, not the side of a partition",
+                   "give `within` instead of `side`");
     if (draft.side == nullptr && draft.side_of != nullptr)
-        errors.add(*draft.side_of, "`of` applies only to a `side`");
+        errors.add(*draft.side_of, "`of` applies only to a `side`",
+                   "leave it out, or give `side` instead of `within`");
     if (letters == nullptr)
         draft.position = rule;
     else if (within != nullptr)
@@ -250,6 +272,8 @@ KeyTable<SpeciesReading> species_table(int dimension) {
         .rule = [dimension](SpeciesReading& draft, const Node& item, Reading& reading) {
             complete_species(draft, item, dimension, reading.errors);
         }};
+    table.refused.push_back(
+        {"diameter", "there is no `diameter`", "give `radius`, which is half of it"});
     if (dimension == 2)
         table.refused.push_back({"drawn_radius", "`drawn_radius` is for beads on a wire (`length`)",
                                  "disks are drawn at their true size: give `radius`"});
@@ -262,7 +286,8 @@ void check_names(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
         const Node* node = find(*draft.node, "name");
         if (draft.name.empty()) {
             if (drafts.size() > 1 && node == nullptr)
-                errors.add(*draft.node, "an item of `gas` needs `name` when there are several");
+                errors.add(*draft.node, "an item of `gas` needs `name` when there are several",
+                           "for instance `name: light`");
             continue;
         }
         const bool number = draft.name.find_first_not_of("0123456789") == std::string::npos;
@@ -271,8 +296,10 @@ void check_names(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
                        fmt::format("{} cannot be the name of a species", in_quotes(draft.name)),
                        "`all` and numbers are reserved for choosing particles");
         if (!names.insert(draft.name).second)
-            errors.add(*node, fmt::format("the name {} is taken by another species",
-                                          in_quotes(draft.name)));
+            errors.add(
+                *node,
+                fmt::format("the name {} is taken by another species", in_quotes(draft.name)),
+                "give each species a name of its own");
     }
 }
 

@@ -41,28 +41,32 @@ std::vector<Binding<TimeSpan>> span_keys(const char* until) {
 
 void check_span(const TimeSpan& span, const Node& node, const char* until, Reading& reading) {
     if (span.until && *span.until <= span.from)
-        reading.errors.add(node, fmt::format("expected `from` below `{}`, found {} and {}", until,
-                                             span.from, *span.until));
+        reading.errors.add(node,
+                           fmt::format("expected `from` below `{}`, found {} and {}", until,
+                                       span.from, *span.until),
+                           "write the earlier time as `from`");
     else if (const Node* from = given(node, "from"))
         check_begin(*from, "from", span.from, reading);
 }
 
 Notation<Spotlight> spotlight_notation() {
     struct Draft : TimeSpan {
-        std::vector<Chosen> on;
+        std::vector<Chosen> of;
     };
-    const std::vector on{bind_key("on", &Draft::on, chosen_notation(),
+    const std::vector of{bind_key("of", &Draft::of, chosen_notation(),
                                   "Which particles: a species, a particle by its number, or "
                                   "several of these.")
-                             .required()};
+                             .required()
+                             .formerly("on")
+                             .tried_as({"particles", "particle", "species"})};
     const KeyTable<Draft> table{.name = "an item of `spotlight`",
-                                .keys = joined<Draft>(span_keys("to"), on),
+                                .keys = joined<Draft>(span_keys("to"), of),
                                 .rule = [](Draft& draft, const Node& node, Reading& reading) {
                                     check_span(draft, node, "to", reading);
                                 }};
-    return mapped(complete_mapping(table, "{from: time, to: time, on: particles}"),
+    return mapped(complete_mapping(table, "{from: time, to: time, of: particles}"),
                   [](const Draft& draft) {
-                      return Spotlight{draft, draft.on};
+                      return Spotlight{draft, draft.of};
                   });
 }
 
@@ -99,7 +103,7 @@ Notation<CalloutDraft> target_notation() {
         std::optional<double> y;
     };
     const KeyTable<Target> table{
-        .name = "`on`",
+        .name = "`points_to`",
         .keys = {bind_key("panel", &Target::panel, kept(text(1, most_title_letters)),
                           "A panel of the film, by its kind or its title.")
                      .required(),
@@ -135,7 +139,8 @@ void check_followed(const CameraDraft& draft, const Node& node, Reading& reading
     const Box& box = reading.gas.box;
     if (draft.follow.size() > 1 ||
         (!draft.follow.front().particle && !draft.follow.front().species))
-        reading.errors.add(*follow, "`follow` takes one particle or one species");
+        reading.errors.add(*follow, "`follow` takes one particle or one species",
+                           "for instance `follow: 0`");
     else if ((box.is_periodic(0) || (box.dimension == 2 && box.is_periodic(1))) &&
              !only_one(draft.follow.front(), reading.gas))
         reading.errors.add(*follow,
@@ -155,7 +160,8 @@ std::optional<CameraMove> camera_move(const CameraDraft& draft, const Node& node
                                              0.5 * reading.gas.box.size[0])
                                : "");
     if (const Node* width = given(node, "width"); width != nullptr && follow == nullptr)
-        reading.errors.add(*width, "`width` applies to `follow` only");
+        reading.errors.add(*width, "`width` applies to `follow` only",
+                           "leave it out: `view` says how much is seen");
     if (draft.view) return CameraMove{draft.at, *draft.view, draft.seconds};
     if (draft.follow.empty() || !draft.width) return std::nullopt;
     return CameraMove{draft.at, Followed{draft.follow.front(), *draft.width}, draft.seconds};
@@ -232,7 +238,8 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
         const char* form =
             axes == 1 ? "[x0, x1] with x0 < x1" : "[x0, y0, x1, y1] with x0 < x1 and y0 < y1";
         if (ends.size() != 2 * axes) {
-            reading.errors.add(node, fmt::format("expected {}{} for `{}`", instead, form, key));
+            reading.errors.add(node, fmt::format("expected {}{} for `{}`", instead, form, key),
+                               "the left and lower ends first");
             return std::nullopt;
         }
         Region region{{0.0, 0.0}, {0.0, 0.0}};
@@ -250,7 +257,7 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
             node,
             is_right ? fmt::format("this {} reaches outside the box", is_view ? "view" : "region")
                      : fmt::format("expected {} for `{}`", form, key),
-            !is_right   ? ""
+            !is_right   ? "write the smaller coordinates first"
             : can_widen ? "the box goes from 0 to its size, or as far as its walls move"
                         : "the box goes from 0 to its size");
         return std::nullopt;
@@ -276,12 +283,15 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
                      .required(),
                  bind_key("for", &Written::seconds, number({1.0, most_seconds}),
                           "How long it is shown, in seconds of film."),
-                 bind_key("on", &Written::on, target_notation(),
+                 bind_key("points_to", &Written::on, target_notation(),
                           "What it points to: a particle by its number, the only one of a species, "
                           "or a place in a panel's plot.")
-                     .required(),
+                     .required()
+                     .formerly("on")
+                     .tried_as({"of", "to", "at_particle", "target", "particle"}),
                  bind_key("text", &Written::words, with_formulas(text(1, most_caption_letters)),
                           "Its words, with formulae between `$` signs.")
+                     .tried_as({"words", "label", "caption"})
                      .required()}};
     const auto complete = [](const Written& written, const Node& node, Reading& reading) {
         check_begin(*given(node, "at"), "at", written.at, reading);
@@ -293,14 +303,14 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
         return draft;
     };
     return list_of(
-        parsed(complete_mapping(table, "{at: time, on: particle, text: words}"), complete), 0,
-        most_overlays, "a list of {at, on, text}");
+        parsed(complete_mapping(table, "{at: time, points_to: particle, text: words}"), complete),
+        0, most_overlays, "a list of {at, points_to, text}");
 }
 
 std::vector<Binding<Film>> overlay_keys() {
     return {
         bind_key("spotlight", &Film::spotlights,
-                 list_of(spotlight_notation(), 0, most_overlays, "a list of {from, to, on}"),
+                 list_of(spotlight_notation(), 0, most_overlays, "a list of {from, to, of}"),
                  "Highlights particles for a while by dimming all others.")
             .default_text("none"),
         bind_key("camera", &Film::camera, camera_notation(),
@@ -331,8 +341,9 @@ std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
             }
             if (const PanelKind* kind = kind_of(kinds, found->kind);
                 kind != nullptr && !kind->has_plot) {
-                errors.add(*draft.panel, fmt::format("a panel of kind `{}` has no axes to point to",
-                                                     found->kind));
+                errors.add(*draft.panel,
+                           fmt::format("a panel of kind `{}` has no axes to point to", found->kind),
+                           "point to a particle, or to a panel with a plot");
                 continue;
             }
             if (!holds(found->show, callout.at)) {
@@ -376,7 +387,8 @@ Binding<Film> beside_key() {
                                 change.starts_with("run") ? "end of the run" : "film"),
                     "set it in the scene itself");
         if (beside.label == beside.own_label)
-            reading.errors.add(node, "both runs have the same label");
+            reading.errors.add(node, "both runs have the same label",
+                               "each run needs a `label` of its own");
     };
     auto label = label_key();
     label.key.meaning = "The words under the other run, and in legends.";

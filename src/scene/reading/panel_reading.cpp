@@ -33,10 +33,17 @@ std::optional<Chosen> chosen(const std::string&, const Node& node, Reading& read
         if (species.name == node.text) return Chosen{names.size(), {}};
         names.push_back(species.name);
     }
-    const auto near = nearest_spelling(node.text, names);
+    constexpr std::size_t most_listed = 12;
+    const auto count = particles_in(reading.gas);
+    const std::string species =
+        names.size() > most_listed || names.empty()
+            ? "give the name of a species in `gas`"
+            : fmt::format("the species {} {}", names.size() == 1 ? "is" : "are",
+                          listed(names, "and", "`"));
+    const std::string numbers =
+        count ? fmt::format("; a particle has a number, 0 to {}", *count - 1) : "";
     reading.errors.add(node, fmt::format("there is no species {}", in_quotes(node.text)),
-                       near ? fmt::format("did you mean `{}`?", *near)
-                            : "give the name of a species in `gas`, or a particle's number");
+                       spelling_hint(node.text, names, species + numbers));
     return std::nullopt;
 }
 
@@ -46,7 +53,8 @@ Notation<Interval> range_notation() {
     const auto rising = [](const Eigen::Array2d& ends, const Node& node, Reading& reading) {
         constexpr double least_width = 1e-9;  // of the numbers: edges have sixteen digits
         if (ends[0] >= ends[1])
-            reading.errors.add(node, "expected [low, high] with low < high for `range`");
+            reading.errors.add(node, "expected [low, high] with low < high for `range`",
+                               "write the smaller one first");
         else if (ends[1] - ends[0] < least_width * ends.abs().maxCoeff())
             reading.errors.add(node,
                                "the edges of `range` agree in nine digits: bars would be "
@@ -102,9 +110,7 @@ Notation<std::string> film_kinds(PanelKinds kinds) {
     elsewhere.push_back(
         {"wire", "the wire with its beads is in every film; the template says where"});
     elsewhere.push_back({"world-lines", "they are under the wire in every film of one dimension"});
-    Notation<std::string> notation = word(names);
-    notation.forms.front().elsewhere = std::move(elsewhere);
-    return notation;
+    return word(names).with_elsewhere(std::move(elsewhere));
 }
 
 void check_component(const PanelSpec& panel, const Node& node, const PanelKind& kind,
@@ -113,7 +119,8 @@ void check_component(const PanelSpec& panel, const Node& node, const PanelKind& 
     if (written == nullptr) return;
     if (reading.gas.box.dimension == 1)
         reading.errors.add(*written,
-                           "on a wire there is one direction only: `component` has no meaning");
+                           "on a wire there is one direction only: `component` has no meaning",
+                           "leave it out");
     else if (panel.component == Component::both && !kind.can(Ability::both))
         reading.errors.add(
             *written, "expected `x` or `y` for `component` where positions are shown, found `both`",
@@ -237,7 +244,9 @@ Notation<Over> over_notation() {
 }
 
 Binding<PanelSpec> kind_key(const Notation<std::string>& words) {
-    return bind_key("kind", &PanelSpec::kind, words, "What the panel shows.").required();
+    return bind_key("kind", &PanelSpec::kind, words, "What the panel shows.")
+        .required()
+        .tried_as({"type", "panel", "plot"});
 }
 
 std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<PanelSpec>& kind,
@@ -246,10 +255,12 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
         kind,
         bind_key("title", &PanelSpec::title, text(1, most_title_letters),
                  "The words above the panel.")
+            .tried_as({"label", "caption", "heading"})
             .default_text("by kind"),
         bind_key("of", &PanelSpec::of, chosen_notation(),
                  "Which particles: all, a species, one by its number, or several of these drawn "
                  "together. For a pair, two numbers; if omitted, the first pair that collides.")
+            .tried_as({"particles", "particle", "which"})
             .only_with(kinds_that_can(kinds, Ability::of))};
     const std::vector component{
         bind_key("component", &PanelSpec::component, one_of<Component>(),

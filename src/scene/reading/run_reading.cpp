@@ -107,12 +107,15 @@ KeyTable<RunReading> run_table(int dimension) {
         .keys =
             {bind_key("until", &Run::until, number(positive),
                       "The end of the run, in simulated time.")
-                 .required(),
+                 .required()
+                 .tried_as(
+                     {"duration", "end", "time", "length", "t_end", "t", "stop", "to", "for"}),
              bind_key("equilibrate", &Run::equilibrate, number(not_negative),
                       "Simulated time before time 0, neither shown nor counted."),
              bind_key("sample_every", &Run::sample_every, number(positive),
                       "Simulated time between samples of the statistics, which are taken at 0, at "
                       "multiples of this time, and at the end.")
+                 .tried_as({"sample", "interval", "every"})
                  .default_text("until / (frames - 1) with a film, until / 1000 without"),
              bind_key(
                  "precision", &Run::bits, bits_notation(),
@@ -123,6 +126,7 @@ KeyTable<RunReading> run_table(int dimension) {
                       "as simple programs do: at the end of each step, disks that overlap and "
                       "approach each other collide at the places they have then. For comparison "
                       "only: disks overlap, and may pass through one another.")
+                 .tried_as({"dt", "step"})
                  .default_text("none: from contact to contact"),
              bind_key("tolerance", &Run::tolerance,
                       number({1e-300, {1.0, "radius from the exact return"}}),

@@ -41,15 +41,19 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                      .default_text("none"),
                  bind_key("gas", &SceneDraft::species, gas_notation(dimension),
                           "What is in the box: a list of species.")
+                     .tried_as({"species", "particles", "disks", "balls", "beads", "gases"})
                      .required(),
                  bind_key("run", &SceneDraft::written_run, run_notation(dimension),
                           "What happens to the gas.")
+                     .tried_as({"simulation", "simulate", "time", "events"})
                      .required(),
                  bind_key("film", &SceneDraft::film_node, kept(mapping(film_table(kinds))),
                           "What the viewer sees.")
+                     .tried_as({"movie", "video", "animation", "output"})
                      .default_text("the template's"),
                  bind_key("figures", &SceneDraft::figures_node, kept(figures_notation(kinds)),
                           "Pictures of single moments for texts and slides.")
+                     .tried_as({"plots", "pictures", "images"})
                      .default_text("none")},
         .refused = inelastic_keys()};
     if (dimension == 2) return table;

@@ -222,9 +222,11 @@ SetFile load_figure_set(const fs::path& path, PanelKinds kinds,
     const auto source = std::make_shared<Source>();
     auto root = read_yaml_file(path, *source, errors);
     if (root && !root->is_mapping())
-        errors.add(*source, root->kind == Node::Kind::null ? "the set is empty"
-                                                           : "expected a set (a mapping with "
-                                                             "`title` and `scenes`)");
+        errors.add(*source,
+                   root->kind == Node::Kind::null ? "the set is empty"
+                                                  : "expected a set (a mapping with "
+                                                    "`title` and `scenes`)",
+                   "list its scenes: `scenes: [first.yaml, second.yaml]`");
     errors.throw_if_any();
     const FixedTable<SetFile> table = set_table(kinds, formats, path);
     check_mapping(root.value(), table.section(), errors);

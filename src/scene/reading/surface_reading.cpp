@@ -159,9 +159,11 @@ KeyTable<PartitionDraft> partition_table() {
 void complete_obstacle(ObstacleDraft& draft, const Node& node, Reading& reading) {
     draft.node = &node;
     if (draft.disk && find(node, "radius") == nullptr)
-        reading.errors.add(node, "a `disk` needs `radius`");
+        reading.errors.add(node, "a `disk` needs `radius`",
+                           "for instance `{disk: [10, 10], radius: 2}`");
     if (!draft.disk && draft.radius && find(node, "disk") == nullptr)
-        reading.errors.add(*given(node, "radius"), "`radius` applies only to a `disk`");
+        reading.errors.add(*given(node, "radius"), "`radius` applies only to a `disk`",
+                           "leave it out");
     if (draft.disk && draft.radius) {
         draft.shape = Obstacle::Disk{*draft.disk, *draft.radius};
     } else if (draft.rectangle) {
@@ -185,7 +187,8 @@ KeyTable<ObstacleDraft> obstacle_table() {
                    if (ends[0] < ends[2] && ends[1] < ends[3])
                        return std::array{ends[0], ends[1], ends[2], ends[3]};
                    reading.errors.add(
-                       node, "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `rectangle`");
+                       node, "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `rectangle`",
+                       "write the lower left corner first");
                    return std::nullopt;
                });
     return {.name = "an item of `obstacles`",

@@ -81,7 +81,8 @@ void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& erro
     if (with_line.monitors) slots.push_back(*with_line.monitors);
     slots.insert(slots.end(), with_line.panels.begin(), with_line.panels.end());
     if (std::ranges::any_of(slots, [](const Slot& slot) { return slot.height <= 0.0; }))
-        errors.add(line, "the place for captions leaves another place without room");
+        errors.add(line, "the place for captions leaves another place without room",
+                   "make it lower, or move it away from the others");
 }
 
 struct NamedPlace {
@@ -114,7 +115,8 @@ Notation<Placed<Slot>> slot_notation() {
     const auto check = [](const Slot& place, const Node& node, Reading& reading) {
         if (place.width <= 0.0 || place.height <= 0.0)
             reading.errors.add(node,
-                               "expected [x, y, width, height] with a positive width and height");
+                               "expected [x, y, width, height] with a positive width and height",
+                               "for instance [0, 0, 20, 10]");
     };
     return placed(
         checked(mapped(list_of(number(units), 4, {4}, "[x, y, width, height]"), slot), check));
@@ -151,9 +153,12 @@ void complete_layout(LayoutDraft& layout, const Node& node, Reading& reading) {
     layout.grid_height = (*layout.grid)[1];
     for (const auto& [name, place] : layout.places)
         if (!is_inside(place.value, layout))
-            reading.errors.add(*place.node,
-                               fmt::format("the place reaches outside the grid of {} by {}",
-                                           layout.grid_width, layout.grid_height));
+            reading.errors.add(
+                *place.node,
+                fmt::format("the place reaches outside the grid of {} by {}", layout.grid_width,
+                            layout.grid_height),
+                fmt::format("x and width together are at most {}, y and height at most {}",
+                            layout.grid_width, layout.grid_height));
     if (std::ranges::all_of(layout.places, [&](const NamedPlace& one) {
             return is_inside(one.place.value, layout);
         }))

@@ -26,6 +26,18 @@ void check_opposite(const Node& sides, const SideDraft& first, const SideDraft& 
                    "a periodic wall leads to the opposite one: make both periodic");
 }
 
+// The words for a wall that does nothing but reflect, or none at all.
+Notation<Wall> plain_walls() {
+    std::vector<Elsewhere> words;
+    for (const char* word : {"reflecting", "reflective", "hard", "elastic", "closed", "wall"})
+        words.push_back({word, "did you mean `solid`?"});
+    for (const char* word : {"open", "none", "wrap", "pbc", "torus"})
+        words.push_back({word,
+                         "did you mean `periodic`? What leaves on one side enters on the "
+                         "other"});
+    return one_of<Wall>().with_elsewhere(words);
+}
+
 Notation<SideDraft> side_notation() {
     const KeyTable<ActingDraft> table{.name = "a wall that acts",
                                       .keys = acting_keys(),
@@ -45,7 +57,7 @@ Notation<SideDraft> side_notation() {
                    }
                    return side;
                });
-    const auto plain = parsed(one_of<Wall>(), [](Wall wall, const Node& node, Reading&) {
+    const auto plain = parsed(plain_walls(), [](Wall wall, const Node& node, Reading&) {
         return std::optional(SideDraft{wall, Reflecting{}, &node});
     });
     return either(plain, acting);
@@ -118,7 +130,7 @@ std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node
         errors.add(*given(node, "until"),
                    draft.mass ? "`until` does not apply to a piston, which moves freely"
                               : "`until` needs a `velocity`",
-                   draft.mass ? "an event `hold` stops it" : "");
+                   draft.mass ? "an event `hold` stops it" : "for instance `velocity: -1`");
         return std::nullopt;
     }
     if (draft.temperature) return Bath{*draft.temperature};
@@ -140,7 +152,7 @@ Notation<SidesDraft> sides_notation(int dimension) {
         return SidesDraft{sides.left, sides.right, sides.bottom, sides.top};
     };
     Notation<SidesDraft> sides =
-        either(parsed(one_of<Wall>(), all), mapped(mapping(sides_table(dimension)), by_side));
+        either(parsed(plain_walls(), all), mapped(mapping(sides_table(dimension)), by_side));
     sides.write = [](const SidesDraft& four) { return std::string(word_of(four[0].wall)); };
     return sides;
 }

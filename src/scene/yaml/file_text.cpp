@@ -1,17 +1,55 @@
 #include "scene/yaml/file_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
+#include <vector>
 
 #include "scene/limits.h"
 #include "util/files/input_file.h"
 #include "util/files/one_use_paths.h"
 #include "util/interrupt.h"
+#include "util/text.h"
 
 namespace carom {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// Returns the names of the YAML files in a folder, in alphabetical order.
+std::vector<std::string> yaml_files_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, failed), end;
+         !failed && entry != end; entry.increment(failed))
+        if (const fs::path& file = entry->path();
+            file.extension() == ".yaml" || file.extension() == ".yml")
+            names.push_back(file.filename().string());
+    std::ranges::sort(names);
+    return names;
+}
+
+std::string instance_in(const fs::path& folder) {
+    const std::vector<std::string> names = yaml_files_in(folder);
+    return names.empty() ? "" : fmt::format(", for instance {}", (folder / names[0]).string());
+}
+
+// Returns a hint that names an existing file whose name is like that of one that does not exist.
+std::string similar_file(const fs::path& path) {
+    const fs::path folder = path.parent_path();
+    const std::string wanted = path.filename().string();
+    const std::vector<std::string> names = yaml_files_in(folder);
+    for (const std::string& name : names)
+        if (fs::path(name).stem() == path.stem() || fs::path(name).stem() == wanted)
+            return fmt::format("did you mean {}?", (folder / name).string());
+    const auto near = nearest_spelling(wanted, names);
+    return near ? fmt::format("did you mean {}?", (folder / *near).string()) : "";
+}
+
+}  // namespace
 
 // Reads up to one byte over the limit, so that the reader then refuses the text.
 std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& errors) {
@@ -29,7 +67,7 @@ std::optional<std::string> text_of(std::FILE& file, const Source& name, Errors& 
         std::clearerr(&file);
     }
     if (std::ferror(&file) == 0) return text;
-    errors.add(name, "cannot be read: " + std::generic_category().message(errno));
+    errors.add(name, "cannot be read: " + std::generic_category().message(errno), "");
     return std::nullopt;
 }
 
@@ -43,7 +81,14 @@ std::optional<std::string> file_text(const fs::path& path, const Source& name, E
         return text;
     }
     if (file.may_pass()) file.require_open();
-    errors.add(name, "cannot be read: " + file.problem());
+    std::string hint;
+    std::error_code failed;
+    const fs::file_status status = fs::status(path, failed);
+    if (fs::is_directory(status))
+        hint = "name a file in it" + instance_in(path);
+    else if (status.type() == fs::file_type::not_found)
+        hint = similar_file(path);
+    errors.add(name, "cannot be read: " + file.problem(), hint);
     return std::nullopt;
 }
 

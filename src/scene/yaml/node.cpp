@@ -140,26 +140,36 @@ bool Errors::is_full() const { return found_.size() >= most_listed; }
 
 void Errors::throw_if_any() const {
     if (found_.empty()) return;
-    std::vector<Found> ordered = found_;
-    std::ranges::stable_sort(ordered, {}, [](const Found& found) {
-        return std::tuple{rank(found.source->origin), found.source->name, found.offset};
-    });
-    const std::size_t shown = std::min(ordered.size(), most_errors_shown.count());
-    std::vector<Diagnostic> diagnostics;
-    for (std::size_t i = 0; i < shown; ++i) {
-        const Found& found = ordered[i];
-        Diagnostic diagnostic = place_in(*found.source, found.offset, found.bytes);
-        diagnostic.message = found.message;
-        diagnostic.hint = found.hint;
-        diagnostics.push_back(std::move(diagnostic));
-    }
-    const std::size_t left_out = found_.size() + unlisted_ - shown;
+    std::vector<Diagnostic> diagnostics = in_order(found_, most_errors_shown.count());
+    const std::size_t left_out = found_.size() + unlisted_ - diagnostics.size();
     if (left_out > 0) {
+        const std::string file = diagnostics.front().span.file;
         Diagnostic& rest = diagnostics.emplace_back();
-        rest.span.file = ordered.front().source->name;
+        rest.span.file = file;
         rest.message = fmt::format("and {} more errors", left_out);
     }
     throw SceneError(std::move(diagnostics));
+}
+
+void Errors::add_note(const Node& node, std::string message, std::string hint) {
+    notes_.push_back(
+        {node.source, node.offset, marked_bytes(node), std::move(message), std::move(hint)});
+}
+
+std::vector<Diagnostic> Errors::notes() const { return in_order(notes_, notes_.size()); }
+
+std::vector<Diagnostic> Errors::in_order(std::vector<Found> found, std::size_t most) {
+    std::ranges::stable_sort(found, {}, [](const Found& one) {
+        return std::tuple{rank(one.source->origin), one.source->name, one.offset};
+    });
+    std::vector<Diagnostic> diagnostics;
+    for (std::size_t i = 0; i < std::min(found.size(), most); ++i) {
+        Diagnostic diagnostic = place_in(*found[i].source, found[i].offset, found[i].bytes);
+        diagnostic.message = std::move(found[i].message);
+        diagnostic.hint = std::move(found[i].hint);
+        diagnostics.push_back(std::move(diagnostic));
+    }
+    return diagnostics;
 }
 
 Diagnostic place_of(const Node& node) {

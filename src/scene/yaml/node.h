@@ -53,17 +53,24 @@ std::string described(const Node& node);
 /// Returns `text` in backquotes, cut to 40 characters and made printable (util/text.h).
 std::string in_quotes(std::string_view text);
 
-/// Collects the errors of a scene, found in any order.
+/// Collects the errors of a scene, found in any order, and notes on what is accepted although it
+/// should be written in another way.
 class Errors {
   public:
-    /// Adds an error at `node`.
-    void add(const Node& node, std::string message, std::string hint = {});
+    /// Adds an error at `node`, with what to write instead.
+    void add(const Node& node, std::string message, std::string hint);
 
     /// Adds an error at a byte of a source where there is no node, or for the whole source.
-    void add(const Source& source, std::size_t offset, std::string message, std::string hint = {});
-    void add(const Source& source, std::string message, std::string hint = {});
+    void add(const Source& source, std::size_t offset, std::string message, std::string hint);
+    void add(const Source& source, std::string message, std::string hint);
+
+    /// Adds a note at `node`: no error, but worth knowing.
+    void add_note(const Node& node, std::string message, std::string hint);
 
     bool empty() const { return found_.empty(); }
+
+    /// Returns the notes in the order of their places in the sources.
+    std::vector<Diagnostic> notes() const;
 
     /// Returns whether so many errors have been kept that further ones are only counted: their
     /// messages need not be composed.
@@ -81,8 +88,9 @@ class Errors {
         std::string message, hint;
     };
     void add(Found found);
+    static std::vector<Diagnostic> in_order(std::vector<Found> found, std::size_t most);
 
-    std::vector<Found> found_;
+    std::vector<Found> found_, notes_;
     std::size_t unlisted_ = 0;  ///< number of errors beyond those kept
 };
 

@@ -133,6 +133,14 @@ std::string number_hint(const Node& node) {
     if (const std::size_t slash = node.text.find('/'); slash != std::string::npos)
         if (parse_number(node.text.substr(0, slash)) && parse_number(node.text.substr(slash + 1)))
             return "a quotient is written as one number, in decimal";
+    if (const auto share = parse_number(node.text.substr(0, node.text.size() - 1));
+        node.text.ends_with('%') && share)
+        return fmt::format("write `{}`", 0.01 * *share);
+    if (const std::size_t colon = node.text.find(':'); colon != std::string::npos) {
+        const auto minutes = parse_number(node.text.substr(0, colon));
+        const auto seconds = parse_number(node.text.substr(colon + 1));
+        if (minutes && seconds) return fmt::format("write `{}`", 60.0 * *minutes + *seconds);
+    }
     if (const std::string number = before_unit(node.text); !number.empty())
         return fmt::format("quantities have no units in carom: write `{}`", number);
     const bool has_digit = word.find_first_of("0123456789") != std::string::npos;

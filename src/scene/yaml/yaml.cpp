@@ -87,7 +87,8 @@ class TreeBuilder : public YAML::EventHandler {
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
         const auto found = anchored_.find(anchor);
         if (found == anchored_.end())
-            throw Stop{at(mark), "an alias inside the value that it refers to", ""};
+            throw Stop{at(mark), "an alias inside the value that it refers to",
+                       "write the value out there"};
         count(count_nodes(found->second), at(mark));
         bytes_of_aliases_ += count_bytes(found->second);
         if (bytes_of_aliases_ > most_file_bytes.count()) throw too_many_bytes(at(mark));
@@ -152,7 +153,8 @@ class TreeBuilder : public YAML::EventHandler {
         const char quote = node.offset < text.size() ? text[node.offset] : ' ';
         if (!node.quoted || (quote != '"' && quote != '\'')) return;
         if (end_of_quotation(text, node.offset) != text.npos) return;
-        throw Stop{node.offset, "not valid YAML: this quotation mark is not closed", ""};
+        throw Stop{node.offset, "not valid YAML: this quotation mark is not closed",
+                   "write the same mark at the end of the text"};
     }
 
     void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
@@ -188,7 +190,8 @@ class TreeBuilder : public YAML::EventHandler {
         Node& parent = open_.back().node;
         const bool is_key = parent.is_mapping() && parent.keys.size() == parent.items.size();
         if (is_key && !node.is_scalar())
-            throw Stop{node.offset, "expected a word as a key, found " + described(node), ""};
+            throw Stop{node.offset, "expected a word as a key, found " + described(node),
+                       "a text that begins with `[` or `{` needs quotes"};
         (is_key ? parent.keys : parent.items).push_back(std::move(node));
     }
 
@@ -265,6 +268,14 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
     if (has_bare_color(before)) return "`#` begins a comment; put the colour in quotes";
     if (line.starts_with('\t') || problem == TAB_IN_INDENTATION)
         return "indent with spaces, not with tabs";
+    if (problem.starts_with(INVALID_ESCAPE) || problem.starts_with(INVALID_HEX) ||
+        problem.starts_with(INVALID_UNICODE))
+        return "in double quotes a backslash begins an escape of YAML: write the text in single "
+               "quotes";
+    if (const std::string hint = odd_space_hint(line.substr(0, line.find('\n'))); !hint.empty())
+        return hint;
+    if (problem.starts_with(UNKNOWN_ANCHOR))
+        return "write the value out, or quotes around a text that begins with `*`";
     const std::string_view left =
         before.substr(before.rfind('\n') + 1);  // before the mistake in its line
     const bool begins_line = left.find_first_not_of(' ') == std::string_view::npos;
@@ -309,13 +320,18 @@ void report_syntax(const Source& source, const YAML::Exception& error, std::size
             fmt::format("not valid YAML: this `{}` is not closed before the `{}` of "
                         "line {}, column {}",
                         text[mark], text[offset], 1 + std::ranges::count(before, '\n'),
-                        offset - before.rfind('\n')));
+                        offset - before.rfind('\n')),
+            "close it there, or leave out the other");
     const bool quote = text[mark] == '"' || text[mark] == '\'';
-    if (quote) return errors.add(source, mark, "not valid YAML: this quotation mark is not closed");
+    if (quote)
+        return errors.add(source, mark, "not valid YAML: this quotation mark is not closed",
+                          "write the same mark at the end of the text");
     errors.add(source, mark,
                fmt::format("not valid YAML: this `{}` is not closed, or a comma is missing in it",
                            text[mark]),
-               hint);
+               hint.empty() ? fmt::format("write `{}` where it ends, and `,` between its items",
+                                          text[mark] == '{' ? '}' : ']')
+                            : hint);
 }
 
 Node parse(const Source& source, Errors& errors, std::size_t begin) {

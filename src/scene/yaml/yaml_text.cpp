@@ -1,7 +1,14 @@
 #include "scene/yaml/yaml_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
 #include <vector>
+
+#include "util/text.h"
 
 namespace carom {
 
@@ -60,6 +67,53 @@ std::size_t place_beyond(std::string_view text, std::size_t begin, std::size_t m
         is_after_mark = c == '[' || c == '{' || is_after_comma || is_of_key;
     }
     return std::string_view::npos;
+}
+
+std::size_t escape_in_formula(std::string_view text, std::size_t start) {
+    if (start >= text.size() || text[start] != '"') return std::string_view::npos;
+    const std::size_t end = std::min(end_of_quotation(text, start), text.size());
+    std::size_t escape = std::string_view::npos;
+    bool is_formula = false;
+    for (std::size_t i = start + 1; i < end; ++i) {
+        if (text[i] == '$') {
+            if (is_formula && escape != std::string_view::npos) return escape;
+            is_formula = !is_formula;
+        } else if (text[i] == '\\') {
+            ++i;
+            const bool is_backslash = text[i] == '\\';
+            const bool is_command = std::isalpha(static_cast<unsigned char>(text[i])) != 0 &&
+                                    command_bytes(text, i - 1) > 2;
+            if (is_formula && is_command) escape = std::min(escape, i - 1);
+            const bool is_dollar = is_backslash && !is_formula && i + 1 < end && text[i + 1] == '$';
+            if (is_dollar) ++i;
+        }
+    }
+    return std::string_view::npos;  // what follows the last `$` is no formula
+}
+
+std::size_t command_bytes(std::string_view text, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < text.size() && std::isalpha(static_cast<unsigned char>(text[end])) != 0) ++end;
+    return std::max<std::size_t>(end - at, 2);
+}
+
+std::string odd_space_hint(std::string_view text) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> odd{
+        {{"\u00A0", "a no-break space (U+00A0)"},
+         {"\u202F", "a narrow no-break space (U+202F)"},
+         {"\u2007", "a figure space (U+2007)"},
+         {"\u2009", "a thin space (U+2009)"},
+         {"\u200B", "a zero-width space (U+200B)"},
+         {"\u3000", "an ideographic space (U+3000)"},
+         {"\uFEFF", "a byte order mark (U+FEFF)"}}};
+    for (const auto& [space, name] : odd) {
+        const std::size_t at = text.find(space);
+        if (at == std::string_view::npos) continue;
+        const std::string before = printable(text.substr(0, at));
+        return fmt::format("{} stands {}: write an ordinary space instead", name,
+                           before.empty() ? "at its beginning" : "after `" + before + "`");
+    }
+    return "";
 }
 
 bool has_bare_color(std::string_view text) {

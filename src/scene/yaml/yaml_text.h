@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace carom {
@@ -20,6 +21,19 @@ std::size_t open_mark(std::string_view text);
 /// too; lines that are comments do not. Called before the parser, which allocates memory for a
 /// whole bracketed list before it reports anything.
 std::size_t place_beyond(std::string_view text, std::size_t begin, std::size_t most);
+
+/// Returns the index of the first backslash that begins an escape of YAML within a formula, between
+/// `$` signs, of the double-quoted text that begins at `start`, and that letters follow as those of
+/// a command; npos if there is none, or if the text there is not double-quoted. A doubled backslash
+/// is one of the formula; a single letter, as in `\n^2`, is no command.
+std::size_t escape_in_formula(std::string_view text, std::size_t start);
+
+/// Returns the length of the command of a formula whose backslash stands at `at`.
+std::size_t command_bytes(std::string_view text, std::size_t at);
+
+/// Returns a hint if `text` contains a space other than that of the keyboard, which YAML takes for
+/// a letter; otherwise an empty text.
+std::string odd_space_hint(std::string_view text);
 
 /// Returns whether `text` contains an unquoted colour as a value, which YAML takes for a comment.
 bool has_bare_color(std::string_view text);

@@ -25,13 +25,14 @@ class Parser {
     Parts all() {
         Parts parts = list();
         if (at_ == tex_.size()) return parts;
-        if (tex_[at_] == '}') fail(at_, "a `}` that closes nothing");
-        fail(at_, "`\\right` without a `\\left` before it");
+        if (tex_[at_] == '}')
+            fail(at_, "a `}` that closes nothing", "leave it out, or write `{` before it");
+        fail(at_, "`\\right` without a `\\left` before it", "write the bracket alone");
     }
 
   private:
     [[noreturn]] static void fail(std::size_t at, const std::string& message,
-                                  const std::string& hint = {}) {
+                                  const std::string& hint) {
         throw Error(at, message, hint);
     }
 
@@ -90,7 +91,8 @@ class Parser {
     Parts argument(std::size_t at, const std::string& of) {
         skip_blanks();
         if (at_ == tex_.size() || tex_[at_] == '}')
-            fail(at, fmt::format("`{}` with nothing after it", of));
+            fail(at, fmt::format("`{}` with nothing after it", of),
+                 "write what belongs to it in braces");
         if (tex_[at_] == '{') return braces();
         if (tex_[at_] == '^' || tex_[at_] == '_' || tex_[at_] == '\'')
             fail(at_, fmt::format("`{}` after `{}`", tex_[at_], of), "put it into braces");
@@ -100,15 +102,18 @@ class Parser {
     Parts braces() {
         const std::size_t at = at_++;
         Parts parts = list();
-        if (at_ == tex_.size()) fail(at, "a `{` that is not closed");
-        if (tex_[at_] != '}') fail(at_, "`\\right` without a `\\left` in the same braces");
+        if (at_ == tex_.size()) fail(at, "a `{` that is not closed", "write `}` where it ends");
+        if (tex_[at_] != '}')
+            fail(at_, "`\\right` without a `\\left` in the same braces",
+                 "both brackets stand in the same braces");
         ++at_;
         return parts;
     }
 
     Part part() {
         if (++depth_ > deepest)
-            fail(at_, fmt::format("parts within parts, more than {} deep", deepest));
+            fail(at_, fmt::format("parts within parts, more than {} deep", deepest),
+                 "write it in several formulae");
         Part one = undivided();
         --depth_;
         return one;
@@ -175,9 +180,11 @@ class Parser {
     Part upright(std::size_t at, const std::string& name) {
         skip_blanks();
         if (at_ == tex_.size() || tex_[at_] != '{')
-            fail(at, fmt::format("`\\{}` without braces after it", name));
+            fail(at, fmt::format("`\\{}` without braces after it", name),
+                 fmt::format("write `\\{}{{words}}`", name));
         const std::size_t begin = at_ + 1, end = tex_.find('}', begin);
-        if (end == std::string_view::npos) fail(at_, "a `{` that is not closed");
+        if (end == std::string_view::npos)
+            fail(at_, "a `{` that is not closed", "write `}` where it ends");
         std::string words(tex_.substr(begin, end - begin));
         if (const std::size_t bad = words.find_first_of("\\{$^_"); bad != std::string::npos)
             fail(begin + bad, fmt::format("`{}` among upright words", words[bad]),
@@ -203,7 +210,9 @@ class Parser {
     // Parses a delimiter; returns null for `.`.
     const Symbol* bracket(std::size_t at, const std::string& after) {
         skip_blanks();
-        if (at_ == tex_.size()) fail(at, fmt::format("`{}` without a bracket", after));
+        if (at_ == tex_.size())
+            fail(at, fmt::format("`{}` without a bracket", after),
+                 fmt::format("write `{}(`", after));
         const std::size_t begin = at_;
         std::string name;
         if (tex_[at_] == '\\') {

@@ -180,7 +180,8 @@ TEST_CASE("a panel that comes in is told, and begins no chapter") {
 TEST_CASE("what the film points out is told") {
     const Scene scene = row_of_beads(
         "run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, panels: [temperature], spotlight: [{from: "
-        "2, to: 4, on: fast}], callouts: [{at: 5, on: 0, text: it rests}, {at: 6, on: {panel: "
+        "2, to: 4, of: fast}], callouts: [{at: 5, points_to: 0, text: it rests}, {at: 6, "
+        "points_to: {panel: "
         "temperature, x: 3}, text: constant}], camera: [{at: 2.5, view: [1, 4]}, {at: 7, view: "
         "box}]}\n");
     const std::string words = words_of(scene).transcript;
@@ -195,7 +196,7 @@ TEST_CASE("what the film points out is told") {
 TEST_CASE("spotlights that overlap are told together, whenever what they light changes") {
     const std::string words =
         words_of(row_of_beads("run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, spotlight: [{from: "
-                              "1, to: 5, on: fast}, {from: 3, to: 7, on: [5, 6]}]}\n"))
+                              "1, to: 5, of: fast}, {from: 3, to: 7, of: [5, 6]}]}\n"))
             .transcript;
     CHECK(contains(words, "All are dimmed but: fast. Time 1"));
     CHECK(contains(words, "All are dimmed but: fast, particle 5 and particle 6. Time 3"));
@@ -207,8 +208,9 @@ TEST_CASE("spotlights that overlap are told together, whenever what they light c
 TEST_CASE("a part of a film tells of what is seen in it") {
     const Scene scene = row_of_beads(
         "run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, panels: [{kind: temperature, show: "
-        "{from: 1}}], spotlight: [{from: 1, to: 2, on: fast}, {from: 3, on: still}], "
-        "callouts: [{at: 1, for: 1, on: 0, text: over}], camera: [{at: 1, view: [1, 4]}, {at: 2, "
+        "{from: 1}}], spotlight: [{from: 1, to: 2, of: fast}, {from: 3, of: still}], "
+        "callouts: [{at: 1, for: 1, points_to: 0, text: over}], camera: [{at: 1, view: [1, 4]}, "
+        "{at: 2, "
         "view: [2, 5]}]}\n");
     const auto ticks = timeline(scene);
     const std::string words =

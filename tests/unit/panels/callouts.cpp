@@ -50,8 +50,8 @@ TEST_CASE("the words of a callout stand still when others come and go") {
                 if (line.markup == words) all.push_back(line.ink);
         return all;
     };
-    const std::string first = "{at: 2, for: 4, on: 0, text: the first words}";
-    const std::string second = "{at: 4, for: 6, on: 1, text: the second words}";
+    const std::string first = "{at: 2, for: 4, points_to: 0, text: the first words}";
+    const std::string second = "{at: 4, for: 6, points_to: 1, text: the second words}";
     const std::vector<Rect> before = inks(first + ", " + second, "the first words");
     const std::vector<Rect> after = inks(first + ", " + second, "the second words");
     REQUIRE(before.size() == 40);
@@ -84,7 +84,7 @@ TEST_CASE("across a periodic side a callout stands by the image that the camera 
         "title: T\nbox: {size: [20, 20], walls: periodic}\ngas: [{position: [[0.5, 10], [18.9, "
         "10]], radius: 0.3, velocity: [0, 0]}]\nrun: {until: 4}\nfilm: {fps: 10, seconds: 4, size: "
         "[640, 360], template: minimal, camera: [{at: 0, follow: 0, width: 5}], callouts: [{at: 1, "
-        "on: 1, text: it}]}\n");
+        "points_to: 1, text: it}]}\n");
     const Shot shot(scene);
     FramePainter painter(*shot.panels);
     const Rect box = box_of(shot);
@@ -106,7 +106,8 @@ TEST_CASE("remarks and callouts leave the map of the camera's view free") {
             "{name: b, position: [[1.2, 1.2]], radius: 0.1, velocity: [0, 0], mass: infinite}]\n"
             "run: {until: 10}\nfilm: {fps: 10, seconds: 6, size: " +
             size +
-            ", flashes: true, camera: [{at: 0, view: [1, 1, 6, 6]}], callouts: [{at: 3, on: 30, "
+            ", flashes: true, camera: [{at: 0, view: [1, 1, 6, 6]}], callouts: [{at: 3, points_to: "
+            "30, "
             "text: in the corner}]}\n"));
         FramePainter painter(*shot.panels);
         const FrameData& frame = shot.frames[30];
@@ -145,7 +146,7 @@ TEST_CASE("a remark that has no room beside the map stands above it, and others 
 }
 
 TEST_CASE("callouts to a plot have places of their own, and those beyond its axes none") {
-    const std::string on = "for: 8, on: {panel: speed-histogram, x: ";
+    const std::string on = "for: 8, points_to: {panel: speed-histogram, x: ";
     const Shot shot(test::scene_from(
         "title: T\nbox: {size: [10, 10]}\ngas: [{count: 40, radius: 0.3, temperature: 1}]\n"
         "run: {until: 10}\nfilm: {fps: 10, seconds: 12, size: [1280, 720], panels: "
@@ -178,7 +179,7 @@ TEST_CASE("a callout goes with its panel, and none is about a panel that is not 
             "title: T\nbox: {size: [10, 10]}\ngas: [{count: 40, radius: 0.3, temperature: 1}]\n"
             "run: {until: 10}\nfilm: {fps: 10, seconds: 12, size: [640, 360], panels: [{kind: "
             "speed-histogram, show: {from: 3, until: 6}}], callouts: [{for: 20, at: " +
-            at + ", on: {panel: speed-histogram, x: 1}, text: here}]}\n");
+            at + ", points_to: {panel: speed-histogram, x: 1}, text: here}]}\n");
     };
     const Shot shot(scene("4"));
     FramePainter painter(*shot.panels);

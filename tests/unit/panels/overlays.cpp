@@ -88,7 +88,7 @@ TEST_CASE("what fades is mixed with what was there before") {
 
 TEST_CASE("a spotlight dims all others to 35 %, and two that follow one another leave no gap") {
     const Scene scene =
-        scene_of("spotlight: [{from: 1, to: 2, on: [0, 3]}, {from: 2, to: 3, on: [0, 5]}]");
+        scene_of("spotlight: [{from: 1, to: 2, of: [0, 3]}, {from: 2, to: 3, of: [0, 5]}]");
     const Particles particles = start_scene(scene).simulation.particles();
     const BoxedGas none;
     const Spotlights lights({scene, particles, frame_count(scene.film), none});
@@ -113,8 +113,9 @@ TEST_CASE("a spotlight dims all others to 35 %, and two that follow one another 
 }
 
 TEST_CASE("in a still a spotlight and a callout are whole from their first frame on") {
-    const Shot shot(scene_of(
-        "spotlight: [{from: 1, to: 3, on: [3]}], callouts: [{at: 1, on: 3, text: this one}]"));
+    const Shot shot(
+        scene_of("spotlight: [{from: 1, to: 3, of: [3]}], callouts: [{at: 1, points_to: 3, text: "
+                 "this one}]"));
     const std::unique_ptr<PanelSet> panels = shot.read_panels();
     int faint = 0, with_spotlight = 0;
     shot.run.play(shot.frames.size(),
@@ -260,7 +261,7 @@ TEST_CASE("a callout stands clear of its particle on all of its way, and inside 
 
 TEST_CASE("a callout points to the top of its bar, as high as it is then") {
     const Shot shot(
-        scene_of("panels: [speed-histogram], callouts: [{at: 1, on: {panel: "
+        scene_of("panels: [speed-histogram], callouts: [{at: 1, points_to: {panel: "
                  "speed-histogram, x: 1.01}, text: here}]"));
     DiskPainter disks;
     const DrawContext dc{{0, 0, 400, 300}, 12.0, theme(ThemeKind::dark), disks};
@@ -290,7 +291,8 @@ TEST_CASE("a callout points to the top of its bar, as high as it is then") {
 
 TEST_CASE("films with everything over the gas are drawn, in a plane and on a line, as stills too") {
     const std::string over =
-        "spotlight: [{from: 0.5, on: 0}], callouts: [{at: 0.5, on: 1, text: this one, for: 9}], "
+        "spotlight: [{from: 0.5, of: 0}], callouts: [{at: 0.5, points_to: 1, text: this one, for: "
+        "9}], "
         "camera: [{at: 1, follow: 1, width: 5}]";
     const std::string line =
         "title: T\nbox: {length: 20, walls: periodic}\ngas: [{count: 6, radius: 0.3, speed: 1}]\n"

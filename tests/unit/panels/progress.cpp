@@ -147,7 +147,8 @@ std::vector<std::string> all_kinds() {
               "profile, quantity: temperature, cells: 6}, {kind: positions, of: [0, 1]}], slow: "
               "[{from: 1, to: 3, factor: 0.4}]"),
         plane("panels: [sides, {kind: flux, surfaces: divider}, monitors, {kind: text, words: "
-              "Words}], spotlight: [{from: 0.5, on: 0}], callouts: [{at: 0.5, on: 1, text: this "
+              "Words}], spotlight: [{from: 0.5, of: 0}], callouts: [{at: 0.5, points_to: 1, text: "
+              "this "
               "one, for: 9}], camera: [{at: 1, follow: 1, width: 5}]",
               "", divided),
         plane("panels: [mean-squared-displacement, velocity-autocorrelation, pair-correlation, "
@@ -241,7 +242,7 @@ TEST_CASE("a first pass has positions only where panels ask for them, and fixes 
     // Each of what looks at positions, alone.
     for (const std::string keys :
          {"speed-histogram], field: {of: concentration, species: light, cells: 5, over: 2}",
-          "speed-histogram], callouts: [{at: 0.5, on: 1, text: this one, for: 9}]",
+          "speed-histogram], callouts: [{at: 0.5, points_to: 1, text: this one, for: 9}]",
           "speed-histogram], camera: [{at: 1, follow: 1, width: 5}]", "position-histogram]",
           "mean-squared-displacement]", "{kind: profile, quantity: density}]"})
         texts.push_back(plane("panels: [" + keys));

@@ -158,9 +158,10 @@ TEST_CASE("a template without a place for captions has it at the gas's foot") {
 
 TEST_CASE("a callout to a panel that a template of the command line leaves out goes with it") {
     const std::string over =
-        "seconds: 20, panels: [temperature, entropy], callouts: [{at: 1, on: {panel: entropy, x: "
+        "seconds: 20, panels: [temperature, entropy], callouts: [{at: 1, points_to: {panel: "
+        "entropy, x: "
         "2}, "
-        "text: here}, {at: 1, on: 0, text: there}]";
+        "text: here}, {at: 1, points_to: 0, text: there}]";
     CHECK(film("{at: 0, caption: one}", over).film.callouts.size() == 2);
     const Scene without = film("{at: 0, caption: one}", over, {"film.template=wide-gas"});
     CHECK(without.film.panels.empty());

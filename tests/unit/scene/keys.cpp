@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <string>
@@ -23,6 +24,16 @@
 using namespace carom;
 
 namespace {
+
+// What readers of YAML 1.1 such as PyYAML take for true, false or nothing. `y` and `n`, which the
+// specification lists too, are texts for PyYAML, libyaml, SnakeYAML and js-yaml.
+bool is_other_in_yaml_1_1(std::string word) {
+    for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::set<std::string> words{"yes", "no", "on", "off", "true", "false", "null", "~"};
+    const bool is_number =  // also octal (010), with underscores, and sexagesimal (1:30)
+        !word.empty() && word.find_first_not_of("0123456789_:.+-") == std::string::npos;
+    return words.contains(word) || is_number;
+}
 
 template <typename Visit>
 void visit_sections(const Section& section, const Visit& visit);
@@ -72,6 +83,64 @@ bool passes(const Key& key, Node value) {
 }
 
 }  // namespace
+
+TEST_CASE("no key and no word is something else for readers of YAML 1.1") {
+    visit_keys([](const Section& section, std::size_t index) {
+        const Key& key = section.keys[index];
+        CAPTURE(section.name);
+        CAPTURE(key.name);
+        CHECK_FALSE(is_other_in_yaml_1_1(key.name));
+        for (const Form& form : key.forms) {
+            if (form.shape != Shape::word) continue;
+            for (const std::string& word : form.words) {
+                CAPTURE(word);
+                CHECK_FALSE(is_other_in_yaml_1_1(word));
+            }
+        }
+    });
+}
+
+TEST_CASE("a key may have its former name, with a note") {
+    struct Lamp {
+        std::int64_t light = 0;
+    };
+    const FixedTable<Lamp> table(
+        KeyTable<Lamp>{.name = "a lamp",
+                       .keys = {bind_key("of", &Lamp::light, whole(0, {9}), "What it lights.")
+                                    .required()
+                                    .formerly("on")}});
+    const auto read = [&](const std::string& scene, const std::string& set = "") {
+        Errors errors;
+        const Source source{"lamp.yaml", scene, Origin::scene};
+        const Source change{"--set", set, Origin::command_line};
+        Node node = read_yaml(source, errors).value();
+        if (!set.empty()) {
+            const Node other = read_yaml(change, errors).value();
+            node.keys.push_back(other.keys[0]);
+            node.items.push_back(other.items[0]);
+        }
+        check_mapping(node, table.section(), errors);
+        errors.throw_if_any();
+        const Gas gas;
+        const Run run;
+        Reading reading{errors, gas, run};
+        Lamp lamp;
+        table.read(node, lamp, reading);
+        return std::pair{lamp.light, errors.notes()};
+    };
+    CHECK(read("{of: 3}").first == 3);
+    CHECK(read("{of: 3}").second.empty());
+    const auto [light, notes] = read("{on: 4}");
+    CHECK(light == 4);
+    REQUIRE(notes.size() == 1);
+    CHECK(notes[0].message == "`on` is now called `of`");
+    CHECK(notes[0].span.column == 2);
+    CHECK(notes[0].span.length == 2);
+    CHECK_THROWS_AS(read("{on: 4, of: 3}"), SceneError);
+    CHECK_THROWS_AS(read("{}"), SceneError);
+    CHECK(read("{on: 4}", "of: 5").first == 5);
+    CHECK(read("{of: 4}", "on: 5").first == 5);
+}
 
 TEST_CASE("every default has a form that its key allows") {
     int defaults = 0;

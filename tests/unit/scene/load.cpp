@@ -270,7 +270,8 @@ TEST_CASE("an error of the command line points into what was typed") {
         message(text, {"film.fps=abc"}) ==
         "--set film.fps=abc: error: expected a whole number from 1 to 120 for `fps`, found `abc`\n"
         "      | --set film.fps=abc\n"
-        "      |                ^^^");
+        "      |                ^^^\n"
+        "  hint: for instance `30`");
     CHECK(message(text, {"gas.0.cuont=3"}) ==
           "--set gas.0.cuont=3: error: `cuont` is not a key of an item of `gas`\n"
           "      | --set gas.0.cuont=3\n"
@@ -284,7 +285,8 @@ TEST_CASE("an error of the command line points into what was typed") {
     CHECK(message(text, {"title.words=3"}) ==
           "--set title.words=3: error: `words` is set inside `A gas`, which is no mapping\n"
           "      | --set title.words=3\n"
-          "      |             ^^^^^");
+          "      |             ^^^^^\n"
+          "  hint: the keys before it lead to a single value: leave out what follows that");
     CHECK(message(text, {"film.size=[1, 2"}).starts_with("--set film.size=[1, 2: error: "));
     CHECK(message(text, {"="}).starts_with("--set =: error: `` is not a key of a scene"));
     CHECK(message(text, {"seed="}).starts_with("--set seed=: error: expected a whole number"));
@@ -302,12 +304,12 @@ TEST_CASE("figures are of the scene itself, not of the run beside") {
 }
 
 TEST_CASE("callouts are about the scene's own run, not about that beside it") {
-    const Scene scene =
-        load_scene_text(scene_with("{count: 20, speed: 1}",
-                                   "run: {until: 10}\n"
-                                   "film: {seconds: 3, callouts: [{at: 2, on: 15, text: this}], "
-                                   "beside: {label: few, own_label: many, set: gas.0.count=5}}\n"),
-                        "test.yaml", test::resources());
+    const Scene scene = load_scene_text(
+        scene_with("{count: 20, speed: 1}",
+                   "run: {until: 10}\n"
+                   "film: {seconds: 3, callouts: [{at: 2, points_to: 15, text: this}], "
+                   "beside: {label: few, own_label: many, set: gas.0.count=5}}\n"),
+        "test.yaml", test::resources());
     CHECK(scene.film.callouts.size() == 1);
     CHECK(scene.film.beside->scene->film.callouts.empty());
 }

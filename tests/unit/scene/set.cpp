@@ -119,7 +119,8 @@ TEST_CASE("mistakes in a set are told with their places") {
         "`formats`, "
         "found `jpg`\n"
         "    4 | formats: [jpg]\n"
-        "      |           ^^^");
+        "      |           ^^^\n"
+        "  hint: for instance `svg`");
     CHECK(Example("").message().find("the set is empty") != std::string::npos);
 }
 

@@ -1,0 +1,320 @@
+#include "scene/keys/hints.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "scene/keys/colors.h"
+#include "scene/keys/key_text.h"
+#include "scene/yaml/scalar.h"
+#include "scene/yaml/yaml_text.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+    return std::ranges::find(words, word) != words.end();
+}
+
+// Returns whether a comment follows where a key's value is expected.
+bool is_comment_behind(const Node& nothing) {
+    constexpr std::size_t far_enough = 200;
+    std::string_view line =
+        std::string_view{nothing.source->text}.substr(nothing.offset, far_enough);
+    line = line.substr(0, line.find('\n'));
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos) return false;
+    const std::size_t next = line.find_first_not_of(' ', colon + 1);
+    return next != std::string_view::npos && line[next] == '#';
+}
+
+char first_byte(const Node& node) {
+    const std::string& text = node.source->text;
+    return node.offset < text.size() ? text[node.offset] : ' ';
+}
+
+std::string keys_hint(const Section& section, const std::string& of = "") {
+    const std::vector<std::string> names = key_names(section);
+    const std::string subject = names.size() == 1 ? "key" : "keys",
+                      verb = names.size() == 1 ? "is" : "are";
+    return (of.empty() ? "its " + subject : fmt::format("the {} of {}", subject, of)) + " " + verb +
+           " " + listed(names, "and");
+}
+
+// Returns whether a name contains a word of `text`; hyphens separate the words of a name.
+bool has_word_of(std::string_view text, std::string_view name) {
+    constexpr std::size_t shortest = 4;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("- _", at), text.size());
+        if (end - at >= shortest && name.find(text.substr(at, end - at)) != name.npos) return true;
+        at = end + 1;
+    }
+    return false;
+}
+
+std::string word_hint(const Node& node, const std::vector<Form>& forms) {
+    for (const Form& form : forms)
+        for (const Elsewhere& other : form.elsewhere)
+            if (other.word == node.text) return other.hint;
+    std::vector<std::string> words;
+    for (const Form& form : forms) words.insert(words.end(), form.words.begin(), form.words.end());
+    const auto near = nearest_spelling(node.text, words);
+    if (near) return fmt::format("did you mean `{}`?", *near);
+    constexpr std::size_t few = 12;  // all stand in the message
+    if (words.size() <= few) return "";
+    std::vector<std::string> alike;
+    for (const std::string& word : words)
+        if (has_word_of(node.text, word)) alike.push_back(word);
+    return "there are " + fmt::format("`{}`", fmt::join(alike.empty() ? words : alike, "`, `"));
+}
+
+bool is_in(double value, const Range& range) {
+    return value >= range.low && value <= range.most.value;
+}
+
+// Returns a hint for a number outside of the range of a form, or with decimals where it is whole.
+std::string range_hint(double value, const Form& form) {
+    const Range& range = form.range;
+    if (value > range.most.value && !range.most.meaning.empty()) return to_text(range.most);
+    if (value > range.most.value)
+        return fmt::format("the largest is {}", number_text(range.most.value));
+    if (value > 0.0 && value < range.low && range.low == smallest_quantity.value)
+        return fmt::format("the smallest is {}", smallest_quantity.value);
+    if (value < range.low && value != 0.0 && is_in(-value, range))
+        return fmt::format("write `{}`, without the minus sign", number_text(-value));
+    if (value < range.low && range.low != smallest_quantity.value)
+        return fmt::format("the smallest is {}", number_text(range.low));
+    if (form.shape != Shape::integer || value == std::floor(value)) return "";
+    std::vector<std::string> whole;
+    for (const double near : {std::floor(value), std::ceil(value)})
+        if (is_in(near, range)) whole.push_back(number_text(near));
+    return "write " + listed(whole, "or", "`");
+}
+
+// Returns what else a scalar may be replaced by: a list, or a mapping.
+std::string structure_instead(const Node& node, const std::vector<Form>& forms) {
+    if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
+    if (forms.size() < 2) return "";
+    std::vector<std::string> others;
+    for (const Form& form : forms) {
+        if (form.shape == Shape::list) others.push_back(phrase(form));
+        if (form.shape != Shape::mapping) continue;
+        const bool is_named = phrase(form) != "a mapping";
+        others.push_back(is_named ? phrase(form)
+                                  : "a mapping with " + listed(key_names(*form.section), "and"));
+    }
+    const bool has_scalar = node.is_scalar() && others.size() < forms.size();
+    return others.empty() || !has_scalar ? "" : "or give " + listed(others, "or");
+}
+
+// Returns a hint for a mark that means nothing to YAML where it stands, or something else.
+std::string mark_hint(const std::string& text, const std::vector<Form>& forms) {
+    for (const std::string_view quote : {"“", "”", "„", "‘", "’", "«", "»"})
+        if (text.find(quote) != std::string::npos)
+            return "YAML takes typographic quotation marks for letters: write straight ones";
+    if (text.starts_with('(')) return "lists are written in brackets: [1, 2]";
+    const Form* mapping = form_of(forms, Shape::mapping);
+    const std::size_t colon = text.find(':');
+    if (mapping == nullptr || colon == std::string::npos) return "";
+    const std::string key = text.substr(0, colon);
+    if (mapping->section->index(key) == mapping->section->keys.size()) return "";
+    return fmt::format("a space stands after the colon: `{}: {}`", key, text.substr(colon + 1));
+}
+
+// Returns the numbers of a scalar that should be a list of so many: "40 x 30", "40, 30".
+std::vector<std::string> numbers_in(const std::string& text, std::size_t count) {
+    std::vector<std::string> numbers;
+    for (std::size_t at = 0; (at = text.find_first_of("-.0123456789", at)) != text.npos;) {
+        const std::size_t end = std::min(text.find_first_not_of("-.0123456789", at), text.size());
+        numbers.push_back(text.substr(at, end - at));
+        at = end;
+    }
+    const bool has_words = text.find_first_not_of("-.0123456789 ,;:xX*×/") != std::string::npos;
+    const bool are_right =
+        numbers.size() == count && std::ranges::all_of(numbers, [](const std::string& one) {
+            return parse_number(one).has_value();
+        });
+    return has_words || !are_right ? std::vector<std::string>{} : numbers;
+}
+
+// Returns how a scalar is written as the list that is expected.
+std::string as_list(const Node& node, const std::vector<Form>& forms) {
+    const Form* list = form_of(forms, Shape::list);
+    if (list == nullptr) return "";
+    const bool has_numbers = form_of(list->items, Shape::number) != nullptr ||
+                             form_of(list->items, Shape::integer) != nullptr;
+    if (has_numbers && list->most.value == static_cast<double>(list->shortest)) {
+        const std::vector<std::string> numbers = numbers_in(node.text, list->shortest);
+        if (!numbers.empty()) return fmt::format("write `[{}]`", fmt::join(numbers, ", "));
+    }
+    if (forms.size() == 1 && list->shortest <= 1)
+        for (const Form& item : list->items)
+            if (contains(item.words, node.text) || item.shape == Shape::text)
+                return fmt::format("write `[{}]`, a list", node.text);
+    return "";
+}
+
+std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
+    for (const std::string& hint : {mark_hint(node.text, forms), as_list(node, forms)})
+        if (!hint.empty()) return hint;
+    if (form_of(forms, Shape::color) != nullptr) return color_hint(node.text);
+    if (const std::string hint = word_hint(node, forms); !hint.empty()) return hint;
+    const Form* number = form_of(forms, Shape::number);
+    if (number == nullptr) number = form_of(forms, Shape::integer);
+    const auto value = number_in(node);
+    if (number != nullptr)
+        if (const std::string hint = value ? range_hint(*value, *number) : number_hint(node);
+            !hint.empty())
+            return hint;
+    if (form_of(forms, Shape::flag))
+        if (const std::string hint = flag_hint(node); !hint.empty()) return hint;
+    const Form* list = form_of(forms, Shape::list);
+    const bool is_pair = list != nullptr && list->shortest == 2 && list->most.value == 2.0;
+    if (is_pair && value && form_of(list->items, Shape::number) && number == nullptr)
+        return "one number for each direction: " + phrase(*list);
+    return structure_instead(node, forms);
+}
+
+std::string structure_hint(const Node& node, const std::vector<Form>& forms) {
+    if (node.kind == Node::Kind::null && is_comment_behind(node))
+        return "`#` begins a comment; put the value in quotes";
+    const Form* list = form_of(forms, Shape::list);
+    if (node.is_mapping() && list && form_of(list->items, Shape::mapping))
+        return "begin each item of the list with `- `, or put brackets around it: [{...}]";
+    const char begin = first_byte(node);
+    if (form_of(forms, Shape::text) && (begin == '[' || begin == '{'))
+        return fmt::format("a text that begins with `{}` needs quotes", begin);
+    if (!node.is_list() || forms.empty()) return "";
+    for (const Node& item : node.items)
+        if (item.is_scalar() && item.text.find(';') != std::string::npos)
+            return "a comma separates the items of a list";
+    const Form& form = list != nullptr ? *list : forms.front();
+    const bool is_long = list != nullptr && node.items.size() > list->most.count();
+    return form.list_hint.empty() && is_long ? to_text(list->most) : form.list_hint;
+}
+
+// Returns an example of a value: the usual one, or one of the form that is most like what was
+// written.
+std::string example_hint(const Node& node, const std::vector<Form>& forms,
+                         const std::string& usual) {
+    if (forms.empty()) return "";
+    if (!usual.empty() && !node.is_list() && !node.is_mapping())
+        return fmt::format("for instance `{}`", usual);
+    const Form* like = node.is_list()      ? form_of(forms, Shape::list)
+                       : node.is_mapping() ? form_of(forms, Shape::mapping)
+                                           : nullptr;
+    return fmt::format("for instance `{}`", example_text(like != nullptr ? *like : forms.front()));
+}
+
+// Returns the names of the sections that have a key, searching inside `whole` and stopping at the
+// outermost level that has any.
+std::vector<std::string> owners_of(const std::string& key, const Section& whole) {
+    std::vector<const Section*> level{&whole};
+    std::vector<std::string> owners;
+    while (owners.empty() && !level.empty()) {
+        std::vector<const Section*> inner;
+        for (const Section* section : level)
+            for (const Key& one : section->keys)
+                for (const Section* its : sections_in(one.forms)) inner.push_back(its);
+        for (const Section* section : inner)
+            if (section->index(key) < section->keys.size() && !contains(owners, section->name))
+                owners.push_back(section->name);
+        level = std::move(inner);
+    }
+    return owners;
+}
+
+// Returns where a key belongs, if only in a few places: inside this section, at the top level of
+// the file, or elsewhere in it.
+std::string place_of_key(const std::string& key, const Section& section, const Section& whole) {
+    constexpr std::size_t few = 3;
+    std::vector<std::string> owners = owners_of(key, section);
+    if (owners.empty() && whole.index(key) < whole.keys.size())
+        return fmt::format("`{}` stands at the top level of the file", key);
+    if (owners.empty()) owners = owners_of(key, whole);
+    if (owners.empty() || owners.size() > few) return "";
+    return fmt::format("`{}` is a key of {}", key, listed(owners, "and"));
+}
+
+// Returns the key whose former name programs that read YAML 1.1 have turned into this word: they
+// take `on` for true.
+const Key* key_read_as_flag(const std::string& word, const Section& section) {
+    if (word != "true" && word != "True") return nullptr;
+    const auto found = std::ranges::find(section.keys, "on", &Key::formerly);
+    return found == section.keys.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+const Form* form_of(const std::vector<Form>& forms, Shape shape) {
+    const auto found = std::ranges::find(forms, shape, &Form::shape);
+    return found == forms.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> key_names(const Section& section) {
+    std::vector<std::string> names;
+    for (const Key& key : section.keys) names.push_back(key.name);
+    return names;
+}
+
+std::optional<std::string> meant_key(const std::string& name, const Section& section) {
+    for (const Key& key : section.keys)
+        if (contains(key.tried, name)) return key.name;
+    return nearest_spelling(name, key_names(section));
+}
+
+std::string hint_for(const Node& node, const std::vector<Form>& forms, const std::string& usual) {
+    if (const std::string hint = node.is_scalar() ? odd_space_hint(node.text) : ""; !hint.empty())
+        return hint;
+    const std::string hint =
+        node.is_scalar() ? scalar_hint(node, forms) : structure_hint(node, forms);
+    return hint.empty() ? example_hint(node, forms, usual) : hint;
+}
+
+std::string control_hint(const Node& node) {
+    if (first_byte(node) == '"')
+        return "in double quotes a backslash begins an escape of YAML: write the text in single "
+               "quotes";
+    return "write a space instead";
+}
+
+std::string lines_hint(const Node& node) {
+    if (first_byte(node) == '"') return "leave out the `\\n`";
+    return first_byte(node) == '|' ? "`>` instead of `|` joins the lines to one"
+                                   : "leave out the empty line";
+}
+
+std::string hint_for_unknown(const Node& key, const Section& section, const Section& whole) {
+    const std::string& name = key.text;
+    if (const std::string hint = odd_space_hint(name); !hint.empty()) return hint;
+    if (name.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
+        return "a comma separates keys; write decimals with a point: 0.5";
+    if (const Key* meant = key_read_as_flag(name, section))
+        return fmt::format(
+            "write `{}`: a program that reads YAML 1.1 has taken the key `on` for `true`",
+            meant->name);
+    if (const std::size_t sign = name.find('='); sign != std::string::npos) {
+        const auto trimmed = [](std::string text) {
+            text.erase(0, text.find_first_not_of(' '));
+            return text.substr(0, text.find_last_not_of(' ') + 1);
+        };
+        return fmt::format("write `{}: {}`", trimmed(name.substr(0, sign)),
+                           trimmed(name.substr(sign + 1)));
+    }
+    const std::size_t kind = section.index("kind");
+    if (kind < section.keys.size())
+        for (const Form& form : section.keys[kind].forms)
+            if (contains(form.words, name)) return fmt::format("write `kind: {}`", name);
+    constexpr std::size_t few = 13;
+    const std::string place = place_of_key(name, section, whole);
+    if (const auto meant = meant_key(name, section))
+        return fmt::format("did you mean `{}`?{}", *meant, place.empty() ? "" : " Or, " + place);
+    if (place.empty()) return keys_hint(section);
+    return section.keys.size() > few ? place : place + "; " + keys_hint(section, section.name);
+}
+
+}  // namespace carom

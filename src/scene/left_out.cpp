@@ -1,0 +1,168 @@
+#include "scene/left_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "scene/yaml/scalar.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+/// A list whose items may be left out, or a mapping that may be left out: the section with it, its
+/// key, and a name for an item.
+struct List {
+    const char *section, *key, *item;
+};
+constexpr std::array lists{
+    List{"film", "panels", "panel"},       List{"film", "monitors", "monitor"},
+    List{"film", "callouts", "callout"},   List{"film", "spotlight", "spotlight"},
+    List{"film", "camera", "camera move"}, List{"film", "slow", "slow motion"},
+    List{"film", "beside", "second run"},  List{nullptr, "figures", "figure"},
+};
+
+Node* section_of(Node& root, const List& list) {
+    return list.section != nullptr ? find(root, list.section) : &root;
+}
+
+// Returns what may be left out of a list; a mapping is its own only item.
+std::vector<Node*> items_of(Node& root, const List& list) {
+    Node* section = section_of(root, list);
+    Node* found = section != nullptr ? find(*section, list.key) : nullptr;
+    std::vector<Node*> items;
+    if (found != nullptr && found->is_mapping()) items.push_back(found);
+    if (found != nullptr && found->is_list())
+        for (Node& item : found->items) items.push_back(&item);
+    return items;
+}
+
+void erase_key(Node& mapping, const char* key) {
+    const auto at = std::ranges::find(mapping.keys, key, &Node::text) - mapping.keys.begin();
+    mapping.keys.erase(mapping.keys.begin() + at);
+    mapping.items.erase(mapping.items.begin() + at);
+}
+
+bool is_at(const Node& node, const SourceSpan& span) {
+    const SourceSpan place = place_of(node).span;
+    return place.file == span.file && place.line == span.line && place.column == span.column;
+}
+
+// Returns whether a place is that of a value or key in `node`, unless the command line sets it.
+bool contains(const Node& node, const SourceSpan& span) {
+    if (is_at(node, span)) return node.source->origin != Origin::command_line;
+    const auto has = [&](const Node& inner) { return contains(inner, span); };
+    return std::ranges::any_of(node.keys, has) || std::ranges::any_of(node.items, has);
+}
+
+std::optional<ListItems::value_type> item_with(const SourceSpan& span, Node& root) {
+    for (const List& list : lists) {
+        const std::vector<Node*> items = items_of(root, list);
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (contains(*items[i], span)) return std::pair{list.key, i};
+    }
+    return std::nullopt;
+}
+
+bool is_after(const Node& node, double until) {
+    const auto time = number_in(node);
+    return time && *time > until;
+}
+
+// Removes the events from the end of the run on, except those whose time the command line sets.
+// Returns their number.
+std::size_t remove_events(Node& run, double until) {
+    Node* events = find(run, "events");
+    if (events == nullptr || !events->is_list()) return 0;
+    return std::erase_if(events->items, [&](const Node& event) {
+        const Node* at = find(event, "at");
+        if (at == nullptr || at->source->origin == Origin::command_line) return false;
+        const auto time = number_in(*at);
+        return time && *time >= until;
+    });
+}
+
+void end_slow_motion(Node& spans, double until) {
+    for (Node& span : spans.items)
+        for (std::size_t k = 0; k < span.keys.size(); ++k)
+            if (span.keys[k].text == "to" && is_after(span.items[k], until)) {
+                const auto at = static_cast<std::ptrdiff_t>(k);
+                span.keys.erase(span.keys.begin() + at);
+                span.items.erase(span.items.begin() + at);
+            }
+}
+
+// A strip keeps its earlier moments if there are at least two.
+void shorten_strips(Node& figures, double until) {
+    for (Node& figure : figures.items) {
+        Node* strip = find(figure, "strip");
+        if (strip == nullptr || !strip->is_list()) continue;
+        const auto later = std::ranges::count_if(
+            strip->items, [&](const Node& time) { return is_after(time, until); });
+        if (static_cast<std::size_t>(later) + 2 <= strip->items.size())
+            std::erase_if(strip->items, [&](const Node& time) { return is_after(time, until); });
+    }
+}
+
+std::vector<std::string> counts_of(const ListItems& items, std::size_t events) {
+    std::vector<std::string> counts;
+    if (events > 0) counts.push_back(counted(static_cast<long long>(events), "event"));
+    for (const List& list : lists) {
+        const auto number = std::ranges::count(items, list.key, &ListItems::value_type::first);
+        if (number > 0) counts.push_back(counted(number, list.item));
+    }
+    return counts;
+}
+
+}  // namespace
+
+bool add_items_with(const std::vector<Diagnostic>& errors, const Node& root, ListItems& items) {
+    Node tree = root;
+    ListItems found;
+    for (const Diagnostic& error : errors) {
+        if (error.span.line == 0) continue;  // the number of errors that are not listed
+        const auto item = item_with(error.span, tree);
+        if (!item || items.contains(*item)) return false;
+        found.insert(*item);
+    }
+    items.insert(found.begin(), found.end());
+    return !found.empty();
+}
+
+void remove_items(Node& root, const ListItems& items) {
+    for (const List& list : lists) {
+        const std::vector<Node*> all = items_of(root, list);
+        std::vector<Node> kept;
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (!items.contains({list.key, i})) kept.push_back(*all[i]);
+        if (kept.size() == all.size()) continue;
+        Node& section = *section_of(root, list);
+        const bool has_default = list.key == std::string_view("panels");  // by the template
+        if (kept.empty() && !has_default)
+            erase_key(section, list.key);
+        else
+            find(section, list.key)->items = std::move(kept);
+    }
+}
+
+void leave_out_later(Node& root, const ListItems& items, Errors& errors) {
+    Node* run = find(root, "run");
+    const Node* end = run != nullptr ? find(*run, "until") : nullptr;
+    if (end == nullptr || end->source->origin != Origin::command_line) return;
+    const auto until = number_in(*end);
+    if (!until || !(*until > 0.0)) return;
+    const std::vector<std::string> counts = counts_of(items, remove_events(*run, *until));
+    Node* film = find(root, "film");
+    if (Node* slow = film != nullptr ? find(*film, "slow") : nullptr; slow != nullptr)
+        end_slow_motion(*slow, *until);
+    if (Node* figures = find(root, "figures"); figures != nullptr) shorten_strips(*figures, *until);
+    if (counts.empty()) return;
+    errors.add_note(
+        *end, fmt::format("the run ends at {} now, before {} of the scene", *until, listed(counts)),
+        "they are left out");
+}
+
+}  // namespace carom

@@ -99,6 +99,10 @@ done
 chunks=${chunks:-16}
 [ -r "$scene" ] || die "cannot read $scene"
 command -v "$carom" >/dev/null || die "$carom is not found; CAROM=/path/of/carom names it"
+for program in sbatch scontrol; do
+    command -v "$program" >/dev/null ||
+        die "$program is not found: this machine has no Slurm; without it carom plan, carom render (for a sweep carom run) and carom join do the same"
+done
 name=$(basename "${scene%.*}")
 if [ -z "$result" ]; then
     if [ -n "$sweep" ]; then result=out/$name.json; else result=out/$name.mp4; fi

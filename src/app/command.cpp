@@ -10,7 +10,9 @@
 
 #include "app/film/film_request.h"
 #include "app/granted_cores.h"
+#include "app/progress.h"
 #include "app/resources.h"
+#include "media/formats.h"
 #include "scene/limits.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -37,13 +39,23 @@ std::string as_yaml_size(const std::string& text) {
                 fmt::format("--size {}: pictures of films are measured in pixels "
                             "(WIDTHxHEIGHT); carom figure --width takes {}",
                             text, "centimetres"));
-    if (text.find_first_not_of("0123456789") == std::string::npos)
+    const auto refuse = [&](const std::string& instance) {
         throw UsageError(fmt::format(
             "--size {}: expected WIDTHxHEIGHT, for instance {}, or 2160p, 1080p or 720p", text,
-            size_of_width(text)));
-    for (const std::string cross : {"x", "X", "×"})
-        if (const std::size_t at = text.find(cross); at != std::string::npos)
-            return fmt::format("[{}, {}]", text.substr(0, at), text.substr(at + cross.size()));
+            instance));
+    };
+    if (text.find_first_not_of("0123456789") == std::string::npos) refuse(size_of_width(text));
+    for (const std::string cross : {"x", "X", "×"}) {
+        const std::size_t at = text.find(cross);
+        if (at == std::string::npos) continue;
+        const std::string width = text.substr(0, at), height = text.substr(at + cross.size());
+        if (width.empty() || height.empty()) refuse(size_of_width(width.empty() ? height : width));
+        return fmt::format("[{}, {}]", width, height);
+    }
+    const std::size_t end = text.find_first_not_of("0123456789");
+    const std::size_t second = text.find_last_not_of("0123456789") + 1;
+    if (end > 0 && second < text.size() && text[end] != '.')  // 1280,720 or 1280:720
+        refuse(text.substr(0, end) + "x" + text.substr(second));
     return text;
 }
 
@@ -165,6 +177,18 @@ SceneResources resources_of(const SceneOptions& options) {
     return resources;
 }
 
+std::string note_text(const Diagnostic& note) {
+    const SourceSpan& span = note.span;
+    const std::string place =
+        span.line > 0 ? fmt::format("{}:{}:{}", span.file, span.line, span.column) : span.file;
+    return printable(fmt::format("{}: {}: {}", place, note.message, note.hint));
+}
+
+void say_notes(const SceneOptions& options, const Scene& scene) {
+    if (options.quiet) return;
+    for (const Diagnostic& note : scene.notes) say("carom: " + note_text(note) + "\n");
+}
+
 int threads_of(const SceneOptions& options) {
     if (options.threads > 0) return options.threads;
     return granted_cores();
@@ -190,7 +214,7 @@ bool names_folder(const std::string& output) {
 }
 
 void refuse_other_format(const std::string& output, const std::string& format) {
-    const std::string extension = fs::path(output).extension().string();
+    const std::string extension = ending_of(output);
     if (!format.empty() && extension != "." + format)
         throw UsageError(fmt::format("-o {}: the name ends in {}, but --format is {}", output,
                                      extension, format));
@@ -204,7 +228,7 @@ fs::path output_path(const std::string& output, bool several, const std::string&
     fs::path path = output;
     if (is_same_file(path, scene))
         throw UsageError(fmt::format("-o {}: this would overwrite the scene", output));
-    if (std::ranges::find(extensions, path.extension().string()) == extensions.end())
+    if (std::ranges::find(extensions, ending_of(path)) == extensions.end())
         throw UsageError(
             fmt::format("-o {}: the name must end in {}", output, listed(extensions, "or")));
     return path;

@@ -127,6 +127,12 @@ Overrides overrides_of(const SceneOptions& options);
 /// The resources with which scenes are loaded. Throws what scene_resources() throws.
 SceneResources resources_of(const SceneOptions& options);
 
+/// A note on a scene (Scene::notes) in one line.
+std::string note_text(const Diagnostic& note);
+
+/// Prints the notes on a scene on standard error, unless --quiet is given.
+void say_notes(const SceneOptions& options, const Scene& scene);
+
 /// The number of threads to use, at least 1: --threads if given, else granted_cores()
 /// (granted_cores.h).
 int threads_of(const SceneOptions& options);

@@ -27,6 +27,7 @@ bool is_open_already(const std::string& path) {
 
 [[noreturn]] void fail(const std::string& path) {
     const int error = errno;
+    if (error == EPIPE && Output::is_standard_output(path)) throw ClosedPipe();
     throw_system_error(fmt::format("cannot write {}: {}",
                                    Output::is_standard_output(path) ? "standard output" : path,
                                    std::generic_category().message(error)),

@@ -4,12 +4,20 @@
 
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include "util/files/atomic_file.h"
 
 namespace carom {
+
+/// Thrown where standard output is a pipe whose reader has ended: the program then ends, too,
+/// without a message.
+class ClosedPipe : public std::runtime_error {
+  public:
+    ClosedPipe() : std::runtime_error("the reader of standard output has ended") {}
+};
 
 /// `-` and `/dev/stdout` are standard output. A device, a pipe or an open file descriptor
 /// (`/dev/fd/3`) is a stream and is written directly; any other path is written as an AtomicFile.

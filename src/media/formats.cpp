@@ -115,10 +115,17 @@ const OutputFormat& output_format(const std::string& name) {
     return *found;
 }
 
+std::string ending_of(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& letter : ending)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return ending;
+}
+
 const OutputFormat& format_of_film(const std::filesystem::path& path) {
     if (!path.has_filename()) return output_format("png");
     for (const OutputFormat& format : output_formats())
-        if (format.film && path.extension() == "." + format.name) return format;
+        if (format.film && ending_of(path) == "." + format.name) return format;
     return output_format("mp4");
 }
 

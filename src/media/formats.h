@@ -68,6 +68,9 @@ const std::vector<OutputFormat>& output_formats();
 /// The format of this name, which must exist.
 const OutputFormat& output_format(const std::string& name);
 
+/// The ending of a file's name with its dot, in lower case: FILM.MP4 is an MP4, too.
+std::string ending_of(const std::filesystem::path& path);
+
 /// The format of a film at `path`: numbered PNG if the path ends in a slash, otherwise according to
 /// its extension; MP4 for any other extension.
 const OutputFormat& format_of_film(const std::filesystem::path& path);

@@ -129,6 +129,8 @@ void make_all(const FiguresArguments& arguments) {
     options.threads = threads_of(arguments);
     options.quiet = arguments.quiet;
     const std::vector<FigureSet> sets = sets_of(arguments);
+    for (const FigureSet& set : sets)
+        for (const SetPart& part : set.parts) say_notes(arguments, part.scene);
     FolderRules rules(arguments.depfile);
     for (std::size_t i = 0; i < sets.size(); ++i)
         rules.add(sets[i].folder / captions_name, files_of(sets[i], arguments.scenes[i]));

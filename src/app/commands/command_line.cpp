@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -20,8 +21,10 @@
 #include <system_error>
 
 #include "app/command.h"
+#include "app/commands/suggestions.h"
 #include "app/film/film_request.h"
 #include "app/manual/page_text.h"
+#include "app/output.h"
 #include "app/progress.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -159,18 +162,6 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
         fmt::format("there is no command `{}`; {}", word, spelling_hint(word, names, commands)));
 }
 
-// A flag that a command does not have but users are likely to try, as other commands have it.
-struct OtherFlag {
-    std::string command, flag, hint;
-};
-const std::vector<OtherFlag> other_flags{
-    {"run", "-o", "samples go to --csv PATH, statistics to --json PATH"},
-    {"run", "--output", "samples go to --csv PATH, statistics to --json PATH"},
-    {"new", "-o", "the name of the file stands alone: carom new NAME"},
-    {"schema", "-o", "send it to a file: carom schema > scene.schema.json"},
-    {"still", "--width", "carom figure SCENE --kind gas --width 8cm draws a figure"},
-};
-
 // The message about the first word that a command does not take. The library keeps words after `--`
 // in the program's object, not in that of the command.
 std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
@@ -182,16 +173,19 @@ std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
         words, [](const std::string& word) { return word.starts_with("-") && word != "-"; });
     const std::string name = command.get_name();
     const std::string call = command.get_parent() == nullptr ? name : "carom " + name;
-    if (flag == words.end())
-        return fmt::format("{} does not take the word {}", call, words.front());
-    const std::string word = flag->substr(0, flag->find('='));
-    const std::string mistake = fmt::format("{} has no option {}", call, word);
-    for (const OtherFlag& other : other_flags)
-        if (other.command == name && other.flag == word) return mistake + "; " + other.hint;
     std::vector<std::string> flags;
     for (const CLI::Option* option : command.get_options())
         for (const std::string& its : option->get_lnames()) flags.push_back("--" + its);
-    return with_meant(mistake, word, flags);
+    if (flag == words.end()) {
+        const std::string mistake =
+            fmt::format("{} does not take the word {}", call, words.front());
+        const std::string option = option_of_file(words.front(), flags);
+        return option.empty() ? mistake : fmt::format("{}; write {}", mistake, option);
+    }
+    const std::string word = flag->substr(0, flag->find('='));
+    const std::string mistake = fmt::format("{} has no option {}", call, word);
+    const std::string hint = instead_of_flag(name, word, flags);
+    return hint.empty() ? mistake : mistake + "; " + hint;
 }
 
 // "carom render SCENE...", of a command whose words are missing.
@@ -275,6 +269,7 @@ std::vector<std::string> with_each_set(int argc, const char* const* argv) {
 void finish_standard_output() {
     if ((std::cout.flush() && std::fflush(stdout) == 0) || errno == EBADF) return;
     const int error = errno;
+    if (error == EPIPE) throw ClosedPipe();
     throw_system_error("cannot write standard output: " + std::generic_category().message(error),
                        error);
 }
@@ -307,6 +302,10 @@ int parse_and_run(int argc, const char* const* argv, const std::vector<Command>&
 
 // EX_TEMPFAIL of sysexits.h.
 constexpr int exit_code_of_temporary_error = 75;
+
+// What shells report of a program that the signal of a closed pipe has ended: `carom run --csv - |
+// head` is no failure that a message would help with.
+constexpr int exit_code_of_closed_pipe = 128 + SIGPIPE;
 
 int complain(int code, const std::string& what) {
     say(what + "\n");
@@ -364,6 +363,8 @@ int run_and_complain(int argc, const char* const* argv) {
         return complain(2, error);
     } catch (const Interrupted& stop) {
         return complain(130, stop);
+    } catch (const ClosedPipe&) {
+        return exit_code_of_closed_pipe;
     } catch (const TemporaryError& error) {
         return complain(exit_code_of_temporary_error, error);
     } catch (const SystemError& error) {

@@ -382,6 +382,7 @@ void render_scenes(RenderArguments& arguments) {
             "--chunk, --force and --allow-mixed apply to the folder of a plan; make one with carom "
             "plan SCENE -o PLAN/");
     refuse_second_standard_input(arguments.scenes);
+    refuse_films(arguments.scenes);
     arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
     const std::vector<fs::path> outputs = outputs_of(arguments);
     most_bytes(arguments);  // refused before any work
@@ -400,6 +401,7 @@ void render_scenes(RenderArguments& arguments) {
     }
     refuse_page_options(arguments, format_of_film(film_at(arguments, outputs.front())));
     const std::vector<Scene> scenes = load_all(arguments, listed_scenes);
+    for (const Scene& scene : scenes) say_notes(arguments, scene);
     if (arguments.join) refuse_join(arguments, scenes);
     for (std::size_t i = 0; i < scenes.size(); ++i)
         refuse_unfit(scenes[i], arguments.film,

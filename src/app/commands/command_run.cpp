@@ -246,6 +246,7 @@ void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
     const Scene scene = load_scene(arguments.scene, resources_of(arguments),
                                    overrides_of(arguments), Wanted::physics);
+    say_notes(arguments, scene);
     refuse_no_surfaces(arguments, scene);
     const std::string depfile = depfile_of(arguments, scene);
     RunOutputs outputs(arguments, scene.gas);

@@ -37,7 +37,7 @@ std::filesystem::path still_path(const StillArguments& arguments) {
     std::vector<std::string> extensions;
     for (const std::string& name : still_formats()) extensions.push_back("." + name);
     if (Output::is_stream(output)) {
-        const std::string extension = std::filesystem::path(output).extension().string();
+        const std::string extension = ending_of(output);
         if (std::ranges::count(extensions, extension) == 0)
             return "still." + (format.empty() ? "png" : format);
         refuse_other_format(output, format);
@@ -54,6 +54,7 @@ std::filesystem::path still_path(const StillArguments& arguments) {
 void make_still(const StillArguments& arguments) {
     const Scene scene =
         load_scene(arguments.scene, resources_of(arguments), overrides_of(arguments));
+    say_notes(arguments, scene);
     require_letters(scene);
     require_means(1, 0);
     if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
@@ -69,7 +70,7 @@ void make_still(const StillArguments& arguments) {
         depfile.emplace(arguments.depfile).write(rule);
     }
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
-    const OutputFormat& format = output_format(output.extension().string().substr(1));
+    const OutputFormat& format = output_format(ending_of(output).substr(1));
     std::optional<Output> stream;  // before the work
     if (Output::is_stream(arguments.output)) stream.emplace(arguments.output);
     const EndsAtOnce whole;

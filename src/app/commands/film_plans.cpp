@@ -88,7 +88,10 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
     const std::vector<Scene> loaded = all_made(scenes, [&](const std::string& name) {
         return load_scene(name, resources, overrides_of(options));
     });
-    for (const Scene& scene : loaded) refuse_unfit(scene, arguments.film, format);
+    for (const Scene& scene : loaded) {
+        say_notes(options, scene);
+        refuse_unfit(scene, arguments.film, format);
+    }
     FilmOptions film = arguments.film;
     film.output = format.name == "png" ? "film/" : "film." + format.name;
     for (std::size_t i = 0; i < scenes.size(); ++i) {

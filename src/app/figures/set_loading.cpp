@@ -42,8 +42,15 @@ SetPart part_of(const SetScene& listed_scene, const SceneResources& resources,
     part.title = listed_scene.title.value_or(part.scene.title);
     part.description = listed_scene.description.value_or(part.scene.description);
     const std::vector<std::string> names = figure_names(part.scene);
-    if (names.empty() && listed_scene.place.span.file.empty())
-        throw UsageError(fmt::format("{}: the scene lists no `figures`", part.scene.source.path));
+    if (names.empty() && listed_scene.place.span.file.empty()) {
+        const std::vector<Diagnostic>& notes = part.scene.notes;
+        throw UsageError(notes.empty()
+                             ? fmt::format("{}: the scene lists no `figures`; carom figure {} "
+                                           "--kind gas draws one that is not listed",
+                                           part.scene.source.path, part.scene.source.path)
+                             : fmt::format("{}: no figures: {}", part.scene.source.path,
+                                           note_text(notes.front())));
+    }
     if (names.empty())
         fail(listed_scene.place, fmt::format("the scene {} lists no figures", path.string()), "");
     for (const auto& [name, place] : listed_scene.figures) {

@@ -60,7 +60,7 @@ fs::path streamed_path(const FilmDestination& destination) {
             output, Output::is_standard_output(output) ? "standard output" : "a device or a pipe"));
     if (is_video(output)) {
         refuse_other_format(output, format);
-        return "film" + fs::path(output).extension().string();
+        return "film" + ending_of(output);
     }
     return "film." + (format.empty() ? "mp4" : format);
 }
@@ -74,13 +74,21 @@ fs::path named_path(const FilmDestination& destination, const std::string& scene
         throw UsageError(
             fmt::format("-o {}: a film ends in {}; a folder of PNG frames ends in a slash", output,
                         listed(video_extensions(), "or")));
-    return output_path(output, false, scene, {fs::path(output).extension().string()});
+    return output_path(output, false, scene, {ending_of(output)});
 }
 
 }  // namespace
 
 bool is_video(const fs::path& path) {
-    return std::ranges::count(video_extensions(), path.extension().string()) > 0;
+    return std::ranges::count(video_extensions(), ending_of(path)) > 0;
+}
+
+void refuse_films(const std::vector<std::string>& scenes) {
+    for (const std::string& name : scenes)
+        if (is_video(name))
+            throw UsageError(fmt::format(
+                "{} is no scene; the name of the film goes to -o: carom render {} -o {}", name,
+                scenes.front() == name ? "SCENE" : scenes.front(), name));
 }
 
 fs::path film_path(const FilmDestination& destination, const std::string& scene) {

@@ -49,7 +49,7 @@ std::vector<PageFields> listed_cues(const std::vector<Cue>& cues) {
 }
 
 std::string media_type(const fs::path& film) {
-    return film.extension() == ".webm" ? "video/webm" : "video/mp4";
+    return ending_of(film) == ".webm" ? "video/webm" : "video/mp4";
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/chunks/source_fingerprint.h"
+#include "app/command.h"
 #include "app/film/frame_span.h"
 #include "app/progress.h"
 #include "app/report/cut_distributions.h"
@@ -393,6 +394,19 @@ Facts refused_rows(const std::vector<CommandsRefused>& all) {
     return rows;
 }
 
+Facts note_rows(const Scene& scene) {
+    std::vector<std::string> lines;
+    Json values = Json::array();
+    for (const Diagnostic& note : scene.notes) {
+        lines.push_back(note_text(note));
+        values.push_back(error_value(note));
+    }
+    Facts rows = rows_of("note", lines);
+    rows.front().name = "notes";
+    rows.front().value = std::move(values);
+    return rows;
+}
+
 Fact name_of(const CheckedFile& checked) {
     const std::string errors = counted(static_cast<long long>(checked.errors.size()), "error");
     return {checked.is_set ? "set" : "scene", checked.path, "",
@@ -488,6 +502,7 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
          theory_rows(scene, boxed),
          film ? facts_of_film(*film)
               : Facts{{"film", nullptr, "film", "none: for `carom run` and figures only"}},
+         note_rows(scene),
          refused_rows(refused)});
 }
 

@@ -186,7 +186,7 @@ TEST_CASE("a size is written with any cross, and a wrong one is told the form") 
     }
     const Outcome wrong = run({program, "check", "--quiet", scene, "--size", "320,180"});
     CHECK(wrong.exit_code == 2);
-    CHECK(wrong.err.find("  hint: or give [width, height]\n") != std::string::npos);
+    CHECK(wrong.err.find("expected WIDTHxHEIGHT, for instance 320x180,") != std::string::npos);
 }
 
 TEST_CASE("a flag that the command does not have is told with the nearest one") {

@@ -59,7 +59,7 @@ TEST_CASE("headless Chromium plays the film in the colours that were drawn") {
     // The page, the disk, the ground. Limited range and the quantiser cost up to 4 of 255 on flat
     // ground.
     const std::array<std::array<int, 3>, 3> drawn{
-        {{0xFB, 0xFA, 0xF7}, {0x56, 0xB4, 0xE9}, {0xFF, 0xFF, 0xFF}}};
+        {{0xFF, 0xFF, 0xFF}, {0x56, 0xB4, 0xE9}, {0xFF, 0xFF, 0xFF}}};
     for (std::size_t pixel = 0; pixel < drawn.size(); ++pixel)
         for (std::size_t channel = 0; channel < 3; ++channel)
             CHECK(std::abs(answer["colors"][pixel][channel].get<int>() - drawn[pixel][channel]) <=

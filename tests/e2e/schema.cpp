@@ -340,7 +340,9 @@ TEST_CASE("every scene and set of the library fits the schema for readers of YAM
         }
     };
     check(carom::test::library_files(), "scene");
-    check(yaml_files(root / "docs/panels"), "scene");
+    std::vector<fs::path> panels = yaml_files(root / "docs/panels");
+    std::erase(panels, root / "docs/panels/panels.yaml");  // a set
+    check(panels, "scene");
     check(yaml_files(root / "scenes/sets"), "set");
 }
 

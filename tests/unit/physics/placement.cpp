@@ -121,7 +121,7 @@ TEST_CASE("no room: one sentence with the numbers and a way out") {
         "a disk of radius 25 does not fit into a box of 64 by 48; a smaller disk or a larger box");
     CHECK(placement_error(gas_of(10.0, 10.0, {{.name = "x", .count = 1'000'000'000'000}})) ==
           "1000000000000 disks of species \"x\" are more than the 50000000 particles that a gas "
-          "may have");
+          "may have; give fewer");
     Gas gas = gas_of(10.0, 10.0, {{.name = "w", .count = 9, .radius = 0.5}});
     gas.species[0].position = WithinRegion{{{1.0, 1.0}, {3.0, 3.0}}};
     CHECK(placement_error(gas) ==

@@ -14,9 +14,9 @@
 #include <string_view>
 
 #include "physics/mechanics.h"
-#include "physics/sampling/directions.h"
 #include "physics/placement/members.h"
 #include "physics/placement/problem.h"
+#include "physics/sampling/directions.h"
 #include "util/random.h"
 
 namespace carom {

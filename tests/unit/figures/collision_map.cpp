@@ -97,9 +97,10 @@ TEST_CASE("captions and alternative texts of collision maps have the numbers tha
     CHECK(words(0).caption ==
           "Two beads. Collision map. Beads of mass 100 and mass 1 at energy 50: 16 collisions "
           "with one another and 15 with a wall, from velocities −1 and 0 to 0.999 and 0.478.");
-    CHECK(words(0).alt ==
-          "Collision map from time 0 to 26. Beads of mass 100 and mass 1 at energy 50: 16 collisions "
-          "with one another and 15 with a wall, from velocities −1 and 0 to 0.999 and 0.478.");
+    CHECK(
+        words(0).alt ==
+        "Collision map from time 0 to 26. Beads of mass 100 and mass 1 at energy 50: 16 collisions "
+        "with one another and 15 with a wall, from velocities −1 and 0 to 0.999 and 0.478.");
     CHECK(words(1).caption.find("0 collisions with one another and 0 with a wall, from velocities "
                                 "−1 and 0 to −1 and 0.") != std::string::npos);
     CHECK(words(2).caption ==

@@ -1,6 +1,4 @@
 // The levels of H.264: by the standard, and as the encoder finds them.
-#include "media/codecs.h"
-
 #include <doctest/doctest.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "media/codecs.h"
 #include "support/numbered_film.h"
 
 using namespace carom;

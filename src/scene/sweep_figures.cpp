@@ -11,7 +11,7 @@
 namespace carom {
 namespace {
 
-constexpr const char* range_hint =
+constexpr const char* values_hint =
     "values in equal steps are written KEY=FIRST:LAST:N, for instance gas.0.radius=0.1:0.4:7";
 
 // Returns the first of the errors, at the place of the figure.
@@ -25,7 +25,7 @@ Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& c
     const bool is_number = std::ranges::all_of(changes, [](const std::string& change) {
         return parse_number(change.substr(change.find('=') + 1)).has_value();
     });
-    diagnostic.hint = first.hint.empty() && !is_number ? range_hint : first.hint;
+    diagnostic.hint = first.hint.empty() && !is_number ? values_hint : first.hint;
     return diagnostic;
 }
 

@@ -34,7 +34,7 @@ constexpr std::int64_t most_bytes_of_file = std::int64_t{64} << 30;
 
 const char* name_of(PlanKind kind) { return kind == PlanKind::film ? "film" : "sweep"; }
 const char* unit_of(PlanKind kind) { return kind == PlanKind::film ? "frame" : "run"; }
-const char* ending_of(PlanKind kind) { return kind == PlanKind::film ? ".chunk" : ".runs"; }
+const char* chunk_ending(PlanKind kind) { return kind == PlanKind::film ? ".chunk" : ".runs"; }
 
 [[noreturn]] void fail(const char* what, const fs::path& path, int error) {
     throw_system_error(fmt::format("cannot {} {}: {}", what, path.string(),
@@ -54,7 +54,7 @@ Json to_json(const PlannedChunk& chunk, PlanKind kind) {
     Json json{{"chunk", chunk.number},
               {"first_" + unit, chunk.first},
               {"last_" + unit, chunk.end - 1},
-              {"output", stem_of(chunk.number) + ending_of(kind)},
+              {"output", stem_of(chunk.number) + chunk_ending(kind)},
               {"manifest", stem_of(chunk.number) + ".json"},
               {"seconds", chunk.seconds},
               {"memory_bytes", chunk.memory_bytes},
@@ -284,7 +284,7 @@ std::string PlanFolder::read(const std::string& name) const {
 }
 
 StoredFile PlanFolder::output(const PlannedChunk& chunk) const {
-    return {folder_, stem_of(chunk.number) + ending_of(kind())};
+    return {folder_, stem_of(chunk.number) + chunk_ending(kind())};
 }
 
 StoredFile PlanFolder::manifest(const PlannedChunk& chunk) const {

@@ -84,7 +84,7 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
     return starter_from(scene.source.text, schema);
 }
 
-bool is_there(const fs::path& path) {
+bool exists_already(const fs::path& path) {
     std::error_code error;
     return fs::exists(fs::symlink_status(path, error));
 }
@@ -96,7 +96,7 @@ void write_both(const fs::path& file, const std::string& text) {
     scene.write(text);
     const fs::path beside = file.parent_path() / schema_reference(file);
     std::optional<AtomicFile> schema;  // an existing one is left as it is
-    if (!is_there(beside)) schema.emplace(beside, Earlier::kept).write(scene_schema_json());
+    if (!exists_already(beside)) schema.emplace(beside, Earlier::kept).write(scene_schema_json());
     scene.settle();
     const MustCleanUp together;
     if (schema) schema->commit();
@@ -111,7 +111,7 @@ void write_both(const fs::path& file, const std::string& text) {
 
 void make_scene(const NewArguments& arguments) {
     const fs::path file = named(arguments.name);
-    if (is_there(file)) refuse_existing(file);
+    if (exists_already(file)) refuse_existing(file);
     const std::string text = text_for(arguments, file);
     load_scene_text(text, file.string(), scene_resources());  // a template beside the other one
     write_both(file, text);

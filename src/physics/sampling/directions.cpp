@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-constexpr double rounding = 1e-12;  // of sums of given numbers, relative to the sum of all
+constexpr double sum_rounding = 1e-12;  // of sums of given numbers, relative to the sum of all
 
 // The sum of the momenta along both axes, rounded once, so that it does not depend on their order.
 Eigen::Array2d sum_of(const Eigen::ArrayXd& momenta, const Eigen::ArrayXd& angles) {
@@ -107,7 +107,7 @@ class SurplusSearch {
         : groups_(groups) {
         for (const EqualMomenta& group : groups)
             left_ += group.momentum * static_cast<double>(group.count);
-        unit_ = rounding * left_;
+        unit_ = sum_rounding * left_;
         for (const EqualMomenta& group : groups)
             if (!add(group, std::min(group.count, most_surplus))) return;
     }
@@ -166,7 +166,7 @@ bool balance_angles(const Eigen::ArrayXd& momenta, const std::array<bool, 2>& ax
     constexpr Eigen::Index rigid = 3;  // so few sides make a polygon that cannot be deformed
     const bool along_both = axes[0] && axes[1];
     const double sum = momenta.sum(), largest = momenta.maxCoeff();
-    if (along_both && 2.0 * largest > (1.0 + rounding) * sum) return false;
+    if (along_both && 2.0 * largest > (1.0 + sum_rounding) * sum) return false;
     const auto moving = (momenta > 0.0).count();
     if (!(along_both && moving <= rigid)) {
         Eigen::ArrayXd turned = angles;

@@ -16,7 +16,7 @@
 namespace carom {
 namespace {
 
-bool contains(const std::vector<std::string>& words, const std::string& word) {
+bool has_word(const std::vector<std::string>& words, const std::string& word) {
     return std::ranges::find(words, word) != words.end();
 }
 
@@ -153,7 +153,7 @@ std::string as_list(const Node& node, const std::vector<Form>& forms) {
     }
     if (forms.size() == 1 && list->shortest <= 1)
         for (const Form& item : list->items)
-            if (contains(item.words, node.text) || item.shape == Shape::text)
+            if (has_word(item.words, node.text) || item.shape == Shape::text)
                 return fmt::format("write `[{}]`, a list", node.text);
     return "";
 }
@@ -221,7 +221,7 @@ std::vector<std::string> owners_of(const std::string& key, const Section& whole)
             for (const Key& one : section->keys)
                 for (const Section* its : sections_in(one.forms)) inner.push_back(its);
         for (const Section* section : inner)
-            if (section->index(key) < section->keys.size() && !contains(owners, section->name))
+            if (section->index(key) < section->keys.size() && !has_word(owners, section->name))
                 owners.push_back(section->name);
         level = std::move(inner);
     }
@@ -263,7 +263,7 @@ std::vector<std::string> key_names(const Section& section) {
 
 std::optional<std::string> meant_key(const std::string& name, const Section& section) {
     for (const Key& key : section.keys)
-        if (contains(key.tried, name)) return key.name;
+        if (has_word(key.tried, name)) return key.name;
     return nearest_spelling(name, key_names(section));
 }
 
@@ -308,7 +308,7 @@ std::string hint_for_unknown(const Node& key, const Section& section, const Sect
     const std::size_t kind = section.index("kind");
     if (kind < section.keys.size())
         for (const Form& form : section.keys[kind].forms)
-            if (contains(form.words, name)) return fmt::format("write `kind: {}`", name);
+            if (has_word(form.words, name)) return fmt::format("write `kind: {}`", name);
     constexpr std::size_t few = 13;
     const std::string place = place_of_key(name, section, whole);
     if (const auto meant = meant_key(name, section))

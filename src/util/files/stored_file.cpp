@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr mode_t rights_of_folders = 0777;  // less the umask
 
-int opened(int at, const char* name, int flags) {
+int opened_at(int at, const char* name, int flags) {
     int descriptor = -1;
     do descriptor = openat(at, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | flags);
     while (descriptor < 0 && errno == EINTR);
@@ -24,7 +24,7 @@ int opened(int at, const char* name, int flags) {
 
 // The system reports a link as something that is no folder.
 Descriptor opened_below(int at, const char* name) {
-    Descriptor folder(opened(at, name, O_NOFOLLOW));
+    Descriptor folder(opened_at(at, name, O_NOFOLLOW));
     const int cause = errno;
     struct stat status = {};
     if (!folder.is_open() && cause == ENOTDIR &&
@@ -45,7 +45,7 @@ Descriptor opened_root(const fs::path& folder, MissingFolders missing) {
             return {};
         }
     }
-    return Descriptor(opened(AT_FDCWD, path.c_str(), 0));
+    return Descriptor(opened_at(AT_FDCWD, path.c_str(), 0));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ namespace {
 
 using std::numbers::pi;
 
-struct State {
+struct GasState {
     Gas gas;
     std::vector<RunEvent> events = {};
     Particles particles = {};
@@ -47,28 +47,28 @@ Species disks(std::int64_t count, double mass = 1.0) {
 
 struct Condition {
     std::string name;
-    std::function<void(State&)> change;
+    std::function<void(GasState&)> change;
     bool is_line = false;
 };
 
-void make_periodic(State& s) { s.gas.box.walls = {Wall::periodic, Wall::periodic}; }
+void make_periodic(GasState& s) { s.gas.box.walls = {Wall::periodic, Wall::periodic}; }
 
 Condition on_side(const std::string& name, const Behaviour& behaviour, std::size_t side = 3) {
-    return {name, [=](State& s) {
+    return {name, [=](GasState& s) {
                 s.gas.box.surfaces.sides.at(side) = behaviour;
                 s.asked.surface = static_cast<std::int32_t>(side);
             }};
 }
 
 Condition with_partition(const std::string& name, const Partition& partition) {
-    return {name, [=](State& s) {
+    return {name, [=](GasState& s) {
                 s.gas.box.surfaces.partitions = {partition};
                 s.asked.surface = Surfaces::first_partition;
             }};
 }
 
 Condition of_disks(const std::string& name, std::int64_t count, bool is_periodic) {
-    return {name, [=](State& s) {
+    return {name, [=](GasState& s) {
                 s.gas.species = {disks(count)};
                 if (is_periodic) make_periodic(s);
             }};
@@ -76,7 +76,7 @@ Condition of_disks(const std::string& name, std::int64_t count, bool is_periodic
 
 Condition on_line(const std::string& name, Wall ends, const std::vector<double>& masses) {
     return {name,
-            [=](State& s) {
+            [=](GasState& s) {
                 s.gas.box = {1, {20.0, 0.0}, {ends, Wall::solid}};
                 Species beads = disks(static_cast<std::int64_t>(masses.size()));
                 beads.mass = Quantity{masses};
@@ -91,26 +91,26 @@ std::vector<Condition> conditions() {
     gap.gaps = {{5.0, 8.0}};
     selects.behaviour = Membrane{.species = {0}};
     std::vector<Condition> all{
-        {"closed", [](State&) {}},
+        {"closed", [](GasState&) {}},
         {"periodic", make_periodic},
-        {"half", [](State& s) { s.gas.box.walls[0] = Wall::periodic; }},
+        {"half", [](GasState& s) { s.gas.box.walls[0] = Wall::periodic; }},
         {"mixture",
-         [](State& s) {
+         [](GasState& s) {
              make_periodic(s);
              s.gas.species = {disks(10), disks(1, 20.0)};
              s.gas.species[1].velocity = AtRest{};  // no momentum
          }},
         {"gravity",
-         [](State& s) {
+         [](GasState& s) {
              s.gas.box.surfaces.gravity = {0.0, -0.2};
          }},
         {"fixed",
-         [](State& s) {
+         [](GasState& s) {
              s.gas.species.push_back(
                  {.name = "post", .count = 1, .radius = 1.0, .mass = Infinite{}});
          }},
         {"moved",
-         [](State& s) {
+         [](GasState& s) {
              s.gas.species.push_back({.name = "post",
                                       .count = 1,
                                       .radius = 1.0,
@@ -119,7 +119,7 @@ std::vector<Condition> conditions() {
          }},
         on_side("bath", Bath{2.0}),
         {"baths",
-         [](State& s) {
+         [](GasState& s) {
              s.gas.box.surfaces.sides[2] = Bath{1.0};
              s.gas.box.surfaces.sides[3] = Bath{2.0};
          }},
@@ -129,41 +129,41 @@ std::vector<Condition> conditions() {
         with_partition("divided", middle),
         with_partition("gap", gap),
         {"obstacle",
-         [](State& s) {
+         [](GasState& s) {
              s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
          }},
         {"heated",
-         [](State& s) {
+         [](GasState& s) {
              s.events = {{1.0, Heat{{}, 5.0}}};
          }},
         {"opened",
-         [middle](State& s) {
+         [middle](GasState& s) {
              s.gas.box.surfaces.partitions = {middle};
              s.asked.surface = Surfaces::first_partition;
              s.events = {{1.0, SetOpen{Surfaces::first_partition, true}}};
          }},
         {"reversed",
-         [](State& s) {
+         [](GasState& s) {
              s.events = {{1.0, ReverseVelocities{}}};
          }},
         of_disks("one", 1, false),
         of_disks("one-free", 1, true),
         {"billiard",
-         [](State& s) {
+         [](GasState& s) {
              s.gas.species = {disks(1)};
              s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
          }},
         of_disks("two", 2, false),
         of_disks("two-free", 2, true),
         of_disks("empty", 0, false),
-        {"at-rest", [](State& s) { s.gas.species[0].velocity = AtRest{}; }},
+        {"at-rest", [](GasState& s) { s.gas.species[0].velocity = AtRest{}; }},
         {"drifts",
-         [](State& s) {
+         [](GasState& s) {
              make_periodic(s);
              s.gas.species.push_back(disks(1));
              s.gas.species.back().velocity = Velocity{{{3.0, 0.0}}};
          }},
-        {"points", [](State& s) { s.gas.species[0].radius = 0.0; }},
+        {"points", [](GasState& s) { s.gas.species[0].radius = 0.0; }},
         on_line("line", Wall::solid, {1.0, 2.0, 3.0, 1.0, 2.5}),
         on_line("ring", Wall::periodic, {1.0, 2.0, 3.0, 1.0, 2.5}),
         on_line("equals", Wall::solid, {1.0, 1.0, 1.0, 1.0, 1.0}),
@@ -172,8 +172,8 @@ std::vector<Condition> conditions() {
     return all;
 }
 
-State state_of(const Condition& condition) {
-    State s;
+GasState state_of(const Condition& condition) {
+    GasState s;
     s.gas.box.size = {20.0, 15.0};
     s.gas.species = {disks(20)};
     s.gas.seed = 3;
@@ -399,7 +399,7 @@ TEST_CASE("each law holds, or gives its reason, under each condition") {
         REQUIRE(row.size() == all.size());
         for (std::size_t c = 0; c < all.size(); ++c) {
             CAPTURE(all[c].name);
-            const State s = state_of(all[c]);
+            const GasState s = state_of(all[c]);
             CHECK(cell_of(law(s.boxed(), LawOf(k), s.asked)) == row[c]);
         }
     }
@@ -422,20 +422,22 @@ TEST_CASE("every reason has words, in every language") {
 
 namespace {
 
-State state_named(const std::string& name) {
+GasState state_named(const std::string& name) {
     for (const Condition& one : conditions())
         if (one.name == name) return state_of(one);
     FAIL("there is no condition ", name);
     return {};
 }
 
-double value_of(const State& s, LawOf quantity) { return law(s.boxed(), quantity, s.asked).value; }
+double value_of(const GasState& s, LawOf quantity) {
+    return law(s.boxed(), quantity, s.asked).value;
+}
 
 // Velocities with the energy and the momenta of a state, uniformly distributed: independent normal
 // momenta, without their sum along conserved axes, at the same energy. The slow, obvious way.
 class Shuffled {
   public:
-    explicit Shuffled(const State& s)
+    explicit Shuffled(const GasState& s)
         : masses_((s.particles.inverse_mass > 0.0).select(s.particles.inverse_mass.inverse(), 0.0)),
           start_(s.start.velocity),
           random_(17, "shuffled velocities") {
@@ -496,7 +498,7 @@ TEST_CASE("mean energies and speeds are those of uniform points on the sphere of
     for (const std::string name : {"closed", "periodic", "half", "mixture", "fixed", "reversed",
                                    "two", "two-free", "drifts", "line", "ring", "not-yet", "one"}) {
         CAPTURE(name);
-        State s = state_named(name);
+        GasState s = state_named(name);
         const std::vector<Eigen::Index> first{0}, last{s.particles.count() - 1};
         for (const std::vector<Eigen::Index>& list : {first, last}) {
             if (s.particles.inverse_mass[list[0]] == 0.0) continue;
@@ -517,7 +519,7 @@ TEST_CASE("mean energies and speeds are those of uniform points on the sphere of
 }
 
 TEST_CASE("of ten light disks and a heavy one in a periodic box, the heavy one has less energy") {
-    State s = state_named("mixture");
+    GasState s = state_named("mixture");
     const double temperature = kinetic_energies(s.particles, s.start).sum() / 10.0;  // E / (N - 1)
     CHECK(value_of(s, LawOf::temperature) == relative(temperature, 1e-12));
     s.asked.of = {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}};
@@ -529,7 +531,7 @@ TEST_CASE("of ten light disks and a heavy one in a periodic box, the heavy one h
 TEST_CASE("densities of a box that is periodic along one axis are those of the sphere") {
     for (const int count : {3, 20}) {
         CAPTURE(count);
-        State s = state_named("half");
+        GasState s = state_named("half");
         s.gas.species = {disks(count)};
         std::tie(s.particles, s.start) = place(s.gas);
         const EquilibriumGas gas = *law(s.boxed(), LawOf::distribution).equilibrium;
@@ -566,13 +568,13 @@ TEST_CASE("the temperature is twice the energy per degree of freedom") {
         {"line", 5},      {"ring", 4},      {"equals", 5}};
     for (const auto& [name, count] : freedoms) {
         CAPTURE(name);
-        const State s = state_named(name);
+        const GasState s = state_named(name);
         const BoxedGas gas = s.boxed();
         double energy = kinetic_energies(s.particles, s.start).sum();
         energy -= 0.5 * gas.mass * gas.drift.square().sum();
         CHECK(value_of(s, LawOf::temperature) == relative(2.0 * energy / count, 1e-12));
     }
-    const State bath = state_named("bath");
+    const GasState bath = state_named("bath");
     CHECK(value_of(bath, LawOf::temperature) == 2.0);
     CHECK(value_of(bath, LawOf::bath) == 2.0);
     CHECK(value_of(bath, LawOf::mean_energy) == 2.0);  // 2 d / 2
@@ -581,7 +583,7 @@ TEST_CASE("the temperature is twice the energy per degree of freedom") {
 
 TEST_CASE("few particles collide as often as their exact relative speed says") {
     // Two disks whose momentum is conserved are one point among disks: 2 s v / (A - pi s^2).
-    const State s = state_named("two-free");
+    const GasState s = state_named("two-free");
     const Eigen::ArrayXd apart = s.start.velocity.row(0) - s.start.velocity.row(1);
     const double v = std::sqrt(apart.square().sum()), contact = 0.6;
     CHECK(value_of(s, LawOf::collision_rate) ==
@@ -592,11 +594,11 @@ TEST_CASE("few particles collide as often as their exact relative speed says") {
 
 TEST_CASE("pressures and the contact value are the closed forms") {
     for (const std::string name : {"closed", "periodic", "points"}) {
-        const State s = state_named(name);
+        const GasState s = state_named(name);
         const double energy = s.boxed().thermal.energy;
         CHECK(value_of(s, LawOf::ideal_pressure) == relative(energy / 300.0, 1e-13));
     }
-    const State rods = state_named("line");
+    const GasState rods = state_named("line");
     const double twice = 2.0 * kinetic_energies(rods.particles, rods.start).sum();
     CHECK(value_of(rods, LawOf::ideal_pressure) == relative(twice / 20.0, 1e-13));
     CHECK(value_of(rods, LawOf::pressure) == relative(twice / (20.0 - 5 * 0.6), 1e-13));
@@ -630,7 +632,7 @@ TEST_CASE("where walls bound displacements, these level off at twice the varianc
 TEST_CASE("the slope of the autocorrelation has the factor of finite numbers") {
     for (const std::string name : {"two", "mixture", "half", "line", "ring"}) {
         CAPTURE(name);
-        State s = state_named(name);
+        GasState s = state_named(name);
         const Eigen::Index i = 0, j = s.particles.count() - 1;
         s.asked.of = {{i}};
         const double m = 1.0 / s.particles.inverse_mass[i],
@@ -664,7 +666,7 @@ TEST_CASE("the slope of the autocorrelation has the factor of finite numbers") {
 }
 
 TEST_CASE("laws of lines, halves, heights and billiards") {
-    const State s = state_named("half");
+    const GasState s = state_named("half");
     Shuffled shuffled(s);
     Sampled rate, energy;
     for (int k = 0; k < 20'000; ++k) {
@@ -677,13 +679,13 @@ TEST_CASE("laws of lines, halves, heights and billiards") {
     rate.check(flux.value);
     energy.check(flux.energy);
 
-    const State gap = state_named("gap");
+    const GasState gap = state_named("gap");
     CHECK(value_of(gap, LawOf::side_count) == 10.0);
     CHECK(value_of(gap, LawOf::side_energy) ==
           relative(kinetic_energies(gap.particles, gap.start).mean(), 1e-13));
     CHECK(value_of(gap, LawOf::side_temperature) == value_of(gap, LawOf::side_energy));
 
-    const State falling = state_named("gravity");
+    const GasState falling = state_named("gravity");
     double all = 0.0;
     for (const double density : law(falling.boxed(), LawOf::heights, falling.asked).curve)
         all += density * 300.0 / 4.0;
@@ -699,7 +701,7 @@ TEST_CASE("laws of lines, halves, heights and billiards") {
 TEST_CASE("the entropy of velocities in equilibrium is that of an independent count") {
     for (const std::string name : {"closed", "periodic", "half"}) {
         CAPTURE(name);
-        const State s = state_named(name);
+        const GasState s = state_named(name);
         const Law found = law(s.boxed(), LawOf::velocity_entropy);
         CHECK(found.error > 0.0);
         CHECK(found.error < 5e-4);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 
@@ -26,6 +27,16 @@ std::vector<Step> steps_of(const std::string& path, std::size_t offset) {
         if (dot == std::string::npos) return steps;
         start = dot + 1;
     }
+}
+
+// Returns "gas.0.count" for "gas[0].count" and "gas/0/count", and nothing for paths with points.
+std::string with_points(std::string path) {
+    const bool has_slashes = path.find('.') == path.npos && path.find('/') != path.npos;
+    if (!has_slashes && path.find('[') == path.npos) return "";
+    std::erase(path, ']');
+    std::ranges::replace_if(
+        path, [&](char c) { return c == '[' || (has_slashes && c == '/'); }, '.');
+    return path;
 }
 
 std::optional<std::size_t> list_index(const std::string& word) {
@@ -93,6 +104,10 @@ void apply(const Source& source, std::size_t begin, Node& scene, Errors& errors)
     std::optional<Node> value = read_value(source, sign + 1, errors);
     if (!value) return;
     if (value->kind == Node::Kind::null) value->offset = begin;
+    if (const std::string path = with_points(source.text.substr(begin, sign - begin));
+        !path.empty())
+        return errors.add(source, begin, "points stand between the keys of a path",
+                          fmt::format("write `{}`", path));
     Node* place = &scene;
     for (const Step& step : steps_of(source.text.substr(begin, sign - begin), begin)) {
         place = enter(*place, source, step, errors);

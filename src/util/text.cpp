@@ -136,11 +136,22 @@ bool nests_deeper(std::string_view json, int most) {
     return false;
 }
 
+namespace {
+
+bool is_same_but_case(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+}  // namespace
+
 std::optional<std::string> nearest_spelling(std::string_view word,
                                             std::span<const std::string> candidates) {
     constexpr std::size_t longest_compared = 64;  // a longer word is not a misspelt key
     // Any single letter is one edit away from any other.
     if (word.size() < 2 || word.size() > longest_compared) return std::nullopt;
+    for (const std::string& candidate : candidates)
+        if (is_same_but_case(word, candidate)) return candidate;
     std::optional<std::string> best;
     int least = static_cast<int>(std::max<std::size_t>(1, word.size() / 3)) + 1;
     const auto length = static_cast<int>(word.size());

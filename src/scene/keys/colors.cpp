@@ -146,7 +146,25 @@ std::string color_hex(std::string_view name) {
     return hex ? std::string{name} : std::string{};
 }
 
+// rgb(255, 0, 0), or 255,0,0
+std::string channels_hint(const std::string& text) {
+    std::vector<int> numbers;
+    for (std::size_t at = 0; (at = text.find_first_of("0123456789", at)) != text.npos;) {
+        const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
+        if (end - at > 3 || numbers.size() == 3) return "";
+        numbers.push_back(std::stoi(text.substr(at, end - at)));
+        at = end;
+    }
+    const bool is_color = numbers.size() == 3 &&
+                          text.find_first_not_of("rgbRGB(), 0123456789") == text.npos &&
+                          std::ranges::all_of(numbers, [](int channel) { return channel <= 255; });
+    return is_color
+               ? fmt::format("write `\"#{:02x}{:02x}{:02x}\"`", numbers[0], numbers[1], numbers[2])
+               : "";
+}
+
 std::string color_hint(const std::string& text) {
+    if (const std::string hint = channels_hint(text); !hint.empty()) return hint;
     if (text.starts_with('#')) return digits_hint(std::string_view{text}.substr(1));
     if (const std::string hex = "#" + text; !color_hex(hex).empty())
         return fmt::format("write `#` before the digits, in quotes: \"{}\"", hex);

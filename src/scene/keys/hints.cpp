@@ -9,6 +9,7 @@
 
 #include "scene/keys/colors.h"
 #include "scene/keys/key_text.h"
+#include "scene/keys/rewriting.h"
 #include "scene/yaml/scalar.h"
 #include "scene/yaml/yaml_text.h"
 #include "util/text.h"
@@ -45,21 +46,39 @@ std::string keys_hint(const Section& section, const std::string& of = "") {
            " " + listed(names, "and");
 }
 
-// Returns whether a name contains a word of `text`; hyphens separate the words of a name.
-bool has_word_of(std::string_view text, std::string_view name) {
+// Returns a word without capitals, spaces, hyphens and underscores.
+std::string letters_of(std::string_view word) {
+    std::string letters;
+    for (const char c : word)
+        if (c != ' ' && c != '-' && c != '_')
+            letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return letters;
+}
+
+// Returns the words of a name, between hyphens, spaces or underscores.
+std::vector<std::string> name_parts(std::string_view name) {
     constexpr std::size_t shortest = 4;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("- _", at), text.size());
-        if (end - at >= shortest && name.find(text.substr(at, end - at)) != name.npos) return true;
+    std::vector<std::string> words;
+    for (std::size_t at = 0; at < name.size();) {
+        const std::size_t end = std::min(name.find_first_of("- _", at), name.size());
+        if (end - at >= shortest) words.push_back(letters_of(name.substr(at, end - at)));
         at = end + 1;
     }
-    return false;
+    return words;
+}
+
+// Returns whether a name contains a word of `text`, or one of similar spelling.
+bool has_word_of(std::string_view text, std::string_view name) {
+    const std::vector<std::string> own = name_parts(name);
+    return std::ranges::any_of(name_parts(text), [&](const std::string& word) {
+        return name.find(word) != name.npos || nearest_spelling(word, own).has_value();
+    });
 }
 
 std::string word_hint(const Node& node, const std::vector<Form>& forms) {
     for (const Form& form : forms)
         for (const Elsewhere& other : form.elsewhere)
-            if (other.word == node.text) return other.hint;
+            if (letters_of(other.word) == letters_of(node.text)) return other.hint;
     std::vector<std::string> words;
     for (const Form& form : forms) words.insert(words.end(), form.words.begin(), form.words.end());
     const auto near = nearest_spelling(node.text, words);
@@ -88,6 +107,7 @@ std::string range_hint(double value, const Form& form) {
         return fmt::format("write `{}`, without the minus sign", number_text(-value));
     if (value < range.low && range.low != smallest_quantity.value)
         return fmt::format("the smallest is {}", number_text(range.low));
+    if (value < range.low) return "for instance `1`, or any other number above 0";
     if (form.shape != Shape::integer || value == std::floor(value)) return "";
     std::vector<std::string> whole;
     for (const double near : {std::floor(value), std::ceil(value)})
@@ -108,7 +128,10 @@ std::string structure_instead(const Node& node, const std::vector<Form>& forms) 
                                   : "a mapping with " + listed(key_names(*form.section), "and"));
     }
     const bool has_scalar = node.is_scalar() && others.size() < forms.size();
-    return others.empty() || !has_scalar ? "" : "or give " + listed(others, "or");
+    if (others.empty() || !has_scalar) return "";
+    const bool has_number =
+        form_of(forms, Shape::number) != nullptr || form_of(forms, Shape::integer) != nullptr;
+    return (has_number ? "write a number, or give " : "or give ") + listed(others, "or");
 }
 
 // Returns a hint for a mark that means nothing to YAML where it stands, or something else.
@@ -125,44 +148,14 @@ std::string mark_hint(const std::string& text, const std::vector<Form>& forms) {
     return fmt::format("a space stands after the colon: `{}: {}`", key, text.substr(colon + 1));
 }
 
-// Returns the numbers of a scalar that should be a list of so many: "40 x 30", "40, 30".
-std::vector<std::string> numbers_in(const std::string& text, std::size_t count) {
-    std::vector<std::string> numbers;
-    for (std::size_t at = 0; (at = text.find_first_of("-.0123456789", at)) != text.npos;) {
-        const std::size_t end = std::min(text.find_first_not_of("-.0123456789", at), text.size());
-        numbers.push_back(text.substr(at, end - at));
-        at = end;
-    }
-    const bool has_words = text.find_first_not_of("-.0123456789 ,;:xX*×/") != std::string::npos;
-    const bool are_right =
-        numbers.size() == count && std::ranges::all_of(numbers, [](const std::string& one) {
-            return parse_number(one).has_value();
-        });
-    return has_words || !are_right ? std::vector<std::string>{} : numbers;
-}
-
-// Returns how a scalar is written as the list that is expected.
-std::string as_list(const Node& node, const std::vector<Form>& forms) {
-    const Form* list = form_of(forms, Shape::list);
-    if (list == nullptr) return "";
-    const bool has_numbers = form_of(list->items, Shape::number) != nullptr ||
-                             form_of(list->items, Shape::integer) != nullptr;
-    if (has_numbers && list->most.value == static_cast<double>(list->shortest)) {
-        const std::vector<std::string> numbers = numbers_in(node.text, list->shortest);
-        if (!numbers.empty()) return fmt::format("write `[{}]`", fmt::join(numbers, ", "));
-    }
-    if (forms.size() == 1 && list->shortest <= 1)
-        for (const Form& item : list->items)
-            if (has_word(item.words, node.text) || item.shape == Shape::text)
-                return fmt::format("write `[{}]`, a list", node.text);
-    return "";
-}
-
 std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
-    for (const std::string& hint : {mark_hint(node.text, forms), as_list(node, forms)})
-        if (!hint.empty()) return hint;
+    if (const std::string hint = mark_hint(node.text, forms); !hint.empty()) return hint;
+    if (const std::string text = rewritten(node, forms); !text.empty())
+        return fmt::format("write `{}`", text);
     if (form_of(forms, Shape::color) != nullptr) return color_hint(node.text);
     if (const std::string hint = word_hint(node, forms); !hint.empty()) return hint;
+    if (form_of(forms, Shape::flag))
+        if (const std::string hint = flag_hint(node); !hint.empty()) return hint;
     const Form* number = form_of(forms, Shape::number);
     if (number == nullptr) number = form_of(forms, Shape::integer);
     const auto value = number_in(node);
@@ -170,18 +163,23 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
         if (const std::string hint = value ? range_hint(*value, *number) : number_hint(node);
             !hint.empty())
             return hint;
-    if (form_of(forms, Shape::flag))
-        if (const std::string hint = flag_hint(node); !hint.empty()) return hint;
     const Form* list = form_of(forms, Shape::list);
     const bool is_pair = list != nullptr && list->shortest == 2 && list->most.value == 2.0;
     if (is_pair && value && form_of(list->items, Shape::number) && number == nullptr)
-        return "one number for each direction: " + phrase(*list);
+        return "two numbers: " + phrase(*list);
     return structure_instead(node, forms);
 }
 
 std::string structure_hint(const Node& node, const std::vector<Form>& forms) {
     if (node.kind == Node::Kind::null && is_comment_behind(node))
         return "`#` begins a comment; put the value in quotes";
+    if (const std::string text = rewritten(node, forms); !text.empty())
+        return fmt::format("write `{}`", text);
+    if (node.is_list() && form_of(forms, Shape::color) != nullptr) {
+        std::vector<std::string> channels;
+        for (const Node& item : node.items) channels.push_back(item.text);
+        return color_hint(fmt::format("{}", fmt::join(channels, ",")));
+    }
     const Form* list = form_of(forms, Shape::list);
     if (node.is_mapping() && list && form_of(list->items, Shape::mapping))
         return "begin each item of the list with `- `, or put brackets around it: [{...}]";
@@ -248,6 +246,14 @@ const Key* key_read_as_flag(const std::string& word, const Section& section) {
     return found == section.keys.end() ? nullptr : &*found;
 }
 
+// Returns whether the section has a key `kind` of which this is a value.
+bool is_kind(const std::string& word, const Section& section) {
+    const std::size_t kind = section.index("kind");
+    return kind < section.keys.size() &&
+           std::ranges::any_of(section.keys[kind].forms,
+                               [&](const Form& form) { return has_word(form.words, word); });
+}
+
 }  // namespace
 
 const Form* form_of(const std::vector<Form>& forms, Shape shape) {
@@ -262,6 +268,8 @@ std::vector<std::string> key_names(const Section& section) {
 }
 
 std::optional<std::string> meant_key(const std::string& name, const Section& section) {
+    if (const Key* key = key_read_as_flag(name, section)) return key->name;
+    if (is_kind(name, section)) return "kind";
     for (const Key& key : section.keys)
         if (has_word(key.tried, name)) return key.name;
     return nearest_spelling(name, key_names(section));
@@ -292,7 +300,8 @@ std::string hint_for_unknown(const Node& key, const Section& section, const Sect
     const std::string& name = key.text;
     if (const std::string hint = odd_space_hint(name); !hint.empty()) return hint;
     if (name.find_first_not_of("0123456789") == std::string::npos)  // {radius: 0,7}
-        return "a comma separates keys; write decimals with a point: 0.5";
+        return name.size() == 3 ? "a comma separates keys; write thousands without it: 1000"
+                                : "a comma separates keys; write decimals with a point: 0.5";
     if (const Key* meant = key_read_as_flag(name, section))
         return fmt::format(
             "write `{}`: a program that reads YAML 1.1 has taken the key `on` for `true`",
@@ -305,10 +314,7 @@ std::string hint_for_unknown(const Node& key, const Section& section, const Sect
         return fmt::format("write `{}: {}`", trimmed(name.substr(0, sign)),
                            trimmed(name.substr(sign + 1)));
     }
-    const std::size_t kind = section.index("kind");
-    if (kind < section.keys.size())
-        for (const Form& form : section.keys[kind].forms)
-            if (has_word(form.words, name)) return fmt::format("write `kind: {}`", name);
+    if (is_kind(name, section)) return fmt::format("write `kind: {}`", name);
     constexpr std::size_t few = 13;
     const std::string place = place_of_key(name, section, whole);
     if (const auto meant = meant_key(name, section))

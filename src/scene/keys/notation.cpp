@@ -72,14 +72,16 @@ KeyTable<Distribution> distribution(Range range) {
         .keys =
             {bind_key("uniform", &Distribution::value,
                       parsed(pair_of(range, "[low, high]"), ordered),
-                      "A uniform distribution between two numbers."),
+                      "A uniform distribution between two numbers.")
+                 .tried_as({"range", "between", "flat", "random"}),
              bind_key(
                  "normal", &Distribution::value,
                  parsed(pair_of(spread, "[mean, deviation]"), positive_mean),
                  "A normal distribution with this mean and standard deviation. Of radii, masses "
                  "and densities, values below 0 are drawn again; speeds lose their "
                  "sign. Where this is more than 1 % of the values, `carom check` "
-                 "gives the mean and the deviation that result.")},
+                 "gives the mean and the deviation that result.")
+                 .tried_as({"gauss", "gaussian", "Gaussian"})},
         .choices = {{{"uniform", "normal"}, true}}};
 }
 

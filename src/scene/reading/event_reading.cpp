@@ -115,7 +115,8 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
                  "until the next mark."),
         bind_key("caption", &EventDraft::caption, with_formulas(text(0, most_caption_letters)),
                  "A line of text under the gas, shown until the next one; \"\" removes it. Write "
-                 "formulae between `$` signs."),
+                 "formulae between `$` signs.")
+            .tried_as({"text", "words", "label", "title", "subtitle"}),
         bind_key("pause", &EventDraft::pause, number({0.1, most_seconds}),
                  "Stops the film, and simulated time, for this many seconds, so that you can "
                  "speak. Pauses are included in the film's `seconds`; with `pace` they make the "

@@ -336,6 +336,11 @@ KeyTable<FigureReading> figure_table(PanelKinds kinds) {
         .keys = joined<FigureReading>(name, panel_keys(kinds, kind_key(word(names)), {}),
                                       keys_of_runs(kinds), compare, time_keys(kinds), page_keys()),
         .choices = {{{"at", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}},
+        .refused = {{"format", "formats are chosen where figures are drawn",
+                     "carom figures SCENE --formats svg,png"},
+                    {"formats", "formats are chosen where figures are drawn",
+                     "carom figures SCENE --formats svg,png"},
+                    {"width", "a figure has a `size` on paper", "for instance `size: [8, 6]`"}},
         .rule = [kinds](FigureReading& figure, const Node& node, Reading& reading) {
             complete_figure(figure, node, kinds, reading);
         }};

@@ -25,20 +25,15 @@ Notation<PictureSize> size_notation() {
         one_of<PictureSize>(
             {{"2160p", {3840, 2160}}, {"1080p", {1920, 1080}}, {"720p", {1280, 720}}})
             .with_elsewhere({{"4k", "4K is `2160p`"},
-                             {"4K", "4K is `2160p`"},
                              {"uhd", "UHD is `2160p`"},
-                             {"UHD", "UHD is `2160p`"},
                              {"8k", "8K is `[7680, 4320]`"},
-                             {"8K", "8K is `[7680, 4320]`"},
                              {"2k", "write `1080p`, or `[2560, 1440]`"},
-                             {"2K", "write `1080p`, or `[2560, 1440]`"},
                              {"1440p", "write `[2560, 1440]`"},
                              {"480p", "write `[854, 480]`"},
                              {"360p", "write `[640, 360]`"},
                              {"hd", "HD is `720p`, full HD is `1080p`"},
-                             {"HD", "HD is `720p`, full HD is `1080p`"},
                              {"fhd", "full HD is `1080p`"},
-                             {"FHD", "full HD is `1080p`"}}),
+                             {"full hd", "full HD is `1080p`"}}),
         mapped(list_of(whole(smallest_side.value, largest_side), 2, {2}, "[width, height]"),
                sides));
 }
@@ -114,7 +109,13 @@ Binding<Film> sound_key() {
                               "kinetic energy at the start")}};
     using Written = std::optional<Sound>;
     const auto none = mapped(one_of<bool>({{"none", false}}), [](bool) { return Written{}; });
-    const auto usual = mapped(one_of<SoundOf>(), [](SoundOf of) { return Written{{.of = of}}; });
+    const auto usual = mapped(one_of<SoundOf>().with_elsewhere({{"yes", "write `collisions`"},
+                                                                {"true", "write `collisions`"},
+                                                                {"on", "write `collisions`"},
+                                                                {"no", "write `none`"},
+                                                                {"false", "write `none`"},
+                                                                {"off", "write `none`"}}),
+                              [](SoundOf of) { return Written{{.of = of}}; });
     const auto whole = mapped(mapping(table, "{of: collisions, loudness: 0.3}"),
                               [](const Sound& sound) { return Written{sound}; });
     return bind_with<Film>(
@@ -143,14 +144,10 @@ std::vector<Binding<FilmDraft>> picture_keys() {
         theme_key(&Film::theme),
         bind_key("language", &Film::language,
                  one_of<Language>().with_elsewhere({{"english", "did you mean `en`?"},
-                                                    {"English", "did you mean `en`?"},
                                                     {"german", "did you mean `de`?"},
-                                                    {"German", "did you mean `de`?"},
                                                     {"deutsch", "did you mean `de`?"},
                                                     {"french", "did you mean `fr`?"},
-                                                    {"French", "did you mean `fr`?"},
-                                                    {"spanish", "did you mean `es`?"},
-                                                    {"Spanish", "did you mean `es`?"}}),
+                                                    {"spanish", "did you mean `es`?"}}),
                  "The language of carom's own words, numbers and lists: English, German, French or "
                  "Spanish. The words of the scene stay as they are."),
         bind_key("ground", &Film::transparent,
@@ -438,13 +435,27 @@ void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Readi
     list.resize(std::min(list.size(), places));
 }
 
+std::vector<Refused> keys_of_other_programs() {
+    const std::string captions = "captions are events of the run",
+                      event = "`events: [{at: 1, caption: words}]` in `run`";
+    const std::string format = "the format of a film is that of the file that it is written to",
+                      option = "carom render SCENE -o film.webm";
+    return {{"captions", captions, event},
+            {"caption", captions, event},
+            {"subtitles", captions, event},
+            {"font", "the font of a film cannot be chosen", "leave it out"},
+            {"format", format, option},
+            {"codec", format, option}};
+}
+
 KeyTable<FilmDraft> new_film_table(PanelKinds kinds) {
     const std::vector its_template{
         bind_key("template", &Film::template_name, text(1, most_title_letters),
                  "The layout: a file in the scene's folder or in templates/films, by name.")};
     return {.name = "`film`",
             .keys = joined<FilmDraft>(its_template, film_keys(kinds)),
-            .choices = film_choices};
+            .choices = film_choices,
+            .refused = keys_of_other_programs()};
 }
 
 KeyTable<FilmDraft> new_template_table(PanelKinds kinds) {

@@ -133,8 +133,13 @@ Notation<Temperature> temperature_notation() {
 
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
     const bool wire = dimension == 1;
-    const auto mass = either(as<MassRule>(quantity(positive)),
-                             as<MassRule>(one_of<Infinite>({{"infinite", {}}})));
+    const auto mass =
+        either(as<MassRule>(quantity(positive)),
+               as<MassRule>(one_of<Infinite>({{"infinite", {}}})
+                                .with_elsewhere({{"inf", "did you mean `infinite`?"},
+                                                 {".inf", "did you mean `infinite`?"},
+                                                 {"∞", "did you mean `infinite`?"},
+                                                 {"fixed", "did you mean `infinite`?"}})));
     return {bind_key("name", &Species::name, text(1, most_name_letters),
                      "The name of the species, shown in legends.")
                 .default_text("required when there are several species"),

@@ -109,6 +109,10 @@ Notation<std::string> film_kinds(PanelKinds kinds) {
             elsewhere.push_back({kind.name, kind.in_films_instead});
     elsewhere.push_back(
         {"wire", "the wire with its beads is in every film; the template says where"});
+    elsewhere.push_back({"msd", "did you mean `mean-squared-displacement`?"});
+    elsewhere.push_back({"vacf", "did you mean `velocity-autocorrelation`?"});
+    elsewhere.push_back({"rdf", "did you mean `pair-correlation`?"});
+    elsewhere.push_back({"energy", "did you mean `energy-histogram`, or `energy-by-species`?"});
     elsewhere.push_back({"world-lines", "they are under the wire in every film of one dimension"});
     return word(names).with_elsewhere(std::move(elsewhere));
 }

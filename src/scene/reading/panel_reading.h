@@ -35,7 +35,12 @@ Binding<PanelSpec> kind_key(const Notation<std::string>& words);
 /// The key `theme` of films and figures.
 template <typename T>
 Binding<T> theme_key(ThemeName T::*theme) {
-    return bind_key("theme", theme, one_of<ThemeName>(),
+    return bind_key("theme", theme,
+                    one_of<ThemeName>().with_elsewhere({{"black", "did you mean `dark`?"},
+                                                        {"white", "did you mean `light`?"},
+                                                        {"bright", "did you mean `light`?"},
+                                                        {"default", "did you mean `dark`?"},
+                                                        {"paper", "did you mean `print`?"}}),
                     "The colours of background and text; `print` is black, white and greys, except "
                     "for colours that the scene gives.");
 }

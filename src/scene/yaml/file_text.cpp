@@ -46,7 +46,12 @@ std::string similar_file(const fs::path& path) {
         if (fs::path(name).stem() == path.stem() || fs::path(name).stem() == wanted)
             return fmt::format("did you mean {}?", (folder / name).string());
     const auto near = nearest_spelling(wanted, names);
-    return near ? fmt::format("did you mean {}?", (folder / *near).string()) : "";
+    if (near) return fmt::format("did you mean {}?", (folder / *near).string());
+    const std::string ending = path.extension().string();
+    if (path.empty()) return "give the name of a file";
+    if (!ending.empty() && ending != ".yaml" && ending != ".yml") return "";  // no scene
+    return names.empty() ? "`carom new NAME` writes a scene to start from"
+                         : "name a scene" + instance_in(folder);
 }
 
 }  // namespace

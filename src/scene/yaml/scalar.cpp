@@ -93,6 +93,38 @@ std::string separator_hint(const std::string& text) {
     return parse_number(plain) ? fmt::format("write `{}`, without separators", plain) : "";
 }
 
+// Returns a number before a comment that other languages would begin there.
+std::string comment_hint(const std::string& text) {
+    const std::size_t mark = std::min(text.find("//"), text.find('#'));
+    if (mark == std::string::npos) return "";
+    const std::string number =
+        text.substr(0, text.find_last_not_of(' ', mark == 0 ? 0 : mark - 1) + 1);
+    return parse_number(number)
+               ? fmt::format("write `{}`: a comment begins with a space and `#`", number)
+               : "";
+}
+
+// Typographic minus signs and dashes are letters to YAML.
+std::string sign_hint(const std::string& text) {
+    for (const std::string_view sign : {"−", "–", "—"})
+        if (text.starts_with(sign) && parse_number(text.substr(sign.size())))
+            return fmt::format("write `-{}`, with the minus sign of the keyboard",
+                               text.substr(sign.size()));
+    return "";
+}
+
+// 5x10^-3, 5*10^-3, 10^-3
+std::string power_hint(const std::string& text) {
+    const std::size_t ten = text.find("10^");
+    if (ten == std::string::npos) return "";
+    std::string factor = without(text.substr(0, ten), " ");
+    for (const std::string_view times : {"x", "X", "*", "×", "·"})
+        if (factor.ends_with(times)) factor.resize(factor.size() - times.size());
+    const std::string number =
+        (factor.empty() ? "1" : factor) + "e" + without(text.substr(ten + 3), " {}()");
+    return parse_number(number) ? fmt::format("write `{}`", number) : "";
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) {
@@ -119,9 +151,13 @@ std::optional<bool> flag_in(const Node& node) {
 
 std::string number_hint(const Node& node) {
     if (!node.is_scalar()) return "";
+    for (const std::string& hint :
+         {comment_hint(node.text), sign_hint(node.text), power_hint(node.text)})
+        if (!hint.empty()) return hint;
     const std::string word = lower(node.text);
     if (node.quoted) return parse_number(node.text) ? "write the number without quotes" : "";
-    if (is_one_of(without(word, "+-."), {"nan", "inf", "infinity"})) return "numbers are finite";
+    if (is_one_of(without(word, "+-."), {"nan", "inf", "infinity"}))
+        return "numbers are finite: write a large one, for instance `1.0e+6`";
     if (word.starts_with("0x") || word.starts_with("0o") || word.starts_with("0b"))
         return "write the number in decimal";
     if (const std::string hint = separator_hint(node.text); !hint.empty()) return hint;

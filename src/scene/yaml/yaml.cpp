@@ -278,6 +278,13 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
         return "write the value out, or quotes around a text that begins with `*`";
     const std::string_view left =
         before.substr(before.rfind('\n') + 1);  // before the mistake in its line
+    if (problem == UNKNOWN_TOKEN)
+        return fmt::format("a text that begins with `{}` needs quotes",
+                           line.substr(left.size(), 1));
+    const std::size_t dash = left.find_first_not_of(' ');
+    if (problem == MAP_VALUE && dash != left.npos && left[dash] == '-' &&
+        left.substr(dash, 2) != "- ")
+        return "a space stands after the `-` of an item";
     const bool begins_line = left.find_first_not_of(' ') == std::string_view::npos;
     if ((problem == END_OF_MAP || problem == END_OF_SEQ) && !begins_line)
         return "nothing may follow a closing quote or bracket in its line: leave out the rest, or "
@@ -300,6 +307,34 @@ std::string problem_of(const YAML::Exception& error) {
     return error.msg;
 }
 
+// Reports the quotation mark or bracket at `mark`, which is open where the parser stops;
+// `is_other`: there another bracket is closed.
+void report_open(const Source& source, std::size_t mark, std::size_t offset, bool is_other,
+                 const std::string& hint, Errors& errors) {
+    const std::string_view text = source.text, before = text.substr(0, offset);
+    const char open = text[mark];
+    if (is_other)
+        return errors.add(source, mark,
+                          fmt::format("not valid YAML: this `{}` is not closed before the `{}` of "
+                                      "line {}, column {}",
+                                      open, text[offset], 1 + std::ranges::count(before, '\n'),
+                                      offset - before.rfind('\n')),
+                          "close it there, or leave out the other");
+    if (open == '"' || open == '\'')
+        return errors.add(source, mark, "not valid YAML: this quotation mark is not closed",
+                          "write the same mark at the end of the text");
+    std::string way = hint;
+    if (way.empty() && before.find(';', mark) != before.npos)
+        way = "a comma separates its items, not `;`";
+    if (way.empty())
+        way = fmt::format("write `{}` where it ends, and `,` between its items",
+                          open == '{' ? '}' : ']');
+    errors.add(
+        source, mark,
+        fmt::format("not valid YAML: this `{}` is not closed, or a comma is missing in it", open),
+        way);
+}
+
 void report_syntax(const Source& source, const YAML::Exception& error, std::size_t begin,
                    Errors& errors) {
     const std::string_view text = source.text;
@@ -307,31 +342,21 @@ void report_syntax(const Source& source, const YAML::Exception& error, std::size
         std::min(begin + static_cast<std::size_t>(std::max(0, error.mark.pos)), text.size());
     const std::string_view before = text.substr(0, offset);
     const std::string hint = way_out(error.msg, before, text.substr(before.rfind('\n') + 1));
-    const bool open_end = error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW ||
-                          error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW ||
-                          error.msg == YAML::ErrorMsg::EOF_IN_SCALAR;
-    const bool is_other_end = error.msg == YAML::ErrorMsg::FLOW_END && offset < text.size();
-    const std::size_t mark = open_end || is_other_end ? open_mark(before) : std::string_view::npos;
+    const std::string_view left = before.substr(before.rfind('\n') + 1);
+    const bool is_key = error.msg == YAML::ErrorMsg::MAP_VALUE && left.find(':') == left.npos;
+    const std::size_t above = is_key ? line_without_key(text, offset) : std::string_view::npos;
+    if (above != std::string_view::npos && !has_bare_color(before)) {
+        const std::string_view line = text.substr(above, text.find('\n', above) - above);
+        return errors.add(source, above, "not valid YAML: this line has no key", key_hint(line));
+    }
+    const bool is_open = error.msg == YAML::ErrorMsg::END_OF_MAP_FLOW ||
+                         error.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW ||
+                         error.msg == YAML::ErrorMsg::EOF_IN_SCALAR ||
+                         (error.msg == YAML::ErrorMsg::FLOW_END && offset < text.size());
+    const std::size_t mark = is_open ? open_mark(before) : std::string_view::npos;
     if (mark == std::string_view::npos)
         return errors.add(source, offset, "not valid YAML: " + problem_of(error), hint);
-    if (is_other_end)
-        return errors.add(
-            source, mark,
-            fmt::format("not valid YAML: this `{}` is not closed before the `{}` of "
-                        "line {}, column {}",
-                        text[mark], text[offset], 1 + std::ranges::count(before, '\n'),
-                        offset - before.rfind('\n')),
-            "close it there, or leave out the other");
-    const bool quote = text[mark] == '"' || text[mark] == '\'';
-    if (quote)
-        return errors.add(source, mark, "not valid YAML: this quotation mark is not closed",
-                          "write the same mark at the end of the text");
-    errors.add(source, mark,
-               fmt::format("not valid YAML: this `{}` is not closed, or a comma is missing in it",
-                           text[mark]),
-               hint.empty() ? fmt::format("write `{}` where it ends, and `,` between its items",
-                                          text[mark] == '{' ? '}' : ']')
-                            : hint);
+    report_open(source, mark, offset, error.msg == YAML::ErrorMsg::FLOW_END, hint, errors);
 }
 
 Node parse(const Source& source, Errors& errors, std::size_t begin) {

@@ -98,22 +98,47 @@ std::size_t command_bytes(std::string_view text, std::size_t at) {
 }
 
 std::string odd_space_hint(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 7> odd{
-        {{"\u00A0", "a no-break space (U+00A0)"},
-         {"\u202F", "a narrow no-break space (U+202F)"},
-         {"\u2007", "a figure space (U+2007)"},
-         {"\u2009", "a thin space (U+2009)"},
-         {"\u200B", "a zero-width space (U+200B)"},
-         {"\u3000", "an ideographic space (U+3000)"},
-         {"\uFEFF", "a byte order mark (U+FEFF)"}}};
-    for (const auto& [space, name] : odd) {
-        const std::size_t at = text.find(space);
+    struct Odd {
+        std::string_view letter, name, instead = "an ordinary space";
+    };
+    constexpr std::array<Odd, 9> odd{{{"\u00A0", "a no-break space (U+00A0)"},
+                                      {"\u202F", "a narrow no-break space (U+202F)"},
+                                      {"\u2007", "a figure space (U+2007)"},
+                                      {"\u2009", "a thin space (U+2009)"},
+                                      {"\u200B", "a zero-width space (U+200B)"},
+                                      {"\u3000", "an ideographic space (U+3000)"},
+                                      {"\uFEFF", "a byte order mark (U+FEFF)"},
+                                      {"\uFF1A", "a full-width colon (U+FF1A)", "`: `"},
+                                      {"\uFF0C", "a full-width comma (U+FF0C)", "`, `"}}};
+    for (const auto& [letter, name, instead] : odd) {
+        const std::size_t at = text.find(letter);
         if (at == std::string_view::npos) continue;
         const std::string before = printable(text.substr(0, at));
-        return fmt::format("{} stands {}: write an ordinary space instead", name,
-                           before.empty() ? "at its beginning" : "after `" + before + "`");
+        return fmt::format("{} stands {}: write {} instead", name,
+                           before.empty() ? "at its beginning" : "after `" + before + "`", instead);
     }
     return "";
+}
+
+std::size_t line_without_key(std::string_view text, std::size_t mistake) {
+    const std::size_t begin = text.rfind('\n', mistake) + 1;  // 0 in the first line
+    if (begin < 2 || begin > mistake) return std::string_view::npos;
+    const std::size_t above = text.rfind('\n', begin - 2) + 1;
+    const std::string_view line = text.substr(above, begin - 1 - above);
+    const std::size_t column = line.find_first_not_of(' ');
+    if (column == line.npos || line[column] == '#' || line[column] == '-') return line.npos;
+    if (line.find(": ") != line.npos || line.ends_with(':')) return line.npos;
+    return above + column;
+}
+
+std::string key_hint(std::string_view line) {
+    if (const std::string hint = odd_space_hint(line); !hint.empty()) return hint;
+    const std::size_t mark = line.find_first_of("=: ");
+    if (mark == line.npos) return "write `key: value`";
+    const std::size_t value = line.find_first_not_of("=: ", mark);
+    return fmt::format("a colon and a space stand after a key: `{}: {}`",
+                       printable(line.substr(0, mark)),
+                       printable(value == line.npos ? "" : line.substr(value)));
 }
 
 bool has_bare_color(std::string_view text) {

@@ -31,9 +31,16 @@ std::size_t escape_in_formula(std::string_view text, std::size_t start);
 /// Returns the length of the command of a formula whose backslash stands at `at`.
 std::size_t command_bytes(std::string_view text, std::size_t at);
 
-/// Returns a hint if `text` contains a space other than that of the keyboard, which YAML takes for
-/// a letter; otherwise an empty text.
+/// Returns a hint if `text` contains a space, colon or comma other than those of the keyboard,
+/// which YAML takes for a letter; otherwise an empty text.
 std::string odd_space_hint(std::string_view text);
+
+/// Returns the place of the line above `mistake` if it lacks a `: `, so that YAML takes the line
+/// with the mistake for the rest of a text that begins there; otherwise npos.
+std::size_t line_without_key(std::string_view text, std::size_t mistake);
+
+/// Returns a hint on how such a line is written as a key with its value.
+std::string key_hint(std::string_view line);
 
 /// Returns whether `text` contains an unquoted colour as a value, which YAML takes for a comment.
 bool has_bare_color(std::string_view text);

@@ -61,8 +61,10 @@ TEST_CASE("every expected message has its scene") {
 
 TEST_CASE("what cannot be read is named with the cause") {
     fs::current_path(carom::test::checkout());
-    CHECK(message_of("scenes/none.yaml") ==
-          "scenes/none.yaml: error: cannot be read: No such file or directory\n");
+    CHECK(
+        message_of("scenes/none.yaml") ==
+        "scenes/none.yaml: error: cannot be read: No such file or directory\n  hint: name a scene, "
+        "for instance scenes/a-hundred-never-overlap.yaml\n");
     CHECK(message_of("scenes") ==
           "scenes: error: cannot be read: it is a folder\n  hint: name a file in it, for instance "
           "scenes/a-hundred-never-overlap.yaml\n");

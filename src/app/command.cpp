@@ -159,13 +159,21 @@ std::vector<Option> picture_options(SceneOptions& options) {
     };
 }
 
+// "run.until:10" and "run.until" as they are probably meant.
+std::string with_equals_sign(const std::string& set) {
+    const std::size_t end = set.find_first_of(": ");
+    const std::size_t value = std::min(set.find_first_not_of(": ", end), set.size());
+    return set.substr(0, end) + "=" + (value == set.size() ? "VALUE" : set.substr(value));
+}
+
 Overrides overrides_of(const SceneOptions& options) {
     Overrides overrides = options.shortcuts;
     if (options.no_sound) overrides.emplace_back("film.sound=none");
     for (const std::string& set : options.sets) {
         const std::size_t equals = set.find('=');
         if (equals == std::string::npos || equals == 0)
-            throw UsageError(fmt::format("--set {}: expected KEY.PATH=VALUE", set));
+            throw UsageError(fmt::format("--set {}: expected KEY.PATH=VALUE, for instance {}", set,
+                                         equals == 0 ? "run.until=10" : with_equals_sign(set)));
         overrides.push_back(set);
     }
     return overrides;
@@ -218,6 +226,21 @@ void refuse_other_format(const std::string& output, const std::string& format) {
     if (!format.empty() && extension != "." + format)
         throw UsageError(fmt::format("-o {}: the name ends in {}, but --format is {}", output,
                                      extension, format));
+}
+
+void refuse_file_for_folder(const std::string& output, const std::string& what) {
+    std::error_code failed;
+    const bool exists = fs::exists(output, failed);
+    const bool is_file = exists && !fs::is_directory(output, failed);
+    const std::string ending = ending_of(output);
+    std::vector<std::string> endings{".jpg", ".jpeg", ".csv", ".json"};
+    for (const OutputFormat& format : output_formats()) endings.push_back("." + format.name);
+    const bool is_named_so = !exists && std::ranges::count(endings, ending) > 0;
+    if (is_file || is_named_so)
+        throw UsageError(
+            fmt::format("-o {}: {} is a folder of several files; name a folder, for "
+                        "instance {}",
+                        output, what, fs::path(output).replace_extension().string() + "/"));
 }
 
 fs::path output_path(const std::string& output, bool several, const std::string& scene,

@@ -137,6 +137,9 @@ void say_notes(const SceneOptions& options, const Scene& scene);
 /// (granted_cores.h).
 int threads_of(const SceneOptions& options);
 
+/// Throws UsageError if the folder that -o names is a file, or is named like one.
+void refuse_file_for_folder(const std::string& output, const std::string& what);
+
 /// The path of the output of `scene`: out/SCENE with the first of the extensions if `output` (the
 /// value of -o) is empty. Otherwise `output` is a file with any of the extensions, or a folder if
 /// such a folder exists, if it ends in a slash, or if there are `several` scenes. Throws

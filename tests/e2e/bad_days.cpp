@@ -203,7 +203,9 @@ TEST_CASE("a flag that the command does not have is told with the nearest one") 
 TEST_CASE("an empty name of a scene can be seen") {
     const Outcome outcome = run({program, "render", ""});
     CHECK(outcome.exit_code == 2);
-    CHECK(outcome.err == "\"\": error: cannot be read: No such file or directory\n");
+    CHECK(outcome.err ==
+          "\"\": error: cannot be read: No such file or directory\n  hint: give the name of a "
+          "file\n");
 }
 
 TEST_CASE("help that cannot be written on a full device is exit code 75") {

@@ -72,7 +72,8 @@ TEST_CASE("carom new replaces nothing") {
     for (const std::string& name : std::vector<std::string>{"mine", "link.yaml"}) {
         const Outcome again = run({program, "new", name}, folder.path());
         CHECK(again.exit_code == 2);
-        CHECK(again.err.find("exists already and was left unchanged\n") != std::string::npos);
+        CHECK(again.err.find("exists already and was left unchanged; give another name\n") !=
+              std::string::npos);
     }
     CHECK(contents(folder.path() / "mine.yaml") == "kept");
     CHECK(run({program, "new", "mine.yaml/other"}, folder.path()).exit_code == 1);

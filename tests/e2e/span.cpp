@@ -92,7 +92,7 @@ TEST_CASE("a part without length, or outside of the run, is refused") {
     CHECK(refusal("--from 5 --to 5") ==
           "carom: --from 5 --to 5: expected an end after the start\n");
     CHECK(refusal("--from 6 --to 5") ==
-          "carom: --from 6 --to 5: expected an end after the start\n");
+          "carom: --from 6 --to 5: expected an end after the start; write --from 5 --to 6\n");
     CHECK(refusal("--from 24") == "carom: --from 24 --to 24: expected an end after the start\n");
     CHECK(refusal("--from 25") == "carom: --from 25: the scene runs from 0 to 24\n");
     CHECK(refusal("--to 24.5") == "carom: --to 24.5: the scene runs from 0 to 24\n");

@@ -112,8 +112,8 @@ TEST_CASE("a value that a newcomer would write is told with the right one") {
         {"box: {size: [20, 15}\n" + gas("speed: 1"),
          "scene.yaml:2:13: error: not valid YAML: this `[` is not closed before the `}` of line 2, "
          "column 20"},
-        {box + gas("velocity: 0"), "hint: one number for each direction: [x, y]"},
-        {box + gas("velocity: 2"), "hint: one number for each direction: [x, y]"},
+        {box + gas("velocity: 0"), "hint: two numbers: [x, y]"},
+        {box + gas("velocity: 2"), "hint: two numbers: [x, y]"},
         {box + gas("speed: 5mm"), "quantities have no units in carom: write `5`"},
         {box + gas("speed: 2.5 m/s"), "quantities have no units in carom: write `2.5`"},
         {box + gas("speed: 1") + "film: {panels: [sped-histogram]}\n",

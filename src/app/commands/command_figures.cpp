@@ -62,6 +62,7 @@ void refuse_standard_output(const FiguresArguments& arguments) {
     if (Output::is_standard_output(arguments.output))
         throw UsageError(
             fmt::format("-o {}: figures are several files; name a folder", arguments.output));
+    if (!arguments.output.empty()) refuse_file_for_folder(arguments.output, "a set of figures");
 }
 
 void refuse_same_folders(const FiguresArguments& arguments) {

@@ -26,6 +26,7 @@
 #include "app/manual/page_text.h"
 #include "app/output.h"
 #include "app/progress.h"
+#include "scene/yaml/scalar.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
@@ -120,6 +121,32 @@ std::string other_choice(const std::string& word, const std::vector<std::string>
                       choices);
 }
 
+// The long options of a command, with their hyphens.
+std::vector<std::string> flags_of(const CLI::App& command) {
+    std::vector<std::string> flags;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames()) flags.push_back("--" + name);
+    return flags;
+}
+
+// Throws UsageError if the scenes that a command is given contain what belongs to an option.
+void refuse_words_of_options(const CLI::App& command) {
+    const std::vector<std::string> flags = flags_of(command);
+    for (const CLI::Option* option : command.get_options()) {
+        if (!upper_case(option->get_name()).starts_with("SCENE")) continue;
+        const std::vector<std::string>& words = option->results();
+        for (const std::string& word : words) {
+            std::error_code failed;
+            if (word.ends_with('/') && word == words.front()) continue;  // perhaps a plan
+            const std::string meant = option_of_word(word, flags);
+            if (meant.empty() || std::filesystem::exists(word, failed)) continue;
+            throw UsageError(fmt::format("{} is no scene: write carom {} {} {}", word,
+                                         command.get_name(),
+                                         word == words.front() ? "SCENE" : words.front(), meant));
+        }
+    }
+}
+
 // Declares a command, with options only if it is the one that is called: to declare those of all
 // commands takes a millisecond.
 void add_command(CLI::App& app, const Command& command, bool is_called) {
@@ -138,6 +165,7 @@ void add_command(CLI::App& app, const Command& command, bool is_called) {
     }
     declared.callback([&command, &declared] {
         try {
+            refuse_words_of_options(declared);
             command.run();
         } catch (const SceneError& error) {
             throw as_typed(error, command, declared);
@@ -157,35 +185,10 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
     for (int i = 2; i < argc; ++i)
         if (std::ranges::find(names, argv[i]) != names.end())
             throw UsageError(fmt::format("the command stands first: carom {} {}", argv[i], word));
+    if (word == "version") throw UsageError("there is no command `version`; write --version");
     const std::string commands = fmt::format("the commands are {}", fmt::join(names, ", "));
     throw UsageError(
         fmt::format("there is no command `{}`; {}", word, spelling_hint(word, names, commands)));
-}
-
-// The message about the first word that a command does not take. The library keeps words after `--`
-// in the program's object, not in that of the command.
-std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
-    std::vector<std::string> words = command.remaining();
-    if (&app != &command) std::ranges::copy(app.remaining(), std::back_inserter(words));
-    std::erase(words, "--");
-    if (words.empty()) return command.get_name() + " does not take these words";
-    const auto flag = std::ranges::find_if(
-        words, [](const std::string& word) { return word.starts_with("-") && word != "-"; });
-    const std::string name = command.get_name();
-    const std::string call = command.get_parent() == nullptr ? name : "carom " + name;
-    std::vector<std::string> flags;
-    for (const CLI::Option* option : command.get_options())
-        for (const std::string& its : option->get_lnames()) flags.push_back("--" + its);
-    if (flag == words.end()) {
-        const std::string mistake =
-            fmt::format("{} does not take the word {}", call, words.front());
-        const std::string option = option_of_file(words.front(), flags);
-        return option.empty() ? mistake : fmt::format("{}; write {}", mistake, option);
-    }
-    const std::string word = flag->substr(0, flag->find('='));
-    const std::string mistake = fmt::format("{} has no option {}", call, word);
-    const std::string hint = instead_of_flag(name, word, flags);
-    return hint.empty() ? mistake : mistake + "; " + hint;
 }
 
 // "carom render SCENE...", of a command whose words are missing.
@@ -198,6 +201,37 @@ std::string call_of(const CLI::App& command) {
         call += " " + word;
     }
     return call;
+}
+
+// The message about the first word that a command does not take. The library keeps words after `--`
+// in the program's object, not in that of the command.
+std::string unexpected_word(const CLI::App& app, const CLI::App& command) {
+    std::vector<std::string> words = command.remaining();
+    if (&app != &command) std::ranges::copy(app.remaining(), std::back_inserter(words));
+    std::erase(words, "--");
+    if (words.empty())
+        return fmt::format("carom {} needs more: write {}", command.get_name(), call_of(command));
+    const auto flag = std::ranges::find_if(
+        words, [](const std::string& word) { return word.starts_with("-") && word != "-"; });
+    const std::string name = command.get_name();
+    const std::string call = command.get_parent() == nullptr ? name : "carom " + name;
+    const std::vector<std::string> flags = flags_of(command);
+    if (flag == words.end()) {
+        const std::string mistake =
+            fmt::format("{} does not take the word {}", call, words.front());
+        const std::string option = option_of_word(words.front(), flags);
+        return option.empty() ? mistake : fmt::format("{}; write {}", mistake, option);
+    }
+    const std::string word = flag->substr(0, flag->find_first_of("=:"));
+    const std::string mistake = fmt::format("{} has no option {}", call, word);
+    const std::string hint = instead_of_flag(name, word, flags);
+    return hint.empty() ? mistake : mistake + "; " + hint;
+}
+
+std::string number_wanted(const std::string& flag, const std::string& found) {
+    const std::string hint = number_hint(Node{.kind = Node::Kind::scalar, .text = found});
+    return fmt::format("{}: expected a number, found `{}`{}{}", flag, found,
+                       hint.empty() ? "" : "; ", hint);
 }
 
 // The message about a mistake in the command line, and what to write instead.
@@ -226,8 +260,8 @@ std::string mistake_in(const CLI::App& app, const CLI::ParseError& error) {
         for (const CLI::Option* option : command.get_options())
             if (const std::string flag = option->get_name();
                 what.ends_with(fmt::format(": {} = {}", flag, fmt::join(option->results(), ","))))
-                return fmt::format("{}: expected a number, found `{}`{}", flag,
-                                   fmt::join(option->results(), " "), help);
+                return number_wanted(flag, fmt::format("{}", fmt::join(option->results(), " "))) +
+                       help;
     const std::string flag = what.substr(0, what.find(':'));
     const CLI::Option* option = command.get_option_no_throw(flag);
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr && option != nullptr) {

@@ -134,6 +134,7 @@ void plan(const PlanArguments& arguments) {
     if (is_plan(arguments.scenes.front())) return list_chunks(arguments);
     if (arguments.list || arguments.missing)
         throw UsageError(fmt::format("{} holds no plan (plan.json)", arguments.scenes.front()));
+    if (!arguments.output.empty()) refuse_file_for_folder(arguments.output, "a plan");
     if (!arguments.is_of_sweep())
         return plan_films(arguments.scenes, arguments.output, arguments.film, arguments);
     plan_seeds(arguments);

@@ -382,7 +382,6 @@ void render_scenes(RenderArguments& arguments) {
             "--chunk, --force and --allow-mixed apply to the folder of a plan; make one with carom "
             "plan SCENE -o PLAN/");
     refuse_second_standard_input(arguments.scenes);
-    refuse_films(arguments.scenes);
     arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
     const std::vector<fs::path> outputs = outputs_of(arguments);
     most_bytes(arguments);  // refused before any work

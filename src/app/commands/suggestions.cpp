@@ -27,6 +27,10 @@ const std::vector<OtherFlag> other_flags{
     {"schema", "--output", "send it to a file: carom schema > scene.schema.json"},
     {"still", "--width", "carom figure SCENE --kind gas --width 8cm draws a figure"},
     {"still", "--kind", "carom figure SCENE --kind KIND draws a figure"},
+    {"carom", "-v", "did you mean --version?"},
+    {"carom", "-V", "did you mean --version?"},
+    {"render", "--sound", "--set film.sound=collisions adds sound"},
+    {"figures", "--width", "carom figure SCENE --kind KIND --width 8cm draws a figure so wide"},
     {"render", "--at", "carom still SCENE --at T draws one frame"},
     {"render", "--time", "carom still SCENE --at T draws one frame"},
     {"figures", "--kind", "carom figure SCENE --kind KIND draws a figure that is not listed"},
@@ -99,7 +103,13 @@ std::string instead_of_flag(const std::string& command, const std::string& flag,
     return near ? fmt::format("did you mean {}?", *near) : "";
 }
 
-std::string option_of_file(const std::string& word, const std::vector<std::string>& flags) {
+std::string option_of_word(const std::string& word, const std::vector<std::string>& flags) {
+    const std::size_t sign = word.find_first_of("=:");
+    if (sign != std::string::npos && sign > 0) {  // fps=30, gas.0.count=50
+        const std::string flag = "--" + word.substr(0, sign);
+        if (std::ranges::count(flags, flag) > 0) return flag + " " + word.substr(sign + 1);
+        if (word[sign] == '=' && std::ranges::count(flags, "--set") > 0) return "--set " + word;
+    }
     const std::string ending = ending_of(word);
     std::string flag;
     for (const char* kind : {"csv", "json", "xyz"})

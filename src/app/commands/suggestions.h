@@ -11,8 +11,8 @@ namespace carom {
 std::string instead_of_flag(const std::string& command, const std::string& flag,
                             const std::vector<std::string>& flags);
 
-/// The option, with its value, that writes a file of this name: "-o FILM.mp4", "--csv X.csv"; empty
-/// if the command has none.
-std::string option_of_file(const std::string& word, const std::vector<std::string>& flags);
+/// The option, with its value, that a word which is no option belongs to: "-o FILM.mp4" or "--csv
+/// X.csv" for the name of a file to write, "--fps 30" for fps=30; empty if the command has none.
+std::string option_of_word(const std::string& word, const std::vector<std::string>& flags);
 
 }  // namespace carom

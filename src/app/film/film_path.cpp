@@ -83,14 +83,6 @@ bool is_video(const fs::path& path) {
     return std::ranges::count(video_extensions(), ending_of(path)) > 0;
 }
 
-void refuse_films(const std::vector<std::string>& scenes) {
-    for (const std::string& name : scenes)
-        if (is_video(name))
-            throw UsageError(fmt::format(
-                "{} is no scene; the name of the film goes to -o: carom render {} -o {}", name,
-                scenes.front() == name ? "SCENE" : scenes.front(), name));
-}
-
 fs::path film_path(const FilmDestination& destination, const std::string& scene) {
     const auto& [output, format, several] = destination;
     if (Output::is_stream(output)) return streamed_path(destination);

@@ -17,9 +17,6 @@ struct FilmDestination {
 /// Whether a path has the ending of a film format that is a single file.
 bool is_video(const std::filesystem::path& path);
 
-/// Throws UsageError if a film's name stands among the scenes: it belongs to -o.
-void refuse_films(const std::vector<std::string>& scenes);
-
 /// The path of the film of `scene`, from which format_of_film() takes the format. For standard
 /// output, a device or a pipe, the path that the film would have as a file. Throws UsageError if -o
 /// and --format contradict each other or what already exists at the path.

@@ -59,7 +59,8 @@ void refuse_span(const FilmOptions& film, const Scene& scene) {
     const double from = film.from.value_or(0.0), to = film.to.value_or(scene.run.until);
     if (!(from < to))
         throw UsageError(
-            fmt::format("--from {} --to {}: expected an end after the start", from, to));
+            fmt::format("--from {} --to {}: expected an end after the start{}", from, to,
+                        from > to ? fmt::format("; write --from {} --to {}", to, from) : ""));
 }
 
 void refuse_format(const OutputFormat& format, const Scene& scene) {

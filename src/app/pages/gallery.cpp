@@ -53,7 +53,10 @@ bool is_inside(const fs::path& path, const fs::path& folder) {
 std::vector<GalleryFile> files_in(const GalleryOptions& options) {
     std::error_code error;
     if (!fs::is_directory(options.folder, error))
-        throw UsageError(fmt::format("{}: expected a folder of scenes", options.folder.string()));
+        throw UsageError(
+            fmt::format("{}: expected a folder of scenes; for one scene, carom render "
+                        "SCENE --page html makes a page",
+                        options.folder.string()));
     std::vector<GalleryFile> files;
     fs::recursive_directory_iterator entry(options.folder, error), end;
     for (; !error && entry != end; entry.increment(error)) {

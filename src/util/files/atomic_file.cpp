@@ -64,7 +64,8 @@ void sync_folder(const fs::path& folder) {
 }  // namespace
 
 void refuse_existing(const fs::path& path) {
-    throw UsageError(fmt::format("{} exists already and was left unchanged", path.string()));
+    throw UsageError(
+        fmt::format("{} exists already and was left unchanged; give another name", path.string()));
 }
 
 void commit_together(const std::vector<PendingOutput*>& outputs) {

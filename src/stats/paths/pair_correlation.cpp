@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "stats/paths/near_pairs.h"
 #include "util/bin_number.h"
@@ -53,6 +54,19 @@ double rooms_around(const Room& x, const Room& y, double r) {
 double room_between(const Room& x, double r) {
     if (r > x.end()) return 0.0;
     return 2.0 * (r > x.flat() ? x.end() - r : std::min(x.first, x.second));
+}
+
+// The time from one search for near pairs to the next: in it, fast particles fly this share of the
+// largest distance. Longer times have more pairs that come near, shorter ones more searches.
+constexpr double way_of_slice = 0.5;
+
+// The largest speed, but at most a few times that of all particles, so that one that is fast among
+// slow ones does not make slices short.
+double fast_speed(const Sample& sample) {
+    constexpr double most = 4.0;
+    if (sample.velocity.rows() == 0) return 0.0;
+    const Eigen::ArrayXd square = sample.velocity.square().rowwise().sum();
+    return std::sqrt(std::min(square.maxCoeff(), most * most * square.mean()));
 }
 
 // Five-point Gauss-Legendre quadrature.
@@ -174,22 +188,46 @@ Eigen::ArrayXd PairCorrelation::expected(const BoxSides& sides) {
 
 void PairCorrelation::see(const Sample& sample, std::span<const Collision> collisions,
                           const BoxSides& sides) {
-    for (std::vector<PathPiece>& pieces : pieces_) pieces.clear();
-    paths_(sample, collisions, [&](const PathPiece& piece) {
-        pieces_[static_cast<std::size_t>(piece.particle)].push_back(piece);
-    });
+    if (wanted_.window != 0.0) see_pieces(sample, collisions);
     if (sides_ && sample.time > time_ && wanted_.window != 0.0) {
-        const double middle = 0.5 * (time_ + sample.time);
-        add_flights(sample.position, pairs_.at(middle));
         BoxSides between = sides;
         for (std::size_t axis = 0; axis < 2; ++axis)
             between[axis] = {0.5 * (sides[axis].first + (*sides_)[axis].first),
                              0.5 * (sides[axis].second + (*sides_)[axis].second)};
-        expected_.at(middle) += (sample.time - time_) * expected(between);
+        expected_.at(0.5 * (time_ + sample.time)) += (sample.time - time_) * expected(between);
     }
     if (!sides_ || wanted_.window == 0.0) add_moment(sample, sides);
+    if (!sides_) since_ = sample.time;
     sides_ = sides;
     time_ = sample.time;
+    speed_ = fast_speed(sample);
+    if (wanted_.window == 0.0 || time_ <= since_) return;
+    const bool is_short = (time_ - since_) * speed_ < way_of_slice * wanted_.to;
+    const bool is_read_often = std::exchange(is_read_, false);  // then each reading adds little
+    if (!wanted_.window && is_short && !is_read_often) return;
+    add_pieces(with_open(), pairs_.at(0.5 * (since_ + time_)), flights_added_);
+    for (std::vector<PathPiece>& pieces : pieces_) pieces.clear();
+    since_ = time_;
+}
+
+// In a window of time flights end at each sample, else at collisions alone.
+void PairCorrelation::see_pieces(const Sample& sample, std::span<const Collision> collisions) {
+    const auto keep = [&](const PathPiece& piece) {
+        if (piece.to > since_) pieces_[static_cast<std::size_t>(piece.particle)].push_back(piece);
+    };
+    if (wanted_.window)
+        paths_(sample, collisions, keep);
+    else
+        paths_.see_whole(sample, collisions, keep);
+}
+
+// With the flights that are still going on.
+PairCorrelation::Pieces PairCorrelation::with_open() const {
+    Pieces all = pieces_;
+    paths_.see_open([&](const PathPiece& piece) {
+        all[static_cast<std::size_t>(piece.particle)].push_back(piece);
+    });
+    return all;
 }
 
 void PairCorrelation::add_moment(const Sample& sample, const BoxSides& sides) {
@@ -212,44 +250,89 @@ double PairCorrelation::distance(const Eigen::ArrayXXd& positions, Eigen::Index 
 
 // An upper bound for the distance of a path from its end. Gravity bends a piece away from the
 // straight line between its ends by no more than g t^2 / 8.
-double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces) const {
+double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces,
+                                          Interval within) const {
     Eigen::Array2d apart{0.0, 0.0};
     double farthest = 0.0, bend = 0.0;
     for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
-        const double span = piece->span();
-        apart -= piece->place_after(span) - piece->place;
+        const double from = std::max(piece->from, within.from), to = std::min(piece->to, within.to);
+        if (!(to > from)) continue;
+        apart -= piece->place_after(to - piece->from) - piece->place_after(from - piece->from);
         farthest = std::max(farthest, apart.matrix().norm());
+        const double span = to - from;
         bend = std::max(bend, 0.125 * span * span * piece->acceleration.matrix().norm());
     }
     return farthest + bend;
 }
 
+int PairCorrelation::slices_until_now() const {
+    constexpr double most = 1e6;
+    const double slices = (time_ - since_) * speed_ / (way_of_slice * wanted_.to);
+    return static_cast<int>(std::clamp(std::round(slices), 1.0, most));
+}
+
+// Adds the pieces from `since_` to the last sample, cut into slices of time so short that few pairs
+// come near each other in each.
+void PairCorrelation::add_pieces(const Pieces& pieces, Eigen::ArrayXd& time,
+                                 double& flights) const {
+    const int slices = wanted_.window ? 1 : slices_until_now();
+    std::vector<std::size_t> first(pieces.size());  // the piece of each particle where a slice ends
+    std::vector<std::span<const PathPiece>> in_slice(pieces.size());
+    const auto end = [&](int k) {
+        return k == slices ? time_ : since_ + (time_ - since_) * k / slices;
+    };
+    for (int k = 0; k < slices; ++k) {
+        const Interval within{end(k), end(k + 1)};
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const std::vector<PathPiece>& all = pieces[i];
+            while (first[i] + 1 < all.size() && all[first[i]].to <= within.from) ++first[i];
+            std::size_t last = first[i];
+            while (last < all.size() && all[last].from < within.to) ++last;
+            in_slice[i] = std::span(all).subspan(first[i], last - first[i]);
+        }
+        add_flights(in_slice, within, time, flights);
+    }
+}
+
 // Adds the flights of all pairs that may have come near each other, found from their positions at
 // the end.
-void PairCorrelation::add_flights(const Eigen::ArrayXXd& positions, Eigen::ArrayXd& time) {
-    Eigen::ArrayXd reach(positions.rows());
-    for (Eigen::Index i = 0; i < reach.size(); ++i)
-        reach[i] = farthest_from_end(pieces_[static_cast<std::size_t>(i)]);
-    const double farthest = reach.size() > 0 ? reach.maxCoeff() : 0.0;
+void PairCorrelation::add_flights(std::span<const std::span<const PathPiece>> pieces,
+                                  Interval within, Eigen::ArrayXd& time, double& flights) const {
+    const auto count = static_cast<Eigen::Index>(pieces.size());
+    Eigen::ArrayXXd positions = Eigen::ArrayXXd::Zero(count, box_.dimension);
+    Eigen::ArrayXd reach = Eigen::ArrayXd::Zero(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const std::span<const PathPiece> own = pieces[static_cast<std::size_t>(i)];
+        if (own.empty()) continue;
+        const Eigen::Array2d place = own.back().place_after(within.to - own.back().from);
+        for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
+            positions(i, axis) = box_.wrapped(axis, place[axis]);
+        reach[i] = farthest_from_end(own, within);
+    }
+    const double farthest = count > 0 ? reach.maxCoeff() : 0.0;
     NearPairs(box_, positions, wanted_.to + 2.0 * farthest)
         .for_each([&](Eigen::Index i, Eigen::Index j) {
             if (!is_wanted(i, j)) return;
             const double near = wanted_.to + reach[i] + reach[j];
             if (distance(positions, i, j) < near)
-                add_pair(pieces_[static_cast<std::size_t>(i)], pieces_[static_cast<std::size_t>(j)],
-                         time);
+                flights += add_pair(pieces[static_cast<std::size_t>(i)],
+                                    pieces[static_cast<std::size_t>(j)], within, time);
         });
 }
 
-// Takes the intervals in which only gravity changes the velocities. Two falling particles have no
-// relative acceleration; if one lies on a floor while the other falls, the relative path is
-// replaced by chords close to it.
-void PairCorrelation::add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
-                               Eigen::ArrayXd& time) {
+// Takes the intervals in which only gravity changes the velocities; returns their number. Two
+// falling particles have no relative acceleration; if one lies on a floor while the other falls,
+// the relative path is replaced by chords close to it.
+double PairCorrelation::add_pair(std::span<const PathPiece> first,
+                                 std::span<const PathPiece> second, Interval within,
+                                 Eigen::ArrayXd& time) const {
+    double flights = 0.0;
     for (std::size_t i = 0, j = 0; i < first.size() && j < second.size();) {
         const PathPiece &one = first[i], &other = second[j];
-        const double from = std::max(one.from, other.from), to = std::min(one.to, other.to);
+        const double from = std::max({one.from, other.from, within.from}),
+                     to = std::min({one.to, other.to, within.to});
         if (to > from) {
+            flights += 1.0;
             const Eigen::Array2d place =
                 other.place_after(from - other.from) - one.place_after(from - one.from);
             const Eigen::Array2d velocity =
@@ -265,6 +348,7 @@ void PairCorrelation::add_pair(std::span<const PathPiece> first, std::span<const
         }
         ++(one.to < other.to ? i : j);
     }
+    return flights;
 }
 
 // Enough chords that none is farther from the path than a small part of a ring.
@@ -347,9 +431,11 @@ void PairCorrelation::add_between(double from, double to, double least, double s
 }
 
 Eigen::ArrayXd PairCorrelation::values() const {
+    is_read_ = true;
     const Eigen::ArrayXd expected = expected_.sum();
     const bool is_moment = !(expected.sum() > 0.0);
-    const Eigen::ArrayXd pairs = is_moment ? moment_ : pairs_.sum();
+    Eigen::ArrayXd pairs = is_moment ? moment_ : pairs_.sum();
+    if (double flights = 0.0; !is_moment && time_ > since_) add_pieces(with_open(), pairs, flights);
     const Eigen::ArrayXd& points = is_moment ? moment_expected_ : expected;
     return (points > 0.0).select(pairs / points, std::numeric_limits<double>::quiet_NaN());
 }

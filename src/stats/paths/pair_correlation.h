@@ -47,23 +47,38 @@ class PairCorrelation {
     void see(const Sample& sample, std::span<const Collision> collisions, const BoxSides& sides);
 
     /// g (dimensionless) in each ring, averaged over the window; for the last sample alone if no
-    /// time has passed.
+    /// time has passed. Takes as long as a flight of each particle.
     Eigen::ArrayXd values() const;
+
+    /// How many times of two particles that fly near each other see() has added: the measure of its
+    /// work. Without a window it hardly depends on how many samples are taken.
+    double flights_added() const { return flights_added_; }
 
     /// Writes or reads the accumulated state; `wanted` is not part of it.
     void archive(auto& archive) {
-        archive(paths_, pairs_, expected_, moment_, moment_expected_, sides_, time_);
+        archive(paths_, pairs_, expected_, moment_, moment_expected_, sides_, pieces_, since_,
+                speed_, time_, flights_added_, is_read_);
     }
 
   private:
+    /// The pieces of each particle's path that are not added yet, in order of time.
+    using Pieces = std::vector<std::vector<PathPiece>>;
+    struct Interval {
+        double from, to;
+    };
     bool is_wanted(Eigen::Index i, Eigen::Index j) const;
     void find_kinds();
     Eigen::ArrayXd expected(const BoxSides& sides);
-    double farthest_from_end(std::span<const PathPiece> pieces) const;
+    void see_pieces(const Sample& sample, std::span<const Collision> collisions);
+    Pieces with_open() const;
+    int slices_until_now() const;
+    void add_pieces(const Pieces& pieces, Eigen::ArrayXd& time, double& flights) const;
+    double farthest_from_end(std::span<const PathPiece> pieces, Interval within) const;
     double distance(const Eigen::ArrayXXd& positions, Eigen::Index i, Eigen::Index j) const;
-    void add_flights(const Eigen::ArrayXXd& positions, Eigen::ArrayXd& time);
-    void add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
-                  Eigen::ArrayXd& time);
+    void add_flights(std::span<const std::span<const PathPiece>> pieces, Interval within,
+                     Eigen::ArrayXd& time, double& flights) const;
+    double add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
+                    Interval within, Eigen::ArrayXd& time) const;
     int chords_of(double acceleration, double span) const;
     void add_images(const Eigen::Array2d& place, const Eigen::Array2d& velocity, double span,
                     Eigen::ArrayXd& time) const;
@@ -85,8 +100,12 @@ class PairCorrelation {
     Eigen::ArrayXd moment_, moment_expected_;
     std::optional<BoxSides> sides_;  ///< at the previous sample
     std::optional<std::pair<BoxSides, Eigen::ArrayXd>> last_expected_;
-    std::vector<std::vector<PathPiece>> pieces_;  ///< by particle, since the last sample
+    Pieces pieces_;       ///< from `since_` on; flights may begin before
+    double since_ = 0.0;  ///< the time up to which pieces are added
+    double speed_ = 0.0;  ///< of the fastest particles at the previous sample
     double time_ = 0.0;
+    double flights_added_ = 0.0;
+    mutable bool is_read_ = false;  ///< whether values() was called since the last see()
 };
 
 }  // namespace carom

@@ -222,6 +222,37 @@ TEST_CASE("times at a distance are sums over a fine grid of moments") {
     }
 }
 
+// Work is counted in relative flights. Cut at every frame, it would grow a hundredfold.
+TEST_CASE("neither the pair correlation nor the work for it depends on the number of frames") {
+    for (const Wall wall : {Wall::solid, Wall::periodic}) {
+        CAPTURE(wall);
+        Gas gas;
+        gas.box = box_of(24.0, 20.0, wall, wall);
+        gas.species = {{.name = "a", .count = 120, .radius = 0.4, .velocity = Temperature{1.0}}};
+        struct Seen {
+            Eigen::ArrayXd g;
+            double flights;
+        };
+        const auto seen = [&](int frames) {
+            Simulation simulation(gas, Run{});
+            simulation.record_collisions(true);
+            PairCorrelation pairs(gas.box, simulation.particles(), {.to = 4.0, .rings = 20}, {});
+            for (int k = 0; k <= frames; ++k) {
+                const AdvanceResult advanced = simulation.advance_to(20.0 * k / frames);
+                pairs.see(simulation.sample(), advanced.collisions, sides_of(gas.box));
+            }
+            return Seen{pairs.values(), pairs.flights_added()};
+        };
+        const Seen one = seen(1), few = seen(300), many = seen(30'000);
+        CHECK((few.g - one.g).abs().maxCoeff() < 1e-10);
+        CHECK((many.g - one.g).abs().maxCoeff() < 1e-10);
+        CHECK(one.flights > 1000.0);
+        CHECK(few.flights < 1.5 * one.flights);
+        CHECK(many.flights < 1.5 * one.flights);
+        CHECK(one.flights < 1.5 * many.flights);
+    }
+}
+
 TEST_CASE("a window forgets, and sides that move take their points with them") {
     const Box box = box_of(100.0, 100.0, Wall::solid, Wall::solid);
     PairCorrelation pairs(box, particles_of({0.0, 0.0}), {.to = 4.0, .rings = 2, .window = 3.2},

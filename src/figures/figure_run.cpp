@@ -50,6 +50,16 @@ Scene alone(Scene scene, int later) {
 // The cast is valid, because only figures with such panels show several runs.
 SharedPanel& shared(Panel& panel) { return dynamic_cast<SharedPanel&>(panel); }
 
+// The figures of these names; without names, all.
+std::vector<const FigureSpec*> asked_for(const Scene& scene,
+                                         const std::vector<std::string>& names) {
+    std::vector<const FigureSpec*> specs;
+    for (const FigureSpec& spec : scene.figures)
+        if (names.empty() || std::ranges::find(names, spec.name) != names.end())
+            specs.push_back(&spec);
+    return specs;
+}
+
 bool is_sweep(const FigureSpec& spec) { return spec.panel.kind == "sweep"; }
 
 // The total simulated time of the runs of a figure that shows a sweep; 0 if the figure does no such
@@ -66,17 +76,18 @@ bool shows(const Figure& figure, double time) {
 
 }  // namespace
 
-// One run of the physics, and the figures that show it: those figures of a scene that show more
-// than `later` seeds. If it is compared with runs that end at other times, titles say that the end
-// is shown.
+// One run of the physics, and the figures that show it: those asked for that show more than `later`
+// seeds. It stops at the times of all figures, so that axes do not depend on which are asked for.
+// If it is compared with runs that end at other times, titles say that the end is shown.
 class FigureRun::OneRun {
   public:
-    OneRun(const Scene& scene, int later, bool at_ends = false)
+    OneRun(const Scene& scene, int later, const std::vector<std::string>& names,
+           bool at_ends = false)
         : scene_(alone(scene, later)), ticks_(ticks_of(scene_)) {
         for (FigureSpec& spec : scene_.figures) spec.panel.at_ends = at_ends;
-        for (const FigureSpec& spec : scene_.figures)
-            if (spec.panel.seeds > later && spec.compare.empty() && !is_sweep(spec))
-                figures.push_back({&spec});
+        for (const FigureSpec* spec : asked_for(scene_, names))
+            if (spec->panel.seeds > later && spec->compare.empty() && !is_sweep(*spec))
+                figures.push_back({spec});
     }
     OneRun(const OneRun&) = delete;
     OneRun& operator=(const OneRun&) = delete;
@@ -162,27 +173,30 @@ void FigureRun::OneRun::look(const RunsCallbacks& on_progress) {
     recording_ = {};
 }
 
-FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_progress)
+FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_progress,
+                     const std::vector<std::string>& names)
     : scene_(alone(scene, 0)) {
     for (const FigureSpec& spec : scene_.figures) refuse_long_words(scene_, spec);
+    const std::vector<const FigureSpec*> specs = asked_for(scene_, names);
     int seeds = 1;
-    for (const FigureSpec& spec : scene_.figures) seeds = std::max(seeds, spec.panel.seeds);
-    for (int k = 0; k < seeds; ++k) runs_.push_back(std::make_unique<OneRun>(scene_, k));
+    for (const FigureSpec* spec : specs) seeds = std::max(seeds, spec->panel.seeds);
+    for (int k = 0; k < seeds; ++k) runs_.push_back(std::make_unique<OneRun>(scene_, k, names));
     std::vector<Parts> parts;  // of each figure
-    for (const FigureSpec& spec : scene_.figures) {
+    for (const FigureSpec* spec : specs) {
         Parts& its = parts.emplace_back();
-        for (const ComparedRun& run : spec.compare) {
-            runs_.push_back(std::make_unique<OneRun>(*run.scene, 0, end_apart(spec)));
+        for (const ComparedRun& run : spec->compare) {
+            runs_.push_back(std::make_unique<OneRun>(*run.scene, 0, std::vector<std::string>{},
+                                                     end_apart(*spec)));
             its.push_back({runs_.back().get(), &runs_.back()->figures.front()});
         }
-        const auto seeds_shown = static_cast<std::size_t>(spec.panel.seeds);
-        for (std::size_t k = 0; spec.compare.empty() && !is_sweep(spec) && k < seeds_shown; ++k)
-            its.push_back({runs_[k].get(), runs_[k]->figure_of(spec.name)});
+        const auto seeds_shown = static_cast<std::size_t>(spec->panel.seeds);
+        for (std::size_t k = 0; spec->compare.empty() && !is_sweep(*spec) && k < seeds_shown; ++k)
+            its.push_back({runs_[k].get(), runs_[k]->figure_of(spec->name)});
     }
 
     double time = 0.0;
     for (const auto& run : runs_) time += run->time_to_simulate();
-    for (const FigureSpec& spec : scene_.figures) time += time_of_sweep(spec, scene_.run);
+    for (const FigureSpec* spec : specs) time += time_of_sweep(*spec, scene_.run);
     RunsCallbacks shown = on_progress;
     const bool shows_trials = runs_.size() == 1 && runs_.front()->tries_bits();
     if (!shows_trials) shown.trial = nullptr;
@@ -197,10 +211,10 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     room.file /= static_cast<std::int64_t>(runs_.size());
     each([&](OneRun& run) { run.survey(shown, room); });
     for (std::size_t i = 0; i < parts.size(); ++i)
-        if (!parts[i].empty()) fix_axes(scene_.figures[i], parts[i]);
+        if (!parts[i].empty()) fix_axes(*specs[i], parts[i]);
     each([&](OneRun& run) { run.look(shown); });
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const FigureSpec& spec = scene_.figures[i];
+        const FigureSpec& spec = *specs[i];
         figures_.push_back(is_sweep(spec) ? sweep_figure(spec, threads, shown)
                                           : joined_figure(spec, parts[i]));
     }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "panels/panel.h"
@@ -55,16 +56,19 @@ struct RunsCallbacks {
 class FigureRun {
   public:
     /// Runs the physics of `scene`, of each further seed and of each run that is compared, on at
-    /// most `threads` threads. The axes are those of the scene's film, except for histograms of
-    /// means. Throws SceneError (a gas cannot be placed, or does not return), Interrupted.
-    explicit FigureRun(const Scene& scene, int threads = 1, const RunsCallbacks& on_progress = {});
+    /// most `threads` threads, for the figures of these names (none: all). Nothing is measured for
+    /// other figures, and no run is done that only they show; the result does not depend on which
+    /// are asked for. The axes are those of the scene's film, except for histograms of means.
+    /// Throws SceneError (a gas cannot be placed, or does not return), Interrupted.
+    explicit FigureRun(const Scene& scene, int threads = 1, const RunsCallbacks& on_progress = {},
+                       const std::vector<std::string>& names = {});
     ~FigureRun();
     FigureRun(const FigureRun&) = delete;  // its panels refer to its scene and particles
     FigureRun& operator=(const FigureRun&) = delete;
 
     const Scene& scene() const;
     const Particles& particles() const;          ///< of the scene's own seed
-    const std::vector<Figure>& figures() const;  ///< in the scene's order
+    const std::vector<Figure>& figures() const;  ///< those asked for, in the scene's order
 
   private:
     class OneRun;

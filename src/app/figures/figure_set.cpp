@@ -216,8 +216,7 @@ class Maker {
         return origin + "; made from " + planned.inputs;
     }
 
-    // Draws the figures of a scene that are due. The run of the physics is for all figures of the
-    // scene, because axes must not depend on which of them are drawn.
+    // Draws the figures of a scene that are due, from a run that measures nothing for the others.
     void draw(const SetPart& part) {
         std::vector<const PlannedFigure*> due;
         for (const PlannedFigure& figure : figures_) {
@@ -230,7 +229,9 @@ class Maker {
         if (due.empty()) return;
         report_.made += static_cast<int>(due.size());
         Progress progress(Progress::fitting_form(options_.quiet), part.stem);
-        const FigureRun run(part.scene, options_.threads, shown_runs(part.scene, progress));
+        std::vector<std::string> names;
+        for (const PlannedFigure* figure : due) names.push_back(figure->spec->name);
+        const FigureRun run(part.scene, options_.threads, shown_runs(part.scene, progress), names);
         progress.begin("drawing", static_cast<double>(due.size()), "figures");
         std::vector<NewFile> files;
         for (const PlannedFigure* figure : due) {

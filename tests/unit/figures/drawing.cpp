@@ -114,6 +114,24 @@ TEST_CASE("a figure shows the gas at its very time, whatever frames the film has
     CHECK(scene.figures[2].panel.over->window == 3.25);
 }
 
+// The third figure is of a collision that does not happen, which its own measurement finds.
+TEST_CASE("what is not asked for is not measured, and does not change what is") {
+    const std::string two =
+        "title: T\nbox: {size: [40, 30]}\ngas: [{name: a, count: 30, radius: 1, speed: 2}, "
+        "{name: b, count: 2, radius: 1, velocity: [0, 0], position: [[1.1, 1.1], [38.9, 28.9]]}]\n"
+        "run: {until: 2}\nfilm: {seconds: 2}\nfigures:\n"
+        "  - {name: speeds, kind: speed-histogram, at: 1.23}\n  - {name: gas, kind: gas, at: "
+        "0.7}\n";
+    const Scene scene = test::scene_from(
+        two + "  - {name: pair, kind: single-collision, of: [30, 31]}\n");
+    CHECK_THROWS_AS(run_of(scene), SceneError);
+    const FigureRun one(scene, 1, {}, {"speeds"});
+    REQUIRE(one.figures().size() == 1);
+    CHECK(one.figures()[0].spec->name == "speeds");
+    const FigureRun all(test::scene_from(two));
+    CHECK(drawn(one, 0).file() == drawn(all, 0).file());
+}
+
 TEST_CASE("`over` of a figure is an interval, or as a panel has it") {
     const auto picture = [](const std::string& keys) {
         return drawn(run_of(scene_of("  - {name: a, kind: speed-histogram, " + keys + "}\n")), 0)

@@ -135,10 +135,10 @@ std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
              &allow_mixed}};
 }
 
-Option limits_option(SceneOptions& options) {
+Option limits_option(bool& is_classroom) {
     return {"--limits",
             "classroom, for scenes from others: refuse those that take more than a few minutes",
-            [&options](const std::string&) { options.is_classroom = true; },
+            [&is_classroom](const std::string&) { is_classroom = true; },
             {"classroom"}};
 }
 

@@ -111,8 +111,8 @@ int most_chunks();
 /// --chunk, --force and --allow-mixed: which part of a plan is done, and how.
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed);
 
-/// --limits.
-Option limits_option(SceneOptions& options);
+/// --limits, which sets `is_classroom`.
+Option limits_option(bool& is_classroom);
 
 /// --language.
 Option language_option(SceneOptions& options);

@@ -81,6 +81,9 @@ inline constexpr Limit largest_grid{1'000, "units on a side of a template's grid
 // Narrower limits for scenes embedded in other documents; they apply only on request (classroom.h).
 inline constexpr Limit most_classroom_seconds{120, "seconds of a film, with --limits classroom"};
 inline constexpr Limit most_classroom_frames{7'200, "frames of a film, with --limits classroom"};
+inline constexpr Limit most_classroom_work{300, "seconds of CPU time, with --limits classroom"};
+inline constexpr Limit most_classroom_memory{2'000, "MB of memory, with --limits classroom"};
+inline constexpr Limit most_classroom_bytes{1'000, "MB of output, with --limits classroom"};
 inline constexpr Limit most_classroom_side{
     3'840, "pixels on a side of a picture, with --limits classroom"};
 inline constexpr Limit most_classroom_particles{20'000,

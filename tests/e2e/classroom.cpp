@@ -80,6 +80,137 @@ TEST_CASE("a film of several scenes is held to the limits as a whole, and runs b
     CHECK(has(beside.err, "20001 particles in all"));
 }
 
+TEST_CASE("every command that would draw or plan a film of many large pictures refuses it") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",  // 22 minutes of CPU time, measured
+                 "title: T\nbox: {size: [500, 500]}\n"
+                 "gas: [{count: 20000, radius: 0.5, temperature: 1}]\nrun: {until: 60}\n"
+                 "film: {seconds: 120, fps: 60, size: [3840, 3840]}\n");
+    const std::vector<std::vector<std::string>> commands{
+        {"render", "scene.yaml", "-o", "film.mp4"},
+        {"render", "scene.yaml", "scene.yaml", "--join", "--set", "film.seconds=60", "-o",
+         "film.mp4"},
+        {"check", "scene.yaml", "--format", "mp4"},
+        {"plan", "scene.yaml", "-o", "plan"},
+        {"gallery", ".", "-o", "site"}};
+    for (std::vector<std::string> command : commands) {
+        CAPTURE(command.front());
+        command.insert(command.end(), {"--limits", "classroom"});
+        const Outcome refused = called(folder, command);
+        CAPTURE(refused.err);
+        CHECK(refused.exit_code == 2);
+        CHECK(has(refused.err, "frames of 3840 by 3840 as mp4"));
+        CHECK(has(refused.err,
+                  "the limit is 300 seconds of CPU time, with --limits classroom; "
+                  "reduce `film.size`, `film.fps` or `film.seconds`"));
+        CHECK(folder.names() == std::vector<std::string>{"scene.yaml"});
+    }
+}
+
+TEST_CASE("the output and the memory of a film have limits too") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", scene);
+    const auto refused = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"check", "scene.yaml", "--limits", "classroom"});
+        const Outcome outcome = called(folder, options);
+        CHECK(outcome.exit_code == 2);
+        return outcome.err;
+    };
+    CHECK(has(
+        refused({"--format", "png", "--size", "2160p", "--set", "film.seconds=120", "film.fps=60"}),
+        "the limit is 1000 MB of output, with --limits classroom; reduce `film.size`, "
+        "`film.fps` or `film.seconds`"));
+    CHECK(has(refused({"--format", "gif", "--size", "3840x3840"}),
+              "the limit is 2000 MB of memory, with --limits classroom; reduce `film.size` or the "
+              "particles"));
+}
+
+// Each passes where it is small, and is refused before any run is done.
+TEST_CASE("many runs are held to the limits together") {
+    const TemporaryFolder folder;
+    const std::string gas =
+        "title: T\nbox: {size: [60, 60]}\nrun: {until: 20, sample_every: 20}\n"
+        "gas: [{count: 1000, radius: 0.5, temperature: 1}]\n";
+    folder.write("seeds.yaml", gas + "figures: [{name: a, kind: speed-histogram, seeds: 64}]\n");
+    folder.write("sweep.yaml", gas +
+                                   "figures: [{name: a, kind: sweep, number: virial pressure, "
+                                   "vary: \"run.sample_every=20,40\", seeds: 2}]\n");
+    folder.write("set.yaml", "title: T\nscenes: [{scene: seeds.yaml}]\n");
+    struct Case {
+        std::vector<std::string> command;
+        std::string much, what;
+    };
+    const std::vector<Case> cases{
+        {{"figures", "seeds.yaml", "-o", "out"}, "run.until=3e4", "in each of 64 runs"},
+        {{"figures", "set.yaml", "-o", "out"}, "run.until=3e4", "in each of 64 runs"},
+        {{"check", "set.yaml"}, "run.until=3e4", "in each of 64 runs"},
+        {{"figure", "seeds.yaml", "--kind", "speed-histogram", "--at", "1", "-o", "out"},
+         "run.until=3e6",
+         "collisions and crossings of cells"},
+        {{"run", "seeds.yaml", "--json", "out"}, "run.until=3e6", "collisions and crossings"},
+        {{"figures", "sweep.yaml", "-o", "out"}, "run.until=1e6", "4 runs of a sweep"},
+        {{"plan", "seeds.yaml", "--seeds", "1:64", "-o", "out"},
+         "run.until=3e4",
+         "64 runs of a sweep"}};
+    for (const auto& [small, much, what] : cases) {
+        CAPTURE(small.front());
+        CAPTURE(small[1]);
+        std::vector<std::string> command = small;
+        command.insert(command.end(), {"--limits", "classroom"});
+        std::vector<std::string> large = command;
+        large.insert(large.end(), {"--set", much});
+        const Outcome refused = called(folder, large);
+        CAPTURE(refused.err);
+        CHECK(refused.exit_code == 2);
+        CHECK(has(refused.err, what));
+        CHECK(has(refused.err, "the limit is 300 seconds of CPU time"));
+        CHECK(has(refused.err, "reduce "));
+        CHECK_FALSE(fs::exists(folder.path() / "out"));
+        const Outcome made = called(folder, command);
+        CAPTURE(made.err);
+        CHECK(made.exit_code == 0);
+        fs::remove_all(folder.path() / "out");
+    }
+}
+
+TEST_CASE("a long point in the middle of a sweep is found") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: T\nbox: {size: [60, 60]}\nrun: {until: 5, sample_every: 100}\n"
+                 "gas: [{count: 1000, radius: 0.5, temperature: 1}]\n");
+    std::string values = "run.until=1";
+    for (int k = 2; k < 150; ++k) values += "," + (k == 71 ? "5e6" : std::to_string(k));
+    const std::vector<std::string> plan{"plan", "scene.yaml", "--vary", values, "-o", "out"};
+    std::vector<std::string> held = plan;
+    held.insert(held.end(), {"--limits", "classroom"});
+    const Outcome refused = called(folder, held);
+    CAPTURE(refused.err);
+    CHECK(refused.exit_code == 2);
+    CHECK(has(refused.err, "149 runs of a sweep"));
+}
+
+TEST_CASE("chunks of a plan are held to the limits that the whole plan has") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: T\nbox: {size: [60, 60]}\nrun: {until: 5}\n"
+                 "gas: [{count: 1000, radius: 0.5, temperature: 1}]\n"
+                 "film: {seconds: 100, fps: 60, size: [3840, 3840]}\n");
+    REQUIRE(called(folder, {"plan", "scene.yaml", "-o", "film"}).exit_code == 0);
+    REQUIRE(called(folder, {"plan", "scene.yaml", "--seeds", "1:900", "--set", "run.until=3000",
+                            "-o", "sweep"})
+                .exit_code == 0);
+    const std::vector<std::vector<std::string>> commands{{"render", "film", "--chunk", "1"},
+                                                         {"run", "sweep", "--chunk", "1"}};
+    for (std::vector<std::string> command : commands) {
+        CAPTURE(command.front());
+        command.insert(command.end(), {"--limits", "classroom"});
+        const Outcome refused = called(folder, command);
+        CAPTURE(refused.err);
+        CHECK(refused.exit_code == 2);
+        CHECK(has(refused.err, "the limit is 300 seconds of CPU time"));
+    }
+}
+
 TEST_CASE("a run ends at the collisions of a classroom, with its limit") {
     const TemporaryFolder folder;
     folder.write("scene.yaml",

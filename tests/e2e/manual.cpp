@@ -33,9 +33,9 @@ std::string shown_output(const std::string& command) {
     return manual.substr(output, manual.find("```", output) - output);
 }
 
-// Without the estimate of time, which depends on the machine.
+// Without the estimates of time, which depends on the machine.
 std::string without_cost(const std::string& text) {
-    return std::regex_replace(text, std::regex(" *(rough cost|memory ) .*\n"), "");
+    return std::regex_replace(text, std::regex(" *(rough cost|memory |CPU time) .*\n"), "");
 }
 
 std::vector<fs::path> documents() {

@@ -8,6 +8,7 @@
 #include "app/cost/trial_run.h"
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
+#include "app/figures/set_work.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/film/words/letters.h"
@@ -50,28 +51,25 @@ void check_figure(const Scene& scene, const FigureSpec& figure) {
     if (figure.panel.kind == "sweep" && !figure.panel.sweep.from) check_swept_figure(scene, figure);
 }
 
-// Tries the runs of a scene: its own, with these panels, and those that its figures compare.
-std::optional<RunCounts> tried(const Scene& scene, std::vector<PanelSpec> panels) {
+// Counts the run of a scene, which these panels see; tries those that its figures compare, too.
+RunCounts tried(const Scene& scene, std::vector<PanelSpec> panels) {
     const std::vector<PanelSpec> of_figures = panels_to_try(scene.figures);
     panels.insert(panels.end(), of_figures.begin(), of_figures.end());
     for (const FigureSpec& figure : scene.figures)
         for (const ComparedRun& run : figure.compare)
             try_run(*run.scene, panels_to_try(run.scene->figures));
-    return try_run(scene, panels);
+    return counts_of(scene, panels);
 }
 
 // The collisions that a film shows, at most as many as its runs may have.
-std::optional<double> collisions_of_film(const Scene& scene, const std::optional<RunCounts>& own) {
-    if (!own || !own->collisions) return std::nullopt;
-    const auto limited = [](const Scene& one, double collisions) {
+std::optional<double> collisions_of_film(const Scene& scene, const SceneCounts& counts) {
+    const auto limited = [](const Scene& one, const RunCounts& its) {
         const auto most = static_cast<double>(collision_ceiling(one.run, total_count(one.gas)));
-        return std::min(most, collisions);
+        return std::min(most, its.collisions.value_or(0.0));
     };
-    const double collisions = limited(scene, *own->collisions);
-    if (!scene.film.beside) return collisions;
-    const Scene& other = *scene.film.beside->scene;
-    const std::optional<RunCounts> its = try_run(other);
-    return collisions + (its && its->collisions ? limited(other, *its->collisions) : collisions);
+    if (!counts.own.collisions) return std::nullopt;
+    const double own = limited(scene, counts.own);
+    return scene.film.beside ? own + limited(*scene.film.beside->scene, counts.beside) : own;
 }
 
 // The words on the title cards of the set's joined film.
@@ -106,7 +104,9 @@ Facts facts_of_set(const CheckArguments& arguments, const std::string& path,
     }
     for (const PageTemplate& page : set.pages) page_text(set, page, {}, {});
     refuse_same_names(set);
-    return facts_of(set, refused);
+    const Work figures = work_of_set(set, {}, false);
+    refuse_much_work(figures, set.parts.front().scene.source);
+    return facts_of(set, {{"figures", figures}}, refused);
 }
 
 // Measures the cost of a film in the format asked for, or else as MP4.
@@ -137,9 +137,11 @@ std::vector<const OutputFormat*> formats_of(const Scene& scene,
 }
 
 CheckedFilm checked_film(const CheckArguments& arguments, const std::string& path,
-                         const Scene& scene, std::optional<double> collisions,
+                         const Scene& scene, const SceneCounts& counts,
                          std::vector<CommandsRefused>& refused) {
-    CheckedFilm film{.options = arguments.film, .collisions = collisions};
+    CheckedFilm film{.options = arguments.film,
+                     .counts = counts,
+                     .collisions = collisions_of_film(scene, counts)};
     film.options.threads = threads_of(arguments);
     refuse_span(film.options, scene);
     if (arguments.format.empty()) {
@@ -152,24 +154,70 @@ CheckedFilm checked_film(const CheckArguments& arguments, const std::string& pat
     return film;
 }
 
+// The work of commands that draw no film.
+NamedWork works_of(const Scene& scene, const RunCounts& counts) {
+    NamedWork works{{"run", work_of_run(scene, counts)}};
+    if (!scene.figures.empty())
+        works.emplace_back("figures", work_of_figures(scene, {}, figure_formats(), counts));
+    return works;
+}
+
+// Refuses the run if it takes too much, and notes that the figures do.
+void hold_to_limits(const Scene& scene, const NamedWork& works,
+                    std::vector<CommandsRefused>& refused) {
+    for (const auto& [command, work] : works) {
+        try {
+            refuse_much_work(work, scene.source);
+        } catch (const SceneError& error) {
+            if (command == "run") throw;
+            refused.push_back({{command}, error.diagnostics()});
+        }
+    }
+}
+
+// Of the formats of a film the first is refused, if it takes too much, and the others are noted.
+void hold_to_limits(const CheckArguments& arguments, const Scene& scene, CheckedFilm& film,
+                    std::vector<CommandsRefused>& refused) {
+    const OutputFormat* const first = film.formats.front();
+    std::erase_if(film.formats, [&](const OutputFormat* format) {
+        try {
+            refuse_much_work(work_of_film(scene, arguments.film, *format, film.counts),
+                             scene.source);
+            return false;
+        } catch (const SceneError& error) {
+            if (format == first) throw;
+            const std::string as = " as " + format->name;
+            refused.push_back({{"render" + as, "plan" + as}, error.diagnostics()});
+            return true;
+        }
+    });
+}
+
 Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
                      const Overrides& overrides, CheckedFile& found) {
     const auto [scene, no_film] = load_for_all(path, resources_of(arguments), overrides);
     const bool has_film = no_film.empty();
     if (has_film) refuse_long_words(scene);
     require_letters(scene);
-    const std::optional<RunCounts> counts =
+    const RunCounts own =
         tried(scene, has_film ? panels_to_try(scene.film.panels) : std::vector<PanelSpec>{});
     for (const FigureSpec& figure : scene.figures) check_figure(scene, figure);
+    NamedWork works = works_of(scene, own);
     std::vector<CommandsRefused> refused;
     if (!has_film) {
         refused.push_back({{"render", "still", "plan", "gallery", "figures --films"}, no_film});
-        return facts_of(scene, std::nullopt, refused);
+        hold_to_limits(scene, works, refused);
+        return facts_of(scene, std::nullopt, works, refused);
     }
     find_barriers(arguments, scene, found);
-    const CheckedFilm film =
-        checked_film(arguments, path, scene, collisions_of_film(scene, counts), refused);
-    return facts_of(scene, film, refused);
+    SceneCounts counts{.own = own, .beside = {}};
+    if (scene.film.beside) counts.beside = counts_of(*scene.film.beside->scene);
+    CheckedFilm film = checked_film(arguments, path, scene, counts, refused);
+    hold_to_limits(scene, works, refused);
+    hold_to_limits(arguments, scene, film, refused);
+    works.emplace_back("render",
+                       work_of_film(scene, arguments.film, *film.formats.front(), counts));
+    return facts_of(scene, film, works, refused);
 }
 
 CheckedFile checked(const CheckArguments& arguments, const std::string& path,
@@ -267,7 +315,7 @@ Command check_command() {
                &its.accessible},
               {"--format", "give the cost of this format only", &its.format, chunk_formats()}},
              scene_options(its),
-             {limits_option(its)},
+             {limits_option(its.is_classroom)},
              picture_options(its),
              film_options(its, its.film),
              {threads_option(its)}}),

@@ -11,6 +11,7 @@
 #include "app/depfile.h"
 #include "app/figures/figure_set.h"
 #include "app/figures/set_loading.h"
+#include "app/figures/set_work.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "figures/sweep_figure.h"
@@ -121,6 +122,13 @@ std::vector<std::string> files_of(const FigureSet& set, const std::string& name)
     return files;
 }
 
+// Refuses a set that exceeds --limits as a whole.
+void refuse_much_work(const FigureSet& set, const SetOptions& options) {
+    const SceneSource& first = set.parts.front().scene.source;
+    if (first.is_held_to_classroom)
+        refuse_much_work(work_of_set(set, options.only, options.films), first);
+}
+
 constexpr const char* finished = "figures that were finished stay, and are not made again";
 
 void make_all(const FiguresArguments& arguments) {
@@ -132,6 +140,7 @@ void make_all(const FiguresArguments& arguments) {
     const std::vector<FigureSet> sets = sets_of(arguments);
     for (const FigureSet& set : sets)
         for (const SetPart& part : set.parts) say_notes(arguments, part.scene);
+    for (const FigureSet& set : sets) refuse_much_work(set, options);
     FolderRules rules(arguments.depfile);
     for (std::size_t i = 0; i < sets.size(); ++i)
         rules.add(sets[i].folder / captions_name, files_of(sets[i], arguments.scenes[i]));
@@ -357,7 +366,7 @@ Command figure_command() {
               {"--force", "draw it again, and replace files that carom did not write",
                &its.options.force},
               depfile_option(its.depfile)},
-             {limits_option(its)},
+             {limits_option(its.is_classroom)},
              drawing_options(its)}),
         [arguments] {
             arguments->scenes = {arguments->scene};
@@ -389,6 +398,7 @@ Command figures_command() {
                CommaSeparated{&its.pages}},
               {"--films", "also render the films of the scenes, which pages then show",
                &its.options.films}},
+             {limits_option(its.is_classroom)},
              drawing_options(its)}),
         [arguments] { make_all(*arguments); }, figures_text()};
 }

@@ -55,6 +55,7 @@ void make_site(GalleryArguments& arguments) {
     options.overrides = overrides_of(arguments);
     options.film.threads = threads_of(arguments);
     options.quiet = arguments.quiet;
+    options.is_classroom = arguments.is_classroom;
     const GalleryReport report = made(options);
     const std::string site = printable(options.site.string());
     warn(site, report);
@@ -98,6 +99,7 @@ Command gallery_command() {
                    &its.gallery.force},
                   depfile_option(its.gallery.depfile)},
                  scene_options(its),
+                 {limits_option(its.is_classroom)},
                  picture_options(its),
                  film_shape_options(its, its.gallery.film),
                  {threads_option(its)}}),

@@ -10,6 +10,7 @@
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
 #include "app/commands/film_plans.h"
+#include "app/cost/work.h"
 #include "app/output.h"
 #include "app/sweep/sweep_plan.h"
 #include "util/csv.h"
@@ -27,6 +28,7 @@ struct JoinArguments {
     bool allow_mixed = false;
     bool quiet = false;
     bool text = false, poster = false;  // of a film
+    bool is_classroom = false;
 };
 
 // A row for each run.
@@ -63,7 +65,8 @@ void refuse_same_outputs(const JoinArguments& arguments) {
 
 void join_sweep(const JoinArguments& arguments, const PlanFolder& plan) {
     refuse_same_outputs(arguments);
-    const PlannedSweep sweep(plan, "join");
+    const PlannedSweep sweep(plan, "join", arguments.is_classroom);
+    refuse_much_sweep(sweep.sweep(), [&](std::int64_t point) { return sweep.scene_at(point); });
     std::optional<Output> json, csv;
     std::optional<RunsCsv> table;
     if (!arguments.output.empty()) json.emplace(arguments.output);
@@ -97,6 +100,7 @@ void join(const JoinArguments& arguments) {
     if (!is_film && (arguments.text || arguments.poster))
         throw UsageError("--words and --poster apply to the plan of a film; leave them out");
     if (!is_film) return join_sweep(arguments, plan);
+    if (arguments.is_classroom) refuse_much_plan(plan);
     join_film(plan, {arguments.output, arguments.text, arguments.poster, arguments.allow_mixed,
                      arguments.quiet});
 }
@@ -132,6 +136,7 @@ Command join_command() {
           &its.text},
          {"--poster", "for a film: also write a picture of it (.poster.png)", &its.poster},
          {"--csv FILE", "for a sweep: a row for each run; - for standard output", &its.csv},
+         limits_option(its.is_classroom),
          {"--allow-mixed", "accept chunks made by other builds of carom", &its.allow_mixed},
          {"--quiet", "print no report", &its.quiet}},
         [arguments] { join(*arguments); },

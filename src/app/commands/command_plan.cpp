@@ -9,6 +9,7 @@
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
 #include "app/commands/film_plans.h"
+#include "app/cost/work.h"
 #include "app/film/film_request.h"
 #include "app/output.h"
 #include "app/sweep/sweep_plan.h"
@@ -118,7 +119,8 @@ void plan_seeds(const PlanArguments& arguments) {
     SweepRequest request{.scene = arguments.scenes.front(),
                          .overrides = overrides_of(arguments),
                          .sweep = sweep_of(arguments),
-                         .is_seed_of_scene = arguments.seeds.empty()};
+                         .is_seed_of_scene = arguments.seeds.empty(),
+                         .is_classroom = arguments.is_classroom};
     const auto is_seed = [](const std::string& change) { return change.starts_with("seed="); };
     if (!arguments.seeds.empty() && std::ranges::any_of(request.overrides, is_seed))
         throw UsageError("--seeds and a value for `seed` cannot be combined");
@@ -126,7 +128,8 @@ void plan_seeds(const PlanArguments& arguments) {
     const fs::path folder = folder_of_plan(arguments);
     Progress progress(Progress::fitting_form(arguments.quiet),
                       scene_stem(arguments.scenes.front()));
-    const bool is_new = plan_sweep(request, folder, arguments.film.force, progress);
+    const bool is_new =
+        plan_sweep(request, folder, arguments.film.force, progress, refuse_much_sweep);
     if (!arguments.quiet) Output("-").write(words_of_plan(PlanFolder(folder), is_new));
 }
 
@@ -181,7 +184,8 @@ Command plan_command() {
               {"--missing", "print the numbers of the chunks that are still to do", &its.missing},
               {"--force", "plan again, and remove the existing chunks", &its.film.force}},
              film_plan_options(its, its.film),
-             scene_options(its)}),
+             scene_options(its),
+             {limits_option(its.is_classroom)}}),
         [arguments] { plan(*arguments); }, plan_text()};
 }
 

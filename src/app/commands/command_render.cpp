@@ -13,6 +13,7 @@
 
 #include "app/chunks/plan_folder.h"
 #include "app/command.h"
+#include "app/commands/film_plans.h"
 #include "app/commands/render_words.h"
 #include "app/cost/film_cost.h"
 #include "app/cost/film_shape.h"
@@ -307,11 +308,11 @@ void render_film(const RenderArguments& arguments, const std::string& name,
 
 // Refuses options that a plan has fixed already, or that would be the same for all its chunks.
 void refuse_film_options(const RenderArguments& arguments) {
-    const bool changes =
-        !arguments.destination.output.empty() || !arguments.destination.format.empty() ||
-        changes_film(arguments.film) || arguments.film.text || arguments.join ||
-        !arguments.max_size.empty() || arguments.is_classroom || !overrides_of(arguments).empty() ||
-        !arguments.page.empty() || !arguments.depfile.empty() || !arguments.cache.empty();
+    const bool changes = !arguments.destination.output.empty() ||
+                         !arguments.destination.format.empty() || changes_film(arguments.film) ||
+                         arguments.film.text || arguments.join || !arguments.max_size.empty() ||
+                         !overrides_of(arguments).empty() || !arguments.page.empty() ||
+                         !arguments.depfile.empty() || !arguments.cache.empty();
     if (changes)
         throw UsageError(
             "the chunks of a plan are drawn as it says; give what changes the film to carom plan, "
@@ -324,6 +325,7 @@ void render_chunks(const RenderArguments& arguments) {
         throw UsageError("the chunks of one plan are rendered at a time; give one folder");
     const PlanFolder folder(arguments.scenes.front());
     folder.require(PlanKind::film, "render");
+    if (arguments.is_classroom) refuse_much_plan(folder);
     Progress progress(Progress::fitting_form(arguments.quiet), folder.path().filename().string());
     const ChunkOptions options{threads_of(arguments), arguments.force, arguments.allow_mixed};
     std::vector<int> numbers{arguments.chunk};
@@ -375,6 +377,24 @@ void refuse_used(const RenderArguments& arguments, const std::vector<Scene>& sce
     }
 }
 
+// Refuses what exceeds --limits. A joined film counts as a whole, other films one by one.
+void refuse_much_work(const RenderArguments& arguments, const std::vector<Scene>& scenes,
+                      const std::vector<fs::path>& outputs) {
+    if (!arguments.is_classroom) return;
+    const int measures = arguments.max_size.empty() ? 0 : most_shapes_measured;
+    Work all;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        const OutputFormat& format =
+            format_of_film(film_at(arguments, outputs[arguments.join ? 0 : i]));
+        if (arguments.join)
+            all = together(
+                all, work_of_film(scenes[i], arguments.film, format, counts_of_film(scenes[i])));
+        else
+            refuse_much_film(scenes[i], arguments.film, format, measures);
+    }
+    if (arguments.join) refuse_much_work(all, scenes.front().source);
+}
+
 void render_scenes(RenderArguments& arguments) {
     if (std::ranges::any_of(arguments.scenes, is_plan)) return render_chunks(arguments);
     if (arguments.chunk > 0 || arguments.force || arguments.allow_mixed)
@@ -405,6 +425,7 @@ void render_scenes(RenderArguments& arguments) {
     for (std::size_t i = 0; i < scenes.size(); ++i)
         refuse_unfit(scenes[i], arguments.film,
                      format_of_film(film_at(arguments, outputs[arguments.join ? 0 : i])));
+    refuse_much_work(arguments, scenes, outputs);
     const std::string made_from = depfile_of(arguments, outputs, listed_scenes, scenes);
     std::optional<Output> depfile;  // before the work
     if (!arguments.depfile.empty()) depfile.emplace(arguments.depfile);
@@ -458,7 +479,7 @@ Command render_command() {
                &its.join}},
              chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
-             {limits_option(its)},
+             {limits_option(its.is_classroom)},
              picture_options(its),
              film_options(its, its.film),
              {cache_option(its.cache)},

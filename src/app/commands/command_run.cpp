@@ -12,6 +12,7 @@
 
 #include "app/chunks/build_facts.h"
 #include "app/command.h"
+#include "app/cost/work.h"
 #include "app/depfile.h"
 #include "app/output.h"
 #include "app/report/collisions_csv.h"
@@ -211,15 +212,14 @@ void refuse_options_of_scene(const RunArguments& arguments) {
     if (!overrides_of(arguments).empty())
         throw UsageError(
             fmt::format("{} is planned: give --seed and --set to carom plan", arguments.scene));
-    if (arguments.is_classroom)
-        throw UsageError(fmt::format("--limits is for one scene; {} is planned", arguments.scene));
 }
 
 // Does the chunks of a sweep. Chunks that are done already are left as they are.
 void run_sweep(const RunArguments& arguments) {
     refuse_options_of_scene(arguments);
     const PlanFolder plan(arguments.scene);
-    const PlannedSweep sweep(plan, "run");
+    const PlannedSweep sweep(plan, "run", arguments.is_classroom);
+    refuse_much_sweep(sweep.sweep(), [&](std::int64_t point) { return sweep.scene_at(point); });
     if (!arguments.allow_mixed) plan.require_same_build(carom::to_json(physics_facts()));
     std::vector<PlannedChunk> chunks = plan.chunks();
     if (arguments.chunk > 0) chunks = {plan.chunk(arguments.chunk)};
@@ -241,6 +241,12 @@ void refuse_options_of_sweep(const RunArguments& arguments) {
                 arguments.scene));
 }
 
+RunTables tables_of(const RunArguments& arguments) {
+    return {.samples = !arguments.csv.empty(),
+            .trajectory = !arguments.xyz.empty(),
+            .collisions = !arguments.events.empty()};
+}
+
 // Runs a scene. The outputs are opened before the work, in case they cannot be written.
 void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
@@ -248,6 +254,8 @@ void run_scene(const RunArguments& arguments) {
                                    overrides_of(arguments), Wanted::physics);
     say_notes(arguments, scene);
     refuse_no_surfaces(arguments, scene);
+    if (arguments.is_classroom)
+        refuse_much_work(work_of_run(scene, counts_of(scene), tables_of(arguments)), scene.source);
     const std::string depfile = depfile_of(arguments, scene);
     RunOutputs outputs(arguments, scene.gas);
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
@@ -306,7 +314,7 @@ Command run_command() {
               depfile_option(its.depfile)},
              chunk_options(its.chunk, its.force, its.allow_mixed),
              scene_options(its),
-             {limits_option(its)},
+             {limits_option(its.is_classroom)},
              work_options(its)}),
         [arguments] {
             if (is_plan(arguments->scene)) return run_sweep(*arguments);

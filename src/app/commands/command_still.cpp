@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/cost/work.h"
 #include "app/depfile.h"
 #include "app/film/film_request.h"
 #include "app/film/render.h"
@@ -60,6 +61,9 @@ void make_still(const StillArguments& arguments) {
     if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
         throw UsageError(
             fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));
+    if (arguments.is_classroom)
+        refuse_much_work(work_of_still(scene, arguments.is_quick, counts_of_film(scene)),
+                         scene.source);
     const std::filesystem::path output = still_path(arguments);
     std::optional<Output> depfile;
     if (!arguments.depfile.empty()) {
@@ -121,7 +125,7 @@ Command still_command() {
                              {"--format", "png, svg or pdf", &its.format, still_formats()},
                              depfile_option(its.depfile)},
                             scene_options(its),
-                            {limits_option(its)},
+                            {limits_option(its.is_classroom)},
                             picture_options(its)}),
             [arguments] { make_still(*arguments); }, still_text()};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands/render_words.h"
+#include "app/cost/work.h"
 #include "app/film/film_chunks.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
@@ -83,7 +84,7 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
         throw UsageError("-o -: a plan is several files; name a folder");
     refuse_same_folders(scenes);
     const FilmDivision division = division_of(arguments);
-    const SceneResources resources = scene_resources();
+    const SceneResources resources = resources_of(options);
     const OutputFormat& format = format_of(arguments);
     const std::vector<Scene> loaded = all_made(scenes, [&](const std::string& name) {
         return load_scene(name, resources, overrides_of(options));
@@ -91,6 +92,7 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
     for (const Scene& scene : loaded) {
         say_notes(options, scene);
         refuse_unfit(scene, arguments.film, format);
+        refuse_much_film(scene, arguments.film, format);
     }
     FilmOptions film = arguments.film;
     film.output = format.name == "png" ? "film/" : "film." + format.name;
@@ -104,6 +106,13 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
         if (loaded[i].film.sound && !format.sound) say(warning_of_silence(format));
         say(warning_of_cut(report.cut));
     }
+}
+
+void refuse_much_plan(const PlanFolder& folder) {
+    SceneSource source = source_of_plan(folder);
+    source.is_held_to_classroom = true;
+    refuse_much_film(scene_from(source), options_of_plan(folder),
+                     output_format(format_of_plan(folder)));
 }
 
 void join_film(const PlanFolder& folder, const FilmJoinArguments& arguments) {

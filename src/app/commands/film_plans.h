@@ -28,6 +28,10 @@ std::vector<Option> film_plan_options(SceneOptions& options, FilmPlanArguments& 
 void plan_films(const std::vector<std::string>& scenes, const std::string& output,
                 const FilmPlanArguments& arguments, const SceneOptions& options);
 
+/// Throws SceneError if the film of a plan, all of its chunks together, exceeds the limits of a
+/// classroom.
+void refuse_much_plan(const PlanFolder& folder);
+
 /// Arguments of `carom join` for films.
 struct FilmJoinArguments {
     std::string output;

@@ -2,9 +2,9 @@
 // measured on a few frames of the film itself.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
+#include "app/cost/work.h"
 #include "app/film/film_plan.h"
 #include "app/progress.h"
 #include "media/formats.h"
@@ -22,14 +22,12 @@ struct FilmCost {
 /// Bytes of the sound of `frames` frames; 0 for a film without sound.
 double bytes_of_sound(const Scene& scene, const OutputFormat& format, int frames);
 
-/// Estimates the cost of a film of `frames` frames, with `particles` particles in each of its runs,
-/// in which `calculated` collisions are calculated (in all passes, before time 0 included).
+/// Estimates the cost of a film from its work (work.h) and the collisions that it keeps in memory.
 /// Interpolated from films that were measured (docs/encoding.md), and valid for a machine like the
 /// one of these measurements. Ignores how far particles move from frame to frame: short films of
 /// fast gases take several times as much.
 FilmCost estimated_cost(const OutputFormat& format, const Scene& scene, const FilmOptions& options,
-                        int frames, std::int64_t particles, double calculated,
-                        const FilmCollisions& collisions);
+                        const SceneCounts& counts, const FilmCollisions& collisions);
 
 /// Simulates the film's run, then draws and encodes a few successive frames at each of several
 /// places spread over the film, as render() would. The bytes are accurate to about 10 %. `options`

@@ -70,11 +70,10 @@ double expected(const FilmShape& shape, const FilmShape& measured, double bytes,
 std::optional<FilmShape> fitting_shape(const FilmShape& asked, const FormatCost& cost, double most,
                                        const std::function<double(const FilmShape&)>& measure) {
     constexpr double margin = 0.95;  // because only a sample of the frames is measured
-    constexpr int most_measured = 6;
     std::vector<Candidate> candidates = candidates_of(asked);
     std::optional<Candidate> best;
     Candidate* next = candidates.data();
-    for (int k = 0; k < most_measured && next != nullptr; ++k) {
+    for (int k = 0; k < most_shapes_measured && next != nullptr; ++k) {
         next->is_measured = true;
         const FilmShape shape = next->shape;
         const double bytes = measure(shape);

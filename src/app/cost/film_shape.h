@@ -12,6 +12,9 @@
 
 namespace carom {
 
+/// The most shapes in which fitting_shape() measures a film.
+inline constexpr int most_shapes_measured = 6;
+
 /// Picture size and frame rate (frames per second) of a film.
 struct FilmShape {
     PictureSize size;

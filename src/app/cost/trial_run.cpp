@@ -20,8 +20,10 @@ namespace {
 constexpr std::int64_t most_particles_tried = 20'000;
 
 // Arithmetic with more bits than a double is some hundred times slower.
-std::int64_t collisions_tried(const Run& run) {
-    return run.bits == bits_of_double ? 300'000 : 5'000;
+std::int64_t collisions_tried(const Run& run, double share) {
+    constexpr double least = 500.0;
+    const double most = run.bits == bits_of_double ? 300e3 : 5e3;
+    return static_cast<std::int64_t>(std::max(least, share * most));
 }
 
 // Thrown to end a trial without collisions, in which particles only fly from cell to cell.
@@ -62,8 +64,11 @@ int expected_bits(const Scene& scene, double collisions) {
 // Runs the beginning of `tried`, whose collisions are limited.
 class Trial {
   public:
-    Trial(const Scene& scene, std::span<const PanelSpec> panels, bool is_cut)
-        : scene_(scene), panels_(panels.begin(), panels.end()), is_cut_(is_cut) {}
+    Trial(const Scene& scene, std::span<const PanelSpec> panels, bool is_cut, double share)
+        : scene_(scene),
+          panels_(panels.begin(), panels.end()),
+          is_cut_(is_cut),
+          most_looks_(std::max(20.0, 10e3 * share)) {}
 
     RunCounts counts() {
         try {
@@ -118,10 +123,9 @@ class Trial {
     }
 
     void survey(PanelSet& panels, Simulation& simulation) {
-        constexpr int most_looks = 10'000;  // one call per some thousand events: seconds in all
         const auto look = [&](double now) {
             counted_.time = std::max(counted_.time, now);
-            if (++counted_.looks > most_looks) throw TooManyFlights{};
+            if (++counted_.looks > most_looks_) throw TooManyFlights{};
         };
         int frame = 0;
         for (const double time : times_of(scene_.run, panels_)) {
@@ -136,6 +140,7 @@ class Trial {
     const Scene& scene_;
     std::vector<PanelSpec> panels_;
     bool is_cut_;
+    double most_looks_;  // one for each some thousand events: seconds in all
     Counted counted_;
     int bits_ = bits_of_double;
 };
@@ -147,21 +152,22 @@ bool is_to_try(const PanelSpec& spec) {
 
 }  // namespace
 
-std::optional<RunCounts> try_run(const Scene& scene, std::span<const PanelSpec> panels) {
+std::optional<RunCounts> try_run(const Scene& scene, std::span<const PanelSpec> panels,
+                                 double share) {
     const std::int64_t particles = total_count(scene.gas);
     if (particles > most_particles_tried || scene.run.time_step) return std::nullopt;
     Scene tried = scene;
     const std::int64_t ceiling = collision_ceiling(scene.run, particles);
-    tried.run.most_collisions = std::min(ceiling, collisions_tried(scene.run));
+    tried.run.most_collisions = std::min(ceiling, collisions_tried(scene.run, share));
     std::optional<RunCounts> counts;
     with_places_of_errors(scene, [&] {
-        counts = Trial(tried, panels, *tried.run.most_collisions < ceiling).counts();
+        counts = Trial(tried, panels, *tried.run.most_collisions < ceiling, share).counts();
     });
     return counts;
 }
 
-RunCounts counts_of(const Scene& scene, std::span<const PanelSpec> panels) {
-    if (const std::optional<RunCounts> counts = try_run(scene, panels)) return *counts;
+RunCounts counts_of(const Scene& scene, std::span<const PanelSpec> panels, double share) {
+    if (const std::optional<RunCounts> counts = try_run(scene, panels, share)) return *counts;
     RunCounts counts{.bits = scene.run.bits.value_or(bits_of_double)};
     const auto [particles, sample] = draw_gas(scene.gas);
     const BoxedGas gas(scene.gas.box, scene.run.events, particles, sample);

@@ -22,14 +22,16 @@ struct RunCounts {
 
 /// Runs a scene up to a number of collisions that takes a fraction of a second, and extrapolates
 /// from the rate so far if that does not reach its end. `panels` see the run: those of a collision,
-/// and tests of histograms. Returns nothing if the run is not tried (too many particles, fixed time
-/// steps). Throws SceneError for errors that end the trial and, if it reaches the end, for panels
-/// of a collision that does not happen and for impossible tests; Interrupted.
-std::optional<RunCounts> try_run(const Scene& scene, std::span<const PanelSpec> panels = {});
+/// and tests of histograms. `share`: of the usual length of a trial, where many are made. Returns
+/// nothing if the run is not tried (too many particles, fixed time steps). Throws SceneError for
+/// errors that end the trial and, if it reaches the end, for panels of a collision that does not
+/// happen and for impossible tests; Interrupted.
+std::optional<RunCounts> try_run(const Scene& scene, std::span<const PanelSpec> panels = {},
+                                 double share = 1.0);
 
 /// The same for every scene: what cannot be tried is expected by kinetic theory, or counted in time
 /// steps.
-RunCounts counts_of(const Scene& scene, std::span<const PanelSpec> panels = {});
+RunCounts counts_of(const Scene& scene, std::span<const PanelSpec> panels = {}, double share = 1.0);
 
 /// The panels of a scene's film, and those of its figures of its own run, that may find only in a
 /// run that they have nothing to show.

@@ -382,6 +382,29 @@ std::string format_of_plan(const PlanFolder& folder) {
     return format;
 }
 
+SceneSource source_of_plan(const PlanFolder& folder) {
+    return folder.read_contents([](const Json& contents) {
+        const Json& scene = contents.at("request").at("scene");
+        return SceneSource{.path = name_of_utf8(scene.at("path").get<std::string>()),
+                           .text = scene.at("text"),
+                           .template_text = scene.at("template"),
+                           .overrides = scene.at("overrides"),
+                           .files = texts_from(scene.at("files"))};
+    });
+}
+
+FilmOptions options_of_plan(const PlanFolder& folder) {
+    return folder.read_contents([](const Json& contents) {
+        const Json& request = contents.at("request");
+        FilmOptions options;
+        for (const Quality quality : {Quality::draft, Quality::standard, Quality::final_})
+            if (request.at("quality") == name_of(quality)) options.quality = quality;
+        for (const auto& [name, time] : {std::pair{"from", &options.from}, {"to", &options.to}})
+            if (!request.at(name).is_null()) *time = request.at(name).get<double>();
+        return options;
+    });
+}
+
 std::string scene_of_plan(const PlanFolder& folder) {
     const std::string path = folder.read_contents([](const Json& contents) {
         return name_of_utf8(contents.at("request").at("scene").at("path").get<std::string>());

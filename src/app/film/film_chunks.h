@@ -73,4 +73,8 @@ RenderReport join_film(const PlanFolder& folder, const JoinOptions& options, Pro
 std::string format_of_plan(const PlanFolder& folder);
 std::string scene_of_plan(const PlanFolder& folder);
 
+/// The source of its scene, and the options with which it was planned, without a path.
+SceneSource source_of_plan(const PlanFolder& folder);
+FilmOptions options_of_plan(const PlanFolder& folder);
+
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/cost/work.h"
 #include "app/depfile.h"
 #include "app/figures/figure_folder.h"
 #include "app/film/film_request.h"
@@ -129,11 +130,13 @@ std::string inputs_of(const GalleryOptions& options, const Scene& scene, const S
 }
 
 std::vector<GalleryItem> items_of(const GalleryOptions& options, const Source& page) {
-    const SceneResources resources = scene_resources();
+    SceneResources resources = scene_resources();
+    resources.is_classroom = options.is_classroom;
     const OutputFormat& format = output_format(options.format);
     return all_made(files_in(options), [&](const GalleryFile& file) {
         GalleryItem item{file, load_scene(file.path, resources, options.overrides), ""};
         refuse_unfit(item.scene, options.film, format);
+        refuse_much_film(item.scene, options.film, format);
         item.inputs = inputs_of(options, item.scene, page);
         return item;
     });

@@ -33,16 +33,6 @@ namespace {
 
 Fact shown(const char* label, const std::string& words) { return {"", nullptr, label, words}; }
 
-// Two digits: it is an estimate.
-std::string about(double value) {
-    if (value >= 1e15) return three_digits(value);
-    if (value < 0.01) return value > 0.0 ? "less than 0.01" : "0";
-    if (value < 10.0) return fmt::format("{:.2g}", value);
-    const double digits = std::floor(std::log10(std::max(1.0, value))) - 1.0;
-    const double unit = std::pow(10.0, std::max(0.0, digits));
-    return grouped(static_cast<long long>(unit * std::round(value / unit)));
-}
-
 std::string_view side_word(const Box& box, std::size_t side) {
     const Behaviour& behaviour = box.surfaces.sides[side];
     if (std::holds_alternative<Bath>(behaviour)) return "bath";
@@ -108,15 +98,6 @@ std::string run_words(const Run& run) {
     if (!run.events.empty())
         text += ", " + counted(static_cast<long long>(run.events.size()), "event");
     return text;
-}
-
-// A row for each line, the first with a label; for programs a list.
-Facts rows_of(const char* label, const std::vector<std::string>& lines) {
-    Facts rows;
-    if (lines.empty()) return {{label, Json::array()}};
-    rows.push_back({label, Json(lines), label, lines.front()});
-    for (std::size_t k = 1; k < lines.size(); ++k) rows.push_back(shown(" ", lines[k]));
-    return rows;
 }
 
 Facts distribution_rows(const Gas& gas) {
@@ -215,13 +196,11 @@ Facts field_rows(const Scene& scene, std::int64_t particles) {
                                        mean, least_in_cell))};
 }
 
-std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& film, int frames,
-                                      std::int64_t particles, double calculated,
+std::vector<FilmCost> estimated_costs(const Scene& scene, const CheckedFilm& film,
                                       const FilmCollisions& collisions) {
     std::vector<FilmCost> costs;
     for (const OutputFormat* format : film.formats)
-        costs.push_back(estimated_cost(*format, scene, film.options, frames, particles, calculated,
-                                       collisions));
+        costs.push_back(estimated_cost(*format, scene, film.options, film.counts, collisions));
     return costs;
 }
 
@@ -260,10 +239,7 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, std::int64_t pa
     const int frames = frames_of(scene, options);
     const int runs = film.beside ? 2 : 1;
     const std::vector<std::string> passes = expected_passes(scene, runs * particles);
-    const double before = collisions.count / scene.run.until * scene.run.equilibrate;  // time 0
-    const std::vector<FilmCost> costs = estimated_costs(
-        scene, checked, frames, particles,
-        static_cast<double>(passes.size()) * (collisions.count + before), collisions);
+    const std::vector<FilmCost> costs = estimated_costs(scene, checked, collisions);
     const double seconds = static_cast<double>(frames) / film.fps;
     Json value{{"template", film.template_name},
                {"frames", frames},
@@ -363,37 +339,6 @@ Facts section_rows(const FigureSet& set) {
     return rows;
 }
 
-Json error_value(const Diagnostic& error) {
-    const auto position = [](int value) { return value > 0 ? Json(value) : Json(); };
-    return Json{{"file", error.span.file},
-                {"line", position(error.span.line)},
-                {"column", position(error.span.column)},
-                {"length", error.span.length},
-                {"message", error.message},
-                {"hint", error.hint.empty() ? Json() : Json(error.hint)}};
-}
-
-// "render, still and plan: a film of 60000 seconds has ...; the limit is ...".
-std::string words_of(const CommandsRefused& refused) {
-    std::vector<std::string> reasons;
-    for (const Diagnostic& one : refused.reasons)
-        reasons.push_back(one.hint.empty() ? one.message : one.message + "; " + one.hint);
-    return fmt::format("{}: {}", listed(refused.commands), fmt::join(reasons, "; "));
-}
-
-Facts refused_rows(const std::vector<CommandsRefused>& all) {
-    Json list = Json::array();
-    std::vector<std::string> lines;
-    for (const CommandsRefused& one : all) {
-        lines.push_back(words_of(one));
-        Json& value = list.emplace_back(Json{{"commands", one.commands}});
-        for (const Diagnostic& reason : one.reasons) value["errors"].push_back(error_value(reason));
-    }
-    Facts rows = rows_of("refused", lines);
-    rows.front().value = std::move(list);
-    return rows;
-}
-
 Facts note_rows(const Scene& scene) {
     std::vector<std::string> lines;
     Json values = Json::array();
@@ -459,7 +404,7 @@ std::vector<const OutputFormat*> formats_with_costs() {
     return formats;
 }
 
-Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
+Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const NamedWork& works,
                const std::vector<CommandsRefused>& refused) {
     const Box& box = scene.gas.box;
     const Run& run = scene.run;
@@ -503,10 +448,12 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
          film ? facts_of_film(*film)
               : Facts{{"film", nullptr, "film", "none: for `carom run` and figures only"}},
          note_rows(scene),
+         work_rows(works),
          refused_rows(refused)});
 }
 
-Facts facts_of(const FigureSet& set, const std::vector<CommandsRefused>& refused) {
+Facts facts_of(const FigureSet& set, const NamedWork& works,
+               const std::vector<CommandsRefused>& refused) {
     Json sections = Json::array();
     std::size_t figures = 0;
     for (const SetPart& part : set.parts) {
@@ -521,6 +468,7 @@ Facts facts_of(const FigureSet& set, const std::vector<CommandsRefused>& refused
          {{"formats", set.formats, "figures",
            fmt::format("{}, each as {}", figures, listed(set.formats))},
           {"pages", pages, "pages", listed(pages)}},
+         work_rows(works),
          refused_rows(refused)});
 }
 

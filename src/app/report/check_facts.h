@@ -9,6 +9,7 @@
 
 #include "app/cost/film_cost.h"
 #include "app/figures/figure_set.h"
+#include "app/report/command_facts.h"
 #include "app/report/facts.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
@@ -24,17 +25,12 @@ struct CheckedFile {
     std::optional<std::vector<Diagnostic>> barriers = {};  ///< none: not asked for
 };
 
-/// What some commands refuse of a scene that others accept.
-struct CommandsRefused {
-    std::vector<std::string> commands;
-    std::vector<Diagnostic> reasons;
-};
-
 /// The film of a checked scene whose cost is reported.
 struct CheckedFilm {
     FilmOptions options = {};                       ///< the output path is ignored
     std::vector<const OutputFormat*> formats = {};  ///< whose costs are estimated; at least one
     std::optional<FilmCost> measured = {};
+    SceneCounts counts = {};  ///< of its runs
     std::optional<double> collisions =
         {};  ///< in all its runs, including those with walls; none: estimated as in equilibrium
 };
@@ -43,13 +39,15 @@ struct CheckedFilm {
 std::vector<const OutputFormat*> formats_with_costs();
 
 /// What a scene contains and what its film will cost; no `film` means that none can be made from
-/// it. Draws the properties of the particles from their distributions, without placing them. Throws
-/// SceneError (a distribution that gives no mass above zero).
+/// it; `works` are those of other commands. Draws the properties of the particles from their
+/// distributions, without placing them. Throws SceneError (a distribution that gives no mass above
+/// zero).
 Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
-               const std::vector<CommandsRefused>& refused = {});
+               const NamedWork& works = {}, const std::vector<CommandsRefused>& refused = {});
 
 /// What a figure set is.
-Facts facts_of(const FigureSet& set, const std::vector<CommandsRefused>& refused = {});
+Facts facts_of(const FigureSet& set, const NamedWork& works,
+               const std::vector<CommandsRefused>& refused = {});
 
 /// A short table for each valid file, and a line for each invalid one; ends with a line break.
 std::string check_table(std::span<const CheckedFile> files);

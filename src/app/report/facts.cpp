@@ -27,6 +27,14 @@ Json number_or_null(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
+Facts rows_of(const char* label, const std::vector<std::string>& lines) {
+    Facts rows;
+    if (lines.empty()) return {{label, Json::array()}};
+    rows.push_back({label, Json(lines), label, lines.front()});
+    for (std::size_t k = 1; k < lines.size(); ++k) rows.push_back({"", nullptr, " ", lines[k]});
+    return rows;
+}
+
 std::string table_of(const Facts& facts, int label_width) {
     std::string text;
     for (const Fact& fact : facts)

@@ -22,6 +22,9 @@ using Facts = std::vector<Fact>;
 /// A JSON number; null if there is no value or it is not finite.
 Json number_or_null(std::optional<double> value);
 
+/// A row for each line, the first with a label; for programs a list.
+Facts rows_of(const char* label, const std::vector<std::string>& lines);
+
 /// The facts for people, one per row, with labels padded to `label_width`; each line ends with a
 /// line break.
 std::string table_of(const Facts& facts, int label_width);

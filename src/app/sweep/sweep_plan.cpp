@@ -159,15 +159,20 @@ Json facts_of(const Sweep& sweep, const std::vector<RunNumber>& numbers) {
 
 }  // namespace
 
-bool plan_sweep(SweepRequest request, const fs::path& folder, bool again, Progress& progress) {
-    const Scene scene =
-        load_scene(request.scene, scene_resources(), request.overrides, Wanted::physics);
+bool plan_sweep(SweepRequest request, const fs::path& folder, bool again, Progress& progress,
+                const SweepChecker& check) {
+    SceneResources resources = scene_resources();
+    resources.is_classroom = request.is_classroom;
+    const Scene scene = load_scene(request.scene, resources, request.overrides, Wanted::physics);
     if (request.is_seed_of_scene) request.sweep.seeds = {scene.seed, scene.seed};
     const Json its = request_to_json(request, scene);
     if (!again && is_planned(folder, its)) return false;
-    const SweptScene swept = swept_scene(its);
+    SweptScene swept = swept_scene(its);
+    swept.is_classroom = request.is_classroom;
     const Sweep& sweep = request.sweep;
     const std::vector<RunNumber> numbers = checked_points(swept, sweep, progress);
+    if (check)
+        check(sweep, [&](std::int64_t point) { return scene_at_point(swept, sweep, point); });
     PlanWriter writer(folder);  // before the work, as it may not be allowed to write
     const RunCost cost = cost_of_runs(swept, sweep, progress);
     const int count = static_cast<int>(
@@ -178,7 +183,8 @@ bool plan_sweep(SweepRequest request, const fs::path& folder, bool again, Progre
     return true;
 }
 
-PlannedSweep::PlannedSweep(const PlanFolder& folder, const std::string& command) : folder_(folder) {
+PlannedSweep::PlannedSweep(const PlanFolder& folder, const std::string& command, bool is_classroom)
+    : folder_(folder) {
     folder.require(PlanKind::sweep, command);
     folder.read_contents([&](const Json& contents) {
         const Json& request = contents.at("request");
@@ -186,6 +192,7 @@ PlannedSweep::PlannedSweep(const PlanFolder& folder, const std::string& command)
         template_ = request.at("template").get<std::string>();
         outcome_ = outcome_in(contents);
     });
+    scene_.is_classroom = is_classroom;
     try {
         check_sweep(outcome_.sweep);
     } catch (const SweepError& error) {

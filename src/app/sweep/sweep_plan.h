@@ -25,21 +25,25 @@ struct SweepRequest {
     Sweep sweep = {};
     bool is_seed_of_scene = false;   ///< use the seed of the scene instead of the sweep's seeds
     std::optional<int> chunks = {};  ///< none: chosen by the time that runs take
+    bool is_classroom = false;       ///< hold the scene at each point to the limits of a classroom
 };
 
-/// Loads the scene at every point, measures the time and the memory that runs need, and writes the
-/// plan into a folder, where it replaces an earlier plan and its chunks. A plan of the same request
-/// is left as it is, unless `again`. Returns whether the plan was written. Throws SceneError
-/// (naming the point), UsageError, SystemError, Interrupted.
+/// Called with a sweep and its scenes before any of its runs is done, for instance to refuse it.
+using SweepChecker = std::function<void(const Sweep&, const SceneAtPoint&)>;
+
+/// Loads the scene at every point, calls `check`, measures the time and the memory that runs need,
+/// and writes the plan into a folder, where it replaces an earlier plan and its chunks. A plan of
+/// the same request is left as it is, unless `again`. Returns whether the plan was written. Throws
+/// SceneError (naming the point), UsageError, SystemError, Interrupted.
 bool plan_sweep(SweepRequest request, const std::filesystem::path& folder, bool again,
-                Progress& progress);
+                Progress& progress, const SweepChecker& check = {});
 
 /// The planned sweep of a folder, ready for its runs. Scenes are loaded when they are needed.
 class PlannedSweep {
   public:
     /// Throws UsageError if the plan is not that of a sweep; `command` is the command of the user,
-    /// for the message.
-    PlannedSweep(const PlanFolder& folder, const std::string& command);
+    /// for the message. With `is_classroom` its scenes are held to the limits of a classroom.
+    PlannedSweep(const PlanFolder& folder, const std::string& command, bool is_classroom = false);
 
     const Sweep& sweep() const { return outcome_.sweep; }
 

@@ -71,6 +71,7 @@ std::shared_ptr<const Scene> scene_at_point(const SweptScene& swept, const Sweep
     try {
         SceneResources resources = scene_resources();
         resources.files = swept.files;
+        resources.is_classroom = swept.is_classroom;
         return std::make_shared<const Scene>(
             load_run_text(swept.text, swept.path, resources, overrides));
     } catch (const SceneError& error) {

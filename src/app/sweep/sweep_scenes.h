@@ -17,6 +17,7 @@ struct SweptScene {
     std::string path;      ///< of the file, as the user gave it
     FileTexts files = {};  ///< files that it names, as they were read
     Overrides overrides = {};
+    bool is_classroom = false;  ///< whether the limits of classroom.h apply at all points
 };
 
 /// The scene at a point. Throws SceneError: mistakes in values of an axis refer to `--vary`, others

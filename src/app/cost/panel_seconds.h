@@ -1,0 +1,19 @@
+// What it takes that panels see a run: the table of the kinds of panel that take more than a look
+// at each particle of each frame.
+#pragma once
+
+#include <string>
+
+#include "app/cost/trial_run.h"
+#include "scene/scene.h"
+
+namespace carom {
+
+/// CPU seconds in which a panel sees `frames` frames of a run and is read in `pictures` of them.
+double panel_seconds(const Scene& scene, const PanelSpec& panel, double frames, double pictures,
+                     const RunCounts& counts);
+
+/// What makes that less: keys of the panel or of the run.
+std::string reduces_panel(const PanelSpec& panel);
+
+}  // namespace carom

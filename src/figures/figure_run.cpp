@@ -6,29 +6,43 @@
 #include "figures/figure_drawing.h"
 #include "figures/sweep_figure.h"
 #include "panels/frame.h"
+#include "panels/plots/points_panel.h"
 #include "panels/shared_panel.h"
 #include "panels/sweep/sweep_panel.h"
+#include "physics/reversal/mirrored_events.h"
+#include "physics/sample_times.h"
 #include "util/threads/on_threads.h"
 
 namespace carom {
 namespace {
 
-// The film's ticks without its cards, plus one at each time that a figure shows. So the axes are
-// those of the film unless they depend on time, and the moments have exactly the times asked for.
-std::vector<Tick> ticks_of(const Scene& scene) {
+// Adds a tick, unless there is one at this time.
+void add_tick(std::vector<Tick>& ticks, double time) {
+    const auto after = std::ranges::lower_bound(ticks, time, {}, &Tick::time);
+    if (after != ticks.end() && after->time == time) return;
+    Tick tick = after == ticks.begin() ? ticks.front() : *(after - 1);
+    tick.time = time;
+    tick.phase = Phase::moving;
+    ticks.insert(after, tick);
+}
+
+// The film's ticks without its cards, for what is drawn as in the film, paths too.
+std::vector<Tick> ticks_of_film(const Scene& scene) {
     std::vector<Tick> ticks = timeline(scene);
     std::erase_if(ticks, [](const Tick& tick) { return is_card(tick.phase); });
     const int first = ticks.front().frame;
     for (Tick& tick : ticks) tick.frame -= first;
-    for (const FigureSpec& figure : scene.figures)
-        for (const double time : figure.times) {
-            const auto after = std::ranges::lower_bound(ticks, time, {}, &Tick::time);
-            if (after != ticks.end() && after->time == time) continue;
-            Tick tick = after == ticks.begin() ? ticks.front() : *(after - 1);
-            tick.time = time;
-            tick.phase = Phase::moving;
-            ticks.insert(after, tick);
-        }
+    return ticks;
+}
+
+// The samples of the run and its events, for what is measured: it does not depend on the film.
+std::vector<Tick> ticks_of_run(const Run& run) {
+    std::vector<Tick> ticks;
+    for (std::int64_t k = 0; k < sample_count(run); ++k)
+        ticks.push_back({.frame = static_cast<int>(k), .time = sample_time(run, k)});
+    for (const RunEvent& event : run.events)
+        if (event.at <= run.until) add_tick(ticks, event.at);
+    for (const MirroredEvent& mirrored : mirrored_events(run)) add_tick(ticks, mirrored.at);
     return ticks;
 }
 
@@ -83,7 +97,7 @@ class FigureRun::OneRun {
   public:
     OneRun(const Scene& scene, int later, const std::vector<std::string>& names,
            bool at_ends = false)
-        : scene_(alone(scene, later)), ticks_(ticks_of(scene_)) {
+        : scene_(alone(scene, later)) {
         for (FigureSpec& spec : scene_.figures) spec.panel.at_ends = at_ends;
         for (const FigureSpec* spec : asked_for(scene_, names))
             if (spec->panel.seeds > later && spec->compare.empty() && !is_sweep(*spec))
@@ -103,12 +117,21 @@ class FigureRun::OneRun {
     std::vector<Figure> figures;
 
   private:
+    /// A pass over the run for some of the figures: those that are drawn as in the film, or those
+    /// that measure.
+    struct Pass {
+        std::vector<std::size_t> shown;  ///< numbers of figures
+        std::vector<Tick> ticks;
+        std::unique_ptr<PanelSet> panels = {};  ///< one for each figure
+        Recording recording = {};
+    };
+    void plan_passes();
+    void look(Pass& pass, const std::function<void(double)>& go_on);
+
     Scene scene_;
-    std::vector<Tick> ticks_;
     std::optional<Simulation> start_;
     Particles particles_;
-    std::optional<PanelSet> panels_;  ///< one for each figure
-    Recording recording_;
+    std::vector<Pass> passes_;
 };
 
 Figure* FigureRun::OneRun::figure_of(const std::string& name) {
@@ -137,40 +160,75 @@ void FigureRun::OneRun::start(const RunsCallbacks& on_progress) {
     start_ = std::move(started.simulation);
 }
 
-void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, const Recording::Room& room) {
-    if (figures.empty()) return start_.reset();
+void FigureRun::OneRun::plan_passes() {
     std::vector<PanelSpec> specs;
     for (const Figure& figure : figures) specs.push_back(figure.spec->panel);
-    panels_.emplace(scene_, particles_, start_->sample(), static_cast<int>(ticks_.size()), specs);
-    for (std::size_t k = 0; k < figures.size(); ++k)
-        figures[k].panel = panels_->panels()[k].panel.get();
-    double now = 0.0;
-    recording_ = panels_->record(
-        std::move(*start_), ticks_,
-        [&](const Tick& tick, const Sample&, const AdvanceResult&) {
-            on_progress.go_on(tick.time - std::exchange(now, tick.time));
-        },
-        room);
+    const PanelSet all(scene_, particles_, start_->sample(), 1, specs);
+    std::vector<std::size_t> drawn, measured;
+    for (std::size_t k = 0; k < figures.size(); ++k) {
+        const Panel* panel = all.panels()[k].panel.get();
+        const bool is_drawn = dynamic_cast<const SharedPanel*>(panel) == nullptr ||
+                              dynamic_cast<const PointsPanel*>(panel) != nullptr;
+        (is_drawn ? drawn : measured).push_back(k);
+    }
+    if (!drawn.empty()) passes_.push_back({drawn, ticks_of_film(scene_)});
+    if (!measured.empty()) passes_.push_back({measured, ticks_of_run(scene_.run)});
+    for (Pass& pass : passes_) {
+        for (const std::size_t k : pass.shown)
+            for (const double time : figures[k].spec->times) add_tick(pass.ticks, time);
+        specs.clear();
+        for (const std::size_t k : pass.shown) specs.push_back(figures[k].spec->panel);
+        pass.panels = std::make_unique<PanelSet>(scene_, particles_, start_->sample(),
+                                                 static_cast<int>(pass.ticks.size()), specs);
+        for (std::size_t i = 0; i < pass.shown.size(); ++i)
+            figures[pass.shown[i]].panel = pass.panels->panels()[i].panel.get();
+    }
+}
+
+void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, const Recording::Room& room) {
+    if (figures.empty()) return start_.reset();
+    plan_passes();
+    const auto passes = static_cast<double>(passes_.size());
+    const auto part = static_cast<std::int64_t>(passes_.size());
+    for (Pass& pass : passes_) {
+        double now = 0.0;
+        pass.recording = pass.panels->record(
+            *start_, pass.ticks,
+            [&](const Tick& tick, const Sample&, const AdvanceResult&) {
+                on_progress.go_on((tick.time - std::exchange(now, tick.time)) / passes);
+            },
+            {room.memory / passes_.size(), room.file / part});
+    }
     start_.reset();
 }
 
 // The second pass. Of several frames at the same time the last counts: at a reversal, the one after
 // it.
 void FigureRun::OneRun::look(const RunsCallbacks& on_progress) {
+    for (Pass& pass : passes_)
+        look(pass,
+             [&](double time) { on_progress.go_on(time / static_cast<double>(passes_.size())); });
+}
+
+void FigureRun::OneRun::look(Pass& pass, const std::function<void(double)>& go_on) {
     double now = 0.0;
     std::size_t next = 0;
-    recording_.play(recording_.ticks().size(), [&](const Tick& tick, const Sample& sample,
-                                                   const AdvanceResult& advanced) {
-        ++next;
-        const bool last = next == ticks_.size() || ticks_[next].time != tick.time;
-        const auto is_shown = [&](std::size_t k) { return last && shows(figures[k], tick.time); };
-        auto states = panels_->states(tick, sample, advanced, is_shown);
-        for (std::size_t k = 0; k < figures.size(); ++k)
-            if (states[k])
-                figures[k].moments.push_back({tick.time, advanced.counts, std::move(states[k])});
-        on_progress.go_on(tick.time - std::exchange(now, tick.time));
-    });
-    recording_ = {};
+    const std::vector<Tick>& ticks = pass.ticks;
+    pass.recording.play(ticks.size(),
+                        [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+                            ++next;
+                            const bool last = next == ticks.size() || ticks[next].time != tick.time;
+                            const auto is_shown = [&](std::size_t i) {
+                                return last && shows(figures[pass.shown[i]], tick.time);
+                            };
+                            auto states = pass.panels->states(tick, sample, advanced, is_shown);
+                            for (std::size_t i = 0; i < states.size(); ++i)
+                                if (states[i])
+                                    figures[pass.shown[i]].moments.push_back(
+                                        {tick.time, advanced.counts, std::move(states[i])});
+                            go_on(tick.time - std::exchange(now, tick.time));
+                        });
+    pass.recording = {};
 }
 
 FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_progress,

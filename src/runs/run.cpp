@@ -13,6 +13,7 @@
 
 #include "panels/precision.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/sample_times.h"
 #include "physics/ways_back.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
@@ -118,17 +119,6 @@ class SurfaceWatch {
     std::vector<Sums> sums_;
     std::int64_t seen_ = 0;
 };
-
-std::int64_t sample_count(const Run& run) {
-    constexpr double rounding = 1e-9;  // no tiny interval after exactly k steps by round-off
-    return 1 + static_cast<std::int64_t>(
-                   std::max(1.0, std::ceil(run.until / run.sample_every - rounding)));
-}
-
-double sample_time(const Run& run, std::int64_t index) {
-    if (index + 1 >= sample_count(run)) return run.until;
-    return static_cast<double>(index) * run.sample_every;
-}
 
 // The fingerprint of the bytes of all positions and velocities. These are little-endian on all
 // machines that carom supports.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "physics/sample_times.h"
 #include "physics/time_step.h"
 #include "scene/describe.h"
 #include "scene/feasibility/classroom.h"
@@ -133,12 +134,6 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
     tree.film = lay_over(tree.film, tree.template_file, table.section().choices);
 }
 
-double usual_sample_every(const Scene& scene, bool has_film) {
-    constexpr int samples_without_film = 1000;
-    const int steps = has_film ? frame_count(scene.film) - 1 : samples_without_film;
-    return scene.run.until / steps;
-}
-
 // Returns the node of the first surface that does more than reflect; if there is none, that of
 // gravity or of the box.
 const Node& first_acting(const SceneDraft& draft, const PlacedSurfaces& placed) {
@@ -225,7 +220,7 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
         draft.figures =
             figures_notation(resources.panels).read(*draft.figures_node, reading).value();
     errors.throw_if_any();
-    if (draft.run.sample_every == 0.0) draft.run.sample_every = usual_sample_every(draft, has_film);
+    if (draft.run.sample_every == 0.0) draft.run.sample_every = usual_sample_every(draft.run);
     if (resources.is_classroom) {
         hold_to_classroom(draft, tree.root, has_length, errors);
         errors.throw_if_any();

@@ -9,9 +9,9 @@
 #include "panels/correlations/curve_panel.h"
 #include "panels/plots/window.h"
 #include "panels/registry.h"
+#include "panels/thinning.h"
 #include "stats/histogram.h"
 #include "stats/paths/sliding_sum.h"
-#include "stats/thinning.h"
 #include "util/bin_number.h"
 #include "util/text.h"
 

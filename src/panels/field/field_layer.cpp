@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "draw/arrow.h"
-#include "stats/thinning.h"
+#include "panels/thinning.h"
 #include "util/text.h"
 
 namespace carom {

@@ -12,8 +12,8 @@
 
 #include "panels/chosen.h"
 #include "panels/plot/layers.h"
+#include "panels/thinning.h"
 #include "stats/speed_classes.h"
-#include "stats/thinning.h"
 #include "util/archive.h"
 #include "util/text.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/thinning.h"
 #include "stats/histogram.h"
-#include "stats/thinning.h"
 #include "util/text.h"
 
 namespace carom {

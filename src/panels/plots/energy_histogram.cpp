@@ -3,6 +3,7 @@
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
 #include "physics/theory/theory.h"
+#include "stats/paths/course.h"
 
 namespace carom {
 
@@ -13,6 +14,10 @@ std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const 
                              .density = energy_density,
                              .unit = reduced::energy,
                              .tested = TestedQuantity::energy};
+    subject.courses = [inverse = context.particles.inverse_mass](const PathPiece& piece,
+                                                                 const auto& take) {
+        take(square_of_speed(piece, 0.5 / inverse[piece.particle]));
+    };
     if (context.scene.gas.box.dimension == 1)  // infinite at 0
         subject.probability = energy_probability;
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));

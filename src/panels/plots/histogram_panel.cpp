@@ -10,13 +10,14 @@
 #include "panels/chosen.h"
 #include "panels/plots/window.h"
 #include "panels/surfaces/side_extent.h"
-#include "stats/thinning.h"
+#include "panels/thinning.h"
+#include "physics/sample_times.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr double probe_frames = 40;        // least number, to determine the height of the axis
+constexpr double probe_samples = 40;       // least number, to determine the height of the axis
 constexpr double most_in_probe = 100'000;  // values
 constexpr double break_seconds = 1;        // of film: how long a bar near the end stays broken
 constexpr double least_broken = 0.9;       // of the axis: lower bars are never broken
@@ -74,11 +75,16 @@ std::size_t HistogramState::bytes() const {
 
 HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spec,
                                HistogramSubject subject)
-    : context_(context), spec_(spec), subject_(std::move(subject)) {
+    : context_(context),
+      spec_(spec),
+      subject_(std::move(subject)),
+      paths_(context.scene.gas.box, velocity_changes(context.scene.run)) {
     record_.time = time_words(context.language(), spec);
     record_.pools.resize(1);
     for (const Chosen& chosen : choices(spec)) {
-        const Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen)});
+        Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen), {}});
+        choice.has.resize(static_cast<std::size_t>(context.particles.count()));
+        for (const Eigen::Index i : choice.members) choice.has[static_cast<std::size_t>(i)] = true;
         HistogramSeries series{.name = column_name_of(context.scene, chosen),
                                .particles = static_cast<double>(choice.members.size())};
         if (const Law found = law(context.gas, LawOf::distribution, {.of = choice.members}))
@@ -101,25 +107,32 @@ std::optional<double> HistogramPanel::window() const {
     return window_of(spec_.over.value_or(Over{}));
 }
 
+double HistogramPanel::samples() const {
+    return context_.in_film ? context_.frames
+                            : static_cast<double>(sample_count(context_.scene.run));
+}
+
 bool HistogramPanel::shows_one_mean() const { return spec_.at && window() != 0.0; }
 
-// The first frame is always a probe, as bins depend on it. With few particles every frame is one,
+// The first sample is always a probe, as bins depend on it. With few particles every sample is one,
 // since their bars fluctuate most. For a mean at one time, probes are taken within its window, and
 // always at its end.
 bool HistogramPanel::is_probe(double time, double numbers) const {
     if (surveyed_ == 0) return true;
-    const auto probes = static_cast<int>(std::max(most_kept_of_film / numbers, probe_frames));
-    double frames = context_.frames;
+    const auto probes = static_cast<int>(std::max(most_kept_of_film / numbers, probe_samples));
+    double samples = this->samples();
     if (shows_one_mean()) {
         const double end = *spec_.at, length = window().value_or(end);
         if (time > end || time < end - length) return false;
         if (time == end) return true;
-        frames *= std::min(1.0, length / context_.scene.run.until);
+        samples *= std::min(1.0, length / context_.scene.run.until);
     }
-    return surveyed_ % std::max(1, static_cast<int>(frames) / probes) == 0;
+    return surveyed_ % std::max(1, static_cast<int>(samples) / probes) == 0;
 }
 
 void HistogramPanel::survey(const FrameInput& input) {
+    const bool is_sample = context_.in_film || is_sample_time(context_.scene.run, input.tick.time);
+    if (!is_sample && !(shows_one_mean() && input.tick.time == *spec_.at)) return;
     const ValuesOfInput all = subject_.values(input);
     Eigen::ArrayXXd place;
     for (HistogramSeries& one : record_.series) one.values_each = static_cast<double>(all.cols());
@@ -139,18 +152,19 @@ void HistogramPanel::survey(const FrameInput& input) {
             if (std::isfinite(values[i]))  // of moving infinite masses some are not
                 record_.pools.front().push_back(values[i]);
         };
-        for_each_kept(values.size(), numbers, surveyed_, context_.frames, keep);
+        if (is_sample)
+            for_each_kept(values.size(), numbers, surveyed_, static_cast<int>(samples()), keep);
         if (probe) record_.probes[k].push_back(probe_of(input.tick.time, values));
     }
-    ++surveyed_;
+    if (is_sample) ++surveyed_;
 }
 
-// Successive frames are nearly the same: only every tenth one counts as independent.
+// Successive samples are nearly the same: only every tenth one counts as independent.
 void HistogramPanel::finish_record() {
     const std::optional<double> back = window();
     const double share = !back ? 1.0 : span_ > 0.0 ? std::min(1.0, *back / span_) : 0.0;
     record_.independent = record_.values() / static_cast<double>(record_.series.size()) *
-                          std::max(1.0, share * context_.frames / 10.0);
+                          std::max(1.0, share * samples() / 10.0);
 }
 
 HistogramRules HistogramPanel::rules() const {
@@ -182,7 +196,9 @@ void HistogramPanel::take_axes(const RecordPanel& of) {
 
 void HistogramPanel::begin_counting() {
     record_ = {};
-    running_.assign(choices_.size(), RunningHistogram(axes_.bins, window()));
+    const Run& run = context_.scene.run;
+    bars_.assign(choices_.size(),
+                 HistogramOverTime(axes_.bins, window(), {sample_interval(run), run.until}, false));
     for (std::size_t k = 0; k < count(); ++k) roles_.push_back(roles_of(k));
     make_plot();
 }
@@ -192,18 +208,31 @@ void HistogramPanel::archive(Archive& archive) {
     if (archive.is_reading()) begin_counting();
 }
 
+void HistogramPanel::add_to_bars(const PathPiece& piece,
+                                 std::vector<HistogramOverTime>& bars) const {
+    subject_.courses(piece, [&](const Course& course) {
+        for (std::size_t k = 0; k < bars.size(); ++k)
+            if (choices_[k].has[static_cast<std::size_t>(piece.particle)]) bars[k].add(course);
+    });
+}
+
+void HistogramPanel::see(const FrameInput& input) {
+    if (window() == 0.0) return;
+    paths_.see_whole(input.sample, input.advanced.collisions,
+                     [&](const PathPiece& piece) { add_to_bars(piece, bars_); });
+    for (HistogramOverTime& one : bars_) one.forget_before(input.tick.time);
+}
+
 std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input) {
+    see(input);
+    std::vector<HistogramOverTime> now = bars_;
+    if (window() != 0.0) paths_.see_open([&](const PathPiece& piece) { add_to_bars(piece, now); });
     auto state = std::make_shared<HistogramState>();
     const ValuesOfInput all = subject_.values(input);
     Eigen::ArrayXXd place;
-    // A held frame is not a new sample of a mean. Without averaging, all frames are counted: at a
-    // reversal velocities change at constant time.
-    const bool counts = window() == 0.0 || input.tick.time > seen_until_;
-    seen_until_ = input.tick.time;
-    for (std::size_t k = 0; k < choices_.size(); ++k) {
-        if (counts) running_[k].add(input.tick.time, values_of(choices_[k].members, all, place));
-        state->counts.series.push_back(running_[k].mean());
-    }
+    for (std::size_t k = 0; k < choices_.size(); ++k)
+        state->counts.series.push_back(
+            now[k].mean(input.tick.time, values_of(choices_[k].members, all, place)));
     if (input.refreshes_readouts || !readouts_)
         readouts_ = std::make_shared<const HistogramCounts>(state->counts);
     state->readouts = readouts_;
@@ -214,8 +243,8 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
 }
 
 void HistogramPanel::archive_progress(Archive& archive) {
-    for (RunningHistogram& one : running_) archive(one);
-    archive(seen_until_, readouts_, broken_until_);
+    for (HistogramOverTime& one : bars_) archive(one);
+    archive(paths_, readouts_, broken_until_);
 }
 
 // Broken are the bars that exceed the axis, and those near its end that exceeded it a moment ago.

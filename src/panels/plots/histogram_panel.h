@@ -13,7 +13,8 @@
 #include "panels/plots/histogram_record.h"
 #include "scene/keys/binding.h"
 #include "stats/goodness.h"
-#include "stats/running_histogram.h"
+#include "stats/histogram_over_time.h"
+#include "stats/paths/paths.h"
 
 namespace carom {
 
@@ -35,6 +36,8 @@ struct HistogramSubject {
     Phrase quantity;  ///< "speed": the axis title
     std::function<ValuesOfInput(const FrameInput&)>
         values;  ///< one number for each particle, or several that are counted alike
+    std::function<void(const PathPiece&, const std::function<void(const Course&)>& take)> courses =
+        {};  ///< of each of these numbers along a piece of the particle's path
     std::function<double(const EquilibriumGas& gas, double value)> density =
         {};  ///< probability density at equilibrium; empty: no curve
     std::function<double(const EquilibriumGas& gas, double low, double high)> probability =
@@ -64,6 +67,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     HistogramPanel(const PanelContext& context, const PanelSpec& spec, HistogramSubject subject);
 
     void survey(const FrameInput& input) override;
+    bool wants_collisions() const override { return window() != 0.0; }
+    void see(const FrameInput& input) override;
     bool surveys_positions() const override { return subject_.position_axis.has_value(); }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
@@ -91,6 +96,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     struct Choice {
         Chosen chosen;
         std::vector<Eigen::Index> members;
+        std::vector<bool> has;  ///< whether each particle is a member
     };
     struct Roles {
         plot::Role bar, curve, fit;
@@ -106,6 +112,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void begin_counting();
     std::vector<bool> broken_bars(const MeanHistogram& now, int frame, std::size_t k);
     std::optional<double> window() const;
+    void add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars) const;
+    double samples() const;       ///< number that is surveyed: of a film, its frames
     bool shows_one_mean() const;  ///< over a window that ends at a figure's time
     bool is_probe(double time, double numbers) const;
     HistogramRules rules() const;
@@ -151,11 +159,11 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     int surveyed_ = 0;
     double span_ = 0.0;  ///< of simulated time in the film
     HistogramAxes axes_;
-    std::vector<Roles> roles_;               ///< of each series
-    plot::Plot whole_;                       ///< for the whole film: all but numbers and layers
-    std::vector<SeriesLayers> layers_;       ///< of each series, the same in every frame
-    std::vector<RunningHistogram> running_;  ///< for each choice, in the second pass
-    double seen_until_ = -1;                 ///< time of the last sample in a mean
+    std::vector<Roles> roles_;             ///< of each series
+    plot::Plot whole_;                     ///< for the whole film: all but numbers and layers
+    std::vector<SeriesLayers> layers_;     ///< of each series, the same in every frame
+    Paths paths_;                          ///< in the second pass, of a mean over time
+    std::vector<HistogramOverTime> bars_;  ///< for each choice, in the second pass
     std::shared_ptr<const HistogramCounts> readouts_;
     std::vector<std::vector<int>> broken_until_;  ///< last frame, for each bar of each series
 };

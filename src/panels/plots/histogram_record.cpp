@@ -203,10 +203,13 @@ std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramR
         double bar = 0.0;
         for (std::size_t i = 0; i < record.probes[k].size(); ++i) {
             const HistogramProbe& probe = record.probes[k][i];
+            const double last = record.probes[k].back().time;
+            if (rules.only_last && rules.window && probe.time < last - *rules.window)
+                continue;  // the first one, before the time of the mean
             running.add(probe.time, probe.values);
             bar =
                 record.series[k].unit * probe.stands_for * std::ranges::max(running.mean().counts);
-            if (i == tallest.size()) tallest.push_back(0.0);
+            tallest.resize(std::max(tallest.size(), i + 1));
             tallest[i] = std::max(tallest[i], bar);
         }
         of_last = std::max(of_last, bar);

@@ -1,6 +1,7 @@
 // The histogram of the positions of particles along one axis.
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
+#include "stats/paths/course.h"
 
 namespace carom {
 
@@ -13,6 +14,11 @@ std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, cons
                     : axis == 1        ? Phrase{"position along y"}
                                        : Phrase{"position along x"},
         .values = [axis](const FrameInput& o) { return values_in(o.sample.position, axis); },
+        .courses =
+            [axis, period = box.is_periodic(static_cast<int>(axis)) ? box.size[axis] : 0.0](
+                const PathPiece& piece, const auto& take) {
+                courses_in_box(course_of_place(piece, axis), period, take);
+            },
         .extent = std::pair{0.0, box.size[axis]},
         .position_axis = axis,
         .means = false,

@@ -12,9 +12,9 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/window.h"
 #include "panels/registry.h"
+#include "panels/thinning.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
-#include "stats/thinning.h"
 #include "util/text.h"
 
 namespace carom {

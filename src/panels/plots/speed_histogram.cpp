@@ -2,6 +2,7 @@
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
 #include "physics/theory/theory.h"
+#include "stats/paths/course.h"
 
 namespace carom {
 
@@ -9,6 +10,12 @@ std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const P
     HistogramSubject subject{.title = Phrase{"Speed distribution"},
                              .quantity = Phrase{"speed"},
                              .values = [](const FrameInput& o) { return values_in(o.speed); },
+                             .courses =
+                                 [](const PathPiece& piece, const auto& take) {
+                                     Course course = square_of_speed(piece, 1.0);
+                                     course.is_root = true;
+                                     take(course);
+                                 },
                              .density = speed_density,
                              .tested = TestedQuantity::speed};
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));

@@ -28,6 +28,11 @@ std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, cons
     subject.values = [both, first](const FrameInput& o) {
         return both ? values_in(o.sample.velocity) : values_in(o.sample.velocity, first);
     };
+    subject.courses = [first, last = both && plane ? 1 : first](const PathPiece& piece,
+                                                                const auto& take) {
+        for (Eigen::Index axis = first; axis <= last; ++axis)
+            take({piece.from, piece.to, {piece.velocity[axis], piece.acceleration[axis], 0.0}});
+    };
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 

@@ -139,32 +139,7 @@ PanelSpec four_bins(Over::Since since, double window = 0.0) {
     return spec;
 }
 
-Eigen::ArrayXd two(double a, double b) { return Eigen::Array2d(a, b); }
-
 }  // namespace
-
-TEST_CASE(
-    "bars are of the present, of a while, or the mean since the start; a held frame has no part") {
-    const std::vector<double> times{0.0, 0.0, 1.0, 2.0, 3.0};
-    const std::vector<Eigen::ArrayXd> speeds{two(0.5, 0.5), two(0.5, 0.5), two(1.5, 0.5),
-                                             two(1.5, 2.5), two(3.5, 9.0)};
-    Stage stage(2);
-    const auto bars = [&](Over::Since since, double window = 0.0) {
-        HistogramPanel panel({stage.scene, stage.particles, 5, stage.none},
-                             four_bins(since, window), speeds_with({}));
-        const auto frames = shown(panel, times, speeds);
-        const MeanHistogram& last = frames.back().front();
-        CHECK(last.above > 0.0);
-        return last.counts;
-    };
-    CHECK(bars(Over::Since::now) == std::vector{0.0, 0.0, 0.0, 1.0});
-    // From 1 to 3: the samples at both ends count half.
-    CHECK(bars(Over::Since::window, 2.0) == std::vector{0.25, 0.75, 0.5, 0.25});
-    // From 0 to 3: the held frame has no time.
-    const std::vector<double> expected{4.0 / 6.0, 4.0 / 6.0, 2.0 / 6.0, 1.0 / 6.0};
-    const std::vector<double> all = bars(Over::Since::start);
-    for (std::size_t k = 0; k < 4; ++k) CHECK(all[k] == relative(expected[k], 1e-14));
-}
 
 TEST_CASE("chosen particles are drawn together, each choice with its own bars and curve") {
     Stage stage(10);

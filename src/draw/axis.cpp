@@ -121,7 +121,12 @@ std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style
             localised(style.language, ticks(scale.low, scale.high, most, style.whole));
         if (fits(marks, scale, style.label)) return marks;
     }
-    return localised(style.language, ticks(scale.low, scale.high, 2, style.whole));
+    // Where not even two labels have room, only the last has its own.
+    std::vector<TickMark> marks =
+        localised(style.language, ticks(scale.low, scale.high, 2, style.whole));
+    if (!fits(marks, scale, style.label))
+        for (std::size_t i = 0; i + 1 < marks.size(); ++i) marks[i].label.clear();
+    return marks;
 }
 
 std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {

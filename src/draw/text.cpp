@@ -400,6 +400,10 @@ std::vector<std::string> missing_letters(const std::string& text) {
 TextLog::TextLog() { current_log = this; }
 TextLog::~TextLog() { current_log = nullptr; }
 
+void leave_out(const std::string& markup) {
+    if (current_log != nullptr) current_log->left_out.push_back(markup);
+}
+
 LineInPieces::LineInPieces(DrawnLine line) : log_(std::exchange(current_log, nullptr)) {
     if (log_ != nullptr) log_->lines.push_back(std::move(line));
 }

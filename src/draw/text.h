@@ -64,7 +64,12 @@ class TextLog {
     TextLog& operator=(const TextLog&) = delete;
 
     std::vector<DrawnLine> lines;
+    std::vector<std::string> left_out;  ///< what leave_out() was told
 };
+
+/// To be called for words (markup) that are not drawn because no place is free for them: notes them
+/// in the log, if this thread keeps one.
+void leave_out(const std::string& markup);
 
 /// The name and version of the text library.
 std::string text_library();

@@ -71,7 +71,9 @@ void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacit
     const DrawContext key = context_at(scene_.film.layout.color_bar);
     const std::vector<Rect> boxes = panels_.boxes(grid_);
     const Rect &first = boxes.front(), &last = boxes.back();
-    const double left = last.right() + 0.8 * unit_;
+    // Not across the lines of words under boxes that stand one above the other.
+    const bool is_stacked = last.y > first.y;
+    const double left = is_stacked ? key.area.x : last.right() + 0.8 * unit_;
     const Rect beside{left, first.y, std::max(key.area.width, key.area.right() - left),
                       std::min(last.bottom(), key.area.bottom()) - first.y};
     panels_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},

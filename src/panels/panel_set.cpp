@@ -9,6 +9,7 @@
 #include "panels/precision.h"
 #include "panels/registry.h"
 #include "panels/shared_panel.h"
+#include "panels/words/monitors_panel.h"
 #include "panels/words/text_panel.h"
 #include "scene/describe.h"
 #include "util/interrupt.h"
@@ -46,7 +47,29 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
         runs_.push_back(
             std::make_unique<Run>(*scene.film.beside->scene, beside->particles, beside->sample));
     add_boxes(scene.film.layout);
+    make_room(0, start);
+    if (beside != nullptr) {
+        make_room(1, beside->sample);
+        share_ranges_of_lines();
+    }
     add_film_panels(scene.film.layout);
+}
+
+// So that which numbers are shown is known before the run.
+void PanelSet::make_room(std::size_t run, const Sample& start) {
+    const Eigen::ArrayXd speed = speeds(start);
+    const Eigen::ArrayXd energy = kinetic_energies(runs_[run]->particles, start);
+    for (const Placed& placed : panels_)
+        if (auto* numbers = dynamic_cast<MonitorsPanel*>(placed.panel.get());
+            numbers && placed.run == run)
+            numbers->expect(speed, energy);
+}
+
+void PanelSet::share_ranges_of_lines() {
+    const auto of = [&](std::size_t run) -> MonitorsPanel& {
+        return dynamic_cast<MonitorsPanel&>(*line_of_run(run).panel);
+    };
+    of(own).share_ranges(of(other));
 }
 
 PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
@@ -87,7 +110,7 @@ void PanelSet::add_boxes(const LayoutSpec& layout) {
         panels_.push_back({places.at(run).box, make_gas_panel(context), {}, run});
         panels_.push_back({places.at(run).words,
                            make_run_line(context, {.kind = "monitors", .numbers = film.monitors},
-                                         run == own ? beside.own_label : beside.label, run),
+                                         {beside.own_label, beside.label}, run),
                            {},
                            run});
     }
@@ -215,6 +238,7 @@ void PanelSet::fix_axes_of_both() {
                                                                {beside.own_label, beside.label});
     }
     boxes.at(own)->share_scales(*boxes.at(other));
+    share_ranges_of_lines();
 }
 
 Recording PanelSet::record(std::size_t run, Simulation start, std::vector<Tick> ticks,

@@ -159,6 +159,8 @@ class PanelSet {
     PanelContext context_of(std::size_t run) const;
     void add_boxes(const LayoutSpec& layout);
     void add_film_panels(const LayoutSpec& layout);
+    void make_room(std::size_t run, const Sample& start);
+    void share_ranges_of_lines();
     template <typename Function>
     void for_each_panel(Function&& f) const;
     void survey(std::size_t run, const Tick& tick, const Sample& sample,

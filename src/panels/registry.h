@@ -3,6 +3,7 @@
 // follow.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -29,10 +30,11 @@ std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& 
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
                                       const std::optional<View>& view = {});
 
-/// Makes the line of text under the box of run number `run` of two: `label`, in the colour that the
-/// run has in plots, and as many of the numbers of `spec`, except the time, as there is room for.
+/// Makes the line of text under the box of run number `run` of two: its label, in the colour that
+/// the run has in plots, and as many of the numbers of `spec`, except the time, as there is room
+/// for in the lines of both runs.
 std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
-                                     const std::string& label, std::size_t run);
+                                     const std::array<std::string, 2>& labels, std::size_t run);
 
 /// What makes a panel of one kind.
 using PanelMaker = std::unique_ptr<Panel>(const PanelContext& context, const PanelSpec& spec);

@@ -115,21 +115,43 @@ class Reader {
         picture_.height = std::stod(root.attribute("height").value());
         for (const pugi::xpath_node& one : document_.select_nodes("//*[@id]"))
             by_id_.emplace(one.node().attribute("id").value(), one.node());
-        read_children(root, {});
+        read_children(root, {}, {});
     }
     SvgPicture picture() { return std::move(picture_); }
 
   private:
-    void read_children(const pugi::xml_node& parent, const Matrix& outer) {
+    using Clip = std::optional<Edges>;
+
+    // The part of `outer` that the clip of an element leaves; clips are rectangles.
+    Clip clip_of(const pugi::xml_node& node, const Clip& outer) const {
+        const std::string url = node.attribute("clip-path").value();
+        if (url.empty()) return outer;
+        const pugi::xml_node clip = by_id_.at(url.substr(5, url.size() - 6)).first_child();
+        Edges own;
+        if (std::string(clip.name()) == "rect") {
+            own = rectangle_of(clip, {}).edges();
+        } else {
+            const Shape shape{.pieces = pieces_of(clip.attribute("d").value(), {})};
+            const std::optional<Edges> edges = shape.rectangle();
+            if (!edges) throw std::runtime_error("a clip that is no rectangle");
+            own = *edges;
+        }
+        if (!outer) return own;
+        return Edges{std::max(own.left, outer->left), std::max(own.top, outer->top),
+                     std::min(own.right, outer->right), std::min(own.bottom, outer->bottom)};
+    }
+
+    void read_children(const pugi::xml_node& parent, const Matrix& outer, const Clip& clip) {
         bool in_letters = false;
         for (const pugi::xml_node& node : parent.children()) {
             const std::string name = node.name();
             const Matrix own = outer * matrix_of(node);
             if (name == "use") read_letter(node, own, in_letters);
             in_letters = name == "use";
-            if (name == "g" || name == "svg") read_children(node, own);
-            if (name == "path") add_path(node, pieces_of(node.attribute("d").value(), own));
-            if (name == "rect") add_path(node, {rectangle_of(node, own)});
+            const Clip left = clip_of(node, clip);
+            if (name == "g" || name == "svg") read_children(node, own, left);
+            if (name == "path") add_path(node, pieces_of(node.attribute("d").value(), own), left);
+            if (name == "rect") add_path(node, {rectangle_of(node, own)}, left);
             if (name == "image") throw std::runtime_error("a picture of pixels");
         }
     }
@@ -145,12 +167,12 @@ class Reader {
                  to_picture({x, bottom})}};
     }
 
-    void add_path(const pugi::xml_node& node, std::vector<Outline> pieces) {
+    void add_path(const pugi::xml_node& node, std::vector<Outline> pieces, const Clip& clip) {
         if (pieces.empty()) return;
         const bool is_stroke = property(node, "fill") == "none";
         picture_.shapes.push_back({is_stroke, number_or(property(node, "stroke-width"), 1.0),
-                                   paint_of(node, is_stroke ? "stroke" : "fill"),
-                                   std::move(pieces)});
+                                   paint_of(node, is_stroke ? "stroke" : "fill"), std::move(pieces),
+                                   clip});
     }
 
     void read_letter(const pugi::xml_node& node, const Matrix& to_picture, bool goes_on) {

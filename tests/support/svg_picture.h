@@ -42,7 +42,8 @@ struct Shape {
     bool is_stroke = false;
     double width = 0;  ///< of a stroke
     Paint paint = {};
-    std::vector<Outline> pieces;  ///< the subpaths
+    std::vector<Outline> pieces;     ///< the subpaths
+    std::optional<Edges> clip = {};  ///< outside of which nothing of it is seen
 
     /// The axis-aligned rectangle that this shape is, ignoring the points that Cairo adds to close
     /// it; none for other shapes.

@@ -11,15 +11,18 @@
 #include "app/figures/set_work.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
+#include "app/film/render.h"
 #include "app/film/words/letters.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "app/report/accessibility.h"
 #include "app/report/check_facts.h"
 #include "app/resources.h"
+#include "draw/text.h"
 #include "figures/figure_drawing.h"
 #include "figures/sweep_figure.h"
 #include "panels/words/text_panel.h"
+#include "panels/words_left_out.h"
 #include "physics/placement/draws.h"
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
@@ -136,6 +139,17 @@ std::vector<const OutputFormat*> formats_of(const Scene& scene,
     return formats;
 }
 
+// The words for which the plots of a film have no room, if its run takes a fraction of a second.
+std::vector<std::string> cut_in_plots(const Scene& scene, const RunCounts& counts) {
+    constexpr double most_events = 300'000.0;
+    if (counts.bits > 53 || counts.events > most_events) return {};
+    constexpr bool is_quick = true;
+    Progress silent(Progress::Form::silent, "");
+    const TextLog log;
+    draw_still_alone(scene, scene.run.until, is_quick, {}, output_format("png"), silent);
+    return words_left_out(log);
+}
+
 CheckedFilm checked_film(const CheckArguments& arguments, const std::string& path,
                          const Scene& scene, const SceneCounts& counts,
                          std::vector<CommandsRefused>& refused) {
@@ -215,6 +229,7 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     CheckedFilm film = checked_film(arguments, path, scene, counts, refused);
     hold_to_limits(scene, works, refused);
     hold_to_limits(arguments, scene, film, refused);
+    film.cut = cut_in_plots(scene, counts.own);
     works.emplace_back("render",
                        work_of_film(scene, arguments.film, *film.formats.front(), counts));
     return facts_of(scene, film, works, refused);

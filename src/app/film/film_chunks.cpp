@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -13,6 +14,7 @@
 #include "app/chunks/build_facts.h"
 #include "app/film/chunk_file.h"
 #include "media/formats.h"
+#include "panels/words_left_out.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
 #include "sound/rate.h"
@@ -132,7 +134,13 @@ class StartWriter {
         progress_.finish();
     }
 
-    std::vector<std::string> cut_words() const { return FramePainter(*panels_).cut_words(); }
+    std::vector<std::string> cut_words() const {
+        std::vector<std::string> cut = FramePainter(*panels_).cut_words();
+        const std::vector<Tick>& ticks = plan_.run.ticks();
+        std::ranges::move(words_left_out(*panels_, ticks[ticks.size() / 2]),
+                          std::back_inserter(cut));
+        return cut;
+    }
 
   private:
     void play_to(std::size_t frame) {

@@ -12,6 +12,7 @@
 #include "app/means.h"
 #include "app/simulate.h"
 #include "draw/pages/pages.h"
+#include "panels/words_left_out.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
@@ -186,6 +187,9 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
     }
     const std::vector<std::string> cut = FramePainter(*panels).cut_words();
     report.cut.insert(report.cut.end(), cut.begin(), cut.end());
+    const std::vector<std::string> left_out =
+        words_left_out(*panels, plan.run.ticks()[plan.run.ticks().size() / 2]);
+    report.cut.insert(report.cut.end(), left_out.begin(), left_out.end());
     const std::vector<std::string> never = callouts.never_shown();
     report.never_shown.insert(report.never_shown.end(), never.begin(), never.end());
     progress.finish();

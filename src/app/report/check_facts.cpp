@@ -422,9 +422,10 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
         const double expected = (beside ? 2.0 : 1.0) * rate * run.until;
         const FilmCollisions collisions{its.collisions.value_or(expected),
                                         panels.wants_collisions()};
+        std::vector<std::string> cut = FramePainter(panels).cut_words();
+        cut.insert(cut.end(), its.cut.begin(), its.cut.end());
         return joined<Fact>({film_facts(scene, its, particles, collisions),
-                             field_rows(scene, particles),
-                             rows_of("cut", FramePainter(panels).cut_words())});
+                             field_rows(scene, particles), rows_of("cut", cut)});
     };
     return joined<Fact>(
         {{{"title", scene.title, "title", scene.title},

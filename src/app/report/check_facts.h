@@ -31,6 +31,7 @@ struct CheckedFilm {
     std::vector<const OutputFormat*> formats = {};  ///< whose costs are estimated; at least one
     std::optional<FilmCost> measured = {};
     SceneCounts counts = {};  ///< of its runs
+    std::vector<std::string> cut = {};  ///< words_left_out() of its last frame
     std::optional<double> collisions =
         {};  ///< in all its runs, including those with walls; none: estimated as in equilibrium
 };

@@ -176,7 +176,6 @@ void ContactTimePanel::add_roots(Plot& plot) const {
 Label ContactTimePanel::label(const std::string& words, std::vector<Anchor> anchors) const {
     Label label{{.still = true}, {words}, std::move(anchors), {Role::Of::ink}};
     label.sample = level_stroke;
-    label.may_be_left_out = true;
     return label;
 }
 

@@ -218,10 +218,9 @@ void SingleCollisionPanel::draw_words(Canvas& canvas, const DrawContext& dc,
     for (const std::string& words : all) {
         const std::string text =
             plot::markup_of(plot::Text(words) + first + between + second, dc.theme);
-        const bool is_last = &words == &all.back();
-        if (!is_last && measure_text(text, style).width > stage.area.width) continue;
-        draw_text(canvas, {middle, y}, text, style);
-        return;
+        if (measure_text(text, style).width <= stage.area.width)
+            return void(draw_text(canvas, {middle, y}, text, style));
+        if (&words == &all.back()) leave_out(text);
     }
 }
 

@@ -35,11 +35,31 @@ std::vector<TickMark> marks_with_room(const ColorScale& scale, double height, do
     return marks;
 }
 
+namespace {
+
+// The power of ten that all numbers of a scale have in common if they are written with one; 0: they
+// are not.
+int common_power(const ColorScale& scale) {
+    const auto has_power = [](const TickMark& mark) {
+        return mark.label.find("10") != std::string::npos &&
+               mark.label.find("×") != std::string::npos;
+    };
+    if (std::ranges::none_of(marks_of(scale), has_power)) return 0;
+    return static_cast<int>(std::floor(std::log10(scale.top) + 1e-9));
+}
+
+}  // namespace
+
 void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
                     const ColorScale& scale, double opacity) {
     constexpr int steps = 256;
-    const double u = dc.unit;
-    const Rect bar{dc.area.x, dc.area.y + 1.8 * u, 0.8 * u, dc.area.height - 1.8 * u};
+    const double u = dc.unit, line_of_power = 1.35 * u;
+    // The numbers share a power of ten, which is written once: there is little room beside the bar.
+    const int power = common_power(scale);
+    ColorScale shown = scale;
+    shown.top *= std::pow(10.0, -power);
+    const double head = 1.8 * u + (power == 0 ? 0.0 : line_of_power);
+    const Rect bar{dc.area.x, dc.area.y + head, 0.8 * u, dc.area.height - head};
     for (int i = 0; i < steps; ++i) {
         const double top = bar.bottom() - bar.height * (i + 1) / steps;
         canvas.fill({bar.x, std::floor(top), bar.width, std::ceil(bar.height / steps) + 1.0},
@@ -50,10 +70,13 @@ void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
     const std::string title = escape_markup(scale.title);
     const bool fits =
         scale.symbol.empty() || measure_text(title, label_style(dc)).width <= dc.area.width;
-    draw_text(canvas, {dc.area.x, bar.y - 0.9 * u}, fits ? title : scale.symbol, style);
-    const Scale up{0.0, scale.top, bar.bottom(), bar.y};
+    draw_text(canvas, {dc.area.x, dc.area.y + 0.9 * u}, fits ? title : scale.symbol, style);
+    if (power != 0)
+        draw_text(canvas, {dc.area.x, dc.area.y + 0.9 * u + line_of_power},
+                  "/\u200910" + superscript(power), style);
+    const Scale up{0.0, shown.top, bar.bottom(), bar.y};
     const double line = 1.65 * u;  // those at the ends are moved inwards
-    for (const TickMark& mark : marks_with_room(scale, bar.height, line))
+    for (const TickMark& mark : marks_with_room(shown, bar.height, line))
         draw_text(canvas,
                   {bar.right() + 0.4 * u,
                    std::min(std::max(up(mark.value) + 0.36 * u, bar.y + 0.72 * u), bar.bottom())},

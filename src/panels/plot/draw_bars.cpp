@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "panels/plot/bar_notes.h"
 #include "util/text.h"
 
 namespace carom::plot {
@@ -54,15 +56,6 @@ void draw_edge(Canvas& canvas, const Frame& frame, const Bars& bars) {
 }
 
 bool is_cut(const Frame& frame, double value) { return value > frame.y_scale.high; }
-
-// On a plate of the page's colour, so that bars behind it do not cut it up.
-void draw_on_plate(Canvas& canvas, const Frame& frame, Point at, const std::string& markup) {
-    const double u = frame.dc.unit;
-    const double width = measure_text(markup, label_style(frame.dc)).width;
-    canvas.fill({at.x - 0.2 * u, at.y - 0.95 * u, width + 0.4 * u, 1.25 * u},
-                with_alpha(frame.dc.theme.page, plate_alpha));
-    draw_text(canvas, at, markup, label_style(frame.dc));
-}
 
 bool is_any_broken(const std::vector<const Bars*>& all, std::size_t bin) {
     return std::ranges::any_of(all, [&](const Bars* bars) { return is_broken(*bars, bin); });
@@ -180,14 +173,38 @@ void draw_over_bars(Canvas& canvas, const Frame& frame, const Plot& plot) {
     for (const Bars* bars : all) draw_errors(canvas, frame, *bars);
 }
 
+namespace {
+
+// Where the count of broken bars from `left` to `right` may stand: beside them, behind the marks
+// there, or over them.
+std::vector<Point> places_of_count(const Frame& frame, double left, double right, double width) {
+    constexpr double farthest = 2.4;  // units
+    const double u = frame.dc.unit, air = 0.4 * u, top = frame.area.y;
+    const double over = std::clamp(0.5 * (left + right - width), frame.area.x,
+                                   std::max(frame.area.x, frame.dc.area.right() - width));
+    std::vector<Point> places;
+    for (double off = air; off < farthest * u; off += air)
+        places.push_back({right + off, top + 1.05 * u});
+    places.push_back({left - air - width, top + 1.05 * u});
+    places.push_back({over, top - 0.35 * u});
+    return places;
+}
+
+}  // namespace
+
 void draw_counts_of_broken_bars(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const std::vector<const Bars*> all = bars_of(plot);
     if (all.empty()) return;
     const double u = frame.dc.unit;
-    const Rect& area = frame.area;
     const Bars& first = *all.front();
+    const double room_over = frame.area.y - 1.3 * u;
+    LabelPlacer placer({frame.area.x, room_over, frame.dc.area.right() - frame.area.x,
+                        frame.area.bottom() - room_over});
+    const Frame seen{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
+    for (const AnyLayer& layer : plot.layers) keep_clear_of(seen, layer);
+    for (const Rect& name : places_of_names(frame, plot)) placer.keep_clear(name);
+    if (const auto title = place_of_y_title(plot, frame)) placer.keep_clear(*title);
     Text words;
-    double free_from = area.x;
     for (std::size_t i = 0; i < first.value.size(); ++i) {
         for (const Bars* bars : all) {
             if (!is_broken(*bars, i)) continue;
@@ -197,21 +214,21 @@ void draw_counts_of_broken_bars(Canvas& canvas, const Frame& frame, const Plot& 
         const bool is_next_broken = i + 1 < first.value.size() && is_any_broken(all, i + 1);
         if (words.empty() || is_next_broken) continue;
         const double left = frame.x(first.from[i]), right = frame.x(first.to[i]);
-        const std::string markup = markup_of(words, frame.dc.theme);
-        words = {};
+        const std::string markup = markup_of(std::exchange(words, {}), frame.dc.theme);
         const double width = measure_text(markup, label_style(frame.dc)).width;
-        // Beside the bar, off the names of marks and off the count before.
-        double most_left = free_from, most_right = frame.dc.area.right();
-        if (frame.notes.side == PlaceOfNotes::Side::right && plot.bar_notes &&
-            !plot.bar_notes->names.empty())
-            most_right = area.right() - frame.notes.width - u;
-        if (frame.notes.side == PlaceOfNotes::Side::left)
-            most_left = std::max(most_left, area.x + u + frame.notes.width);
-        const double after = right + 0.4 * u, before = left - 0.4 * u - width;
-        const bool is_after = after > most_left && after + width < most_right;
-        if (!is_after && (before < most_left || before + width > most_right)) continue;
-        free_from = (is_after ? after : before) + width + 0.5 * u;
-        draw_on_plate(canvas, frame, {is_after ? after : before, area.y + 1.05 * u}, markup);
+        const auto rect_at = [&](const Point& at) {
+            return Rect{at.x - 0.2 * u, at.y - 0.95 * u, width + 0.4 * u, 1.25 * u};
+        };
+        const std::vector<Point> places = places_of_count(frame, left, right, width);
+        const auto place = std::ranges::find_if(places, [&](const Point& at) {
+            return placer.is_inside(rect_at(at)) && placer.is_free(rect_at(at));
+        });
+        if (place == places.end()) {
+            leave_out(markup);
+            continue;
+        }
+        placer.keep_clear(rect_at(*place));
+        draw_text(canvas, *place, markup, label_style(frame.dc));
     }
 }
 

@@ -14,10 +14,9 @@ std::vector<const Bars*> bars_of(const Plot& plot);
 /// Draws breaks, error bars and casings; nothing if the plot has no bars.
 void draw_over_bars(Canvas& canvas, const Frame& frame, const Plot& plot);
 
-/// Draws the count of each bar that is taller than the axis beside the bar; for several adjacent
-/// ones, all counts beside the last. A count without room is left out: the break still shows that
-/// the bar is taller. To be called after lines and marks are drawn, since these would cross out a
-/// number.
+/// Draws the count of each bar that is taller than the axis beside the bar or over it; for several
+/// adjacent ones, all counts at the last. A count without room is left out: the break still shows
+/// that the bar is taller.
 void draw_counts_of_broken_bars(Canvas& canvas, const Frame& frame, const Plot& plot);
 
 /// A count as text, or a mean of counts, which need not be whole.

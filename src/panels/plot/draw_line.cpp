@@ -21,9 +21,11 @@ bool piece_ends(const Line& line, std::size_t i) {
 }  // namespace
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
-    if (line.beyond == Beyond::cut)
-        canvas.clip_to({frame.area.x, frame.area.y, frame.area.width,
-                        frame.area.height + 0.5 * frame.pixels(line.stroke.width)});
+    const double width = frame.pixels(line.stroke.width);
+    const bool is_cut = line.beyond == Beyond::cut;
+    if (is_cut)
+        canvas.clip_to(
+            {frame.area.x, frame.area.y, frame.area.width, frame.area.height + 0.5 * width});
     std::vector<Point> path;
     std::optional<Point> last;
     for (std::size_t i = line.shown.first; i < end_of(line); ++i) {
@@ -34,11 +36,16 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
             is_apart(path.back(), *last, frame.pixels(detail)))
             path.push_back(*last);
         if (!ends) continue;
-        draw_stroke(canvas, frame.dc, path, line.stroke);
+        if (is_cut)
+            draw_stroke(canvas, frame.dc, path, line.stroke);
+        else
+            draw_in_area(canvas, frame, path, width,
+                         [&] { draw_stroke(canvas, frame.dc, path, line.stroke); });
         path.clear();
     }
-    if (line.beyond == Beyond::cut) canvas.release_clip();
-    if (last && line.head) draw_mark(canvas, frame.dc, *last, *line.head);
+    if (is_cut) canvas.release_clip();
+    if (last && line.head && is_in_area(frame, *last))
+        draw_mark(canvas, frame.dc, *last, *line.head);
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Band& band) {
@@ -46,7 +53,8 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Band& band) {
     std::vector<Point> upper, lower;
     const auto end_band = [&] {
         upper.insert(upper.end(), lower.rbegin(), lower.rend());
-        if (upper.size() > 3) canvas.fill_polygon(upper, color);
+        if (upper.size() > 3)
+            draw_in_area(canvas, frame, upper, 0.0, [&] { canvas.fill_polygon(upper, color); });
         upper.clear();
         lower.clear();
     };
@@ -70,6 +78,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Points& points) {
     for (std::size_t i = points.shown.first; i < end_of(points); ++i) {
         if (std::isnan(points.y[i])) continue;
         const Point at{frame.x(points.x[i]), frame.y(points.y[i])};
+        if (!is_in_area(frame, at)) continue;
         if (last && !is_apart(*last, at, frame.pixels(points.spacing))) continue;
         draw_mark(canvas, frame.dc, at, points.mark);
         if (points.spacing > 0.0) last = at;

@@ -1,6 +1,9 @@
 // Draws levels, markers and arrows, and the words beside them.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "panels/plot/layers.h"
 
@@ -31,8 +34,16 @@ struct Place {
     Rect rect;
     bool has_sample;
     std::string words = {};
-    bool is_free = true;
 };
+
+// With the sample before the words.
+Rect whole_of(const Frame& frame, const Place& place) {
+    Rect whole = place.rect;
+    if (!place.has_sample) return whole;
+    whole.x += frame.pixels(sample_from);
+    whole.width -= frame.pixels(sample_from);
+    return whole;
+}
 
 bool lies_on_x_axis(const Frame& frame, const Rect& words) {
     constexpr double slack = 0.5;  // pixels
@@ -59,7 +70,7 @@ void keep_inside(const Frame& frame, Place& place) {
 // The first free place of all anchors and their steps. While shorter words remain to be tried, the
 // place must hold the words completely.
 std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& anchors,
-                                double width, bool has_shorter) {
+                                double width, bool has_shorter, bool over_markers) {
     for (const Anchor& anchor : anchors) {
         const bool steps = anchor.step.x != 0.0 || anchor.step.y != 0.0;
         Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
@@ -71,14 +82,45 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
             if (!fits_across(frame, place)) {
                 if (has_shorter) break;
                 place.has_sample = false;  // it would lie on the numbers of the axis
+                if (!fits_across(frame, place)) break;
             }
-            if (frame.placer.is_free(place.rect)) return place;
+            if (frame.placer.is_free(whole_of(frame, place), over_markers)) return place;
             if (!steps) break;
             place.baseline.x += frame.pixels(anchor.step.x);
             place.baseline.y += frame.pixels(anchor.step.y);
         }
     }
     return {};
+}
+
+// Whether the words say by a sample what they belong to, and may therefore be anywhere: words of a
+// level.
+bool has_sample(const Label& label) {
+    return label.sample && !label.anchors.empty() && label.anchors.front().has_sample;
+}
+
+// The free place nearest to the first anchor.
+std::optional<Place> place_anywhere(const Frame& frame, const Label& label, double width,
+                                    bool over_markers) {
+    constexpr double step = 0.5;  // units
+    const Rect& area = frame.area;
+    const Point wanted = place_of(frame, label.anchors.front());
+    std::optional<Place> nearest;
+    double least = 0.0;
+    const double air = frame.pixels(step);
+    for (double y = area.y + frame.pixels(ascent); y < area.bottom(); y += air)
+        for (double x = area.right() - air; x > area.x; x -= air) {
+            Place place{{x, y}, Align::right, {}, true};
+            place.rect = rect_of(frame, place.baseline, place.align, width);
+            const double distance = std::hypot(x - wanted.x, y - wanted.y);
+            if (nearest && distance >= least) continue;
+            const Rect whole = whole_of(frame, place);
+            if (!frame.placer.is_inside(whole) || !frame.placer.is_free(whole, over_markers))
+                continue;
+            nearest = place;
+            least = distance;
+        }
+    return nearest;
 }
 
 TextStyle style_of(const Frame& frame, const Label& label) {
@@ -89,23 +131,28 @@ TextStyle style_of(const Frame& frame, const Label& label) {
 
 // The place of a label and the version of its words that is used; none if the label is left out.
 std::optional<Place> place_of(const Frame& frame, const Label& label) {
-    std::string words;
-    double width = 0.0;
-    for (const Text& text : label.words) {
-        words = markup_of(text, frame.dc.theme);
-        width = measure_text(words, style_of(frame, label)).width;
-        const bool has_shorter = &text != &label.words.back();
-        std::optional<Place> place = free_place(frame, label.anchors, width, has_shorter);
-        if (!place) continue;
-        place->words = words;
-        return place;
-    }
-    if (label.may_be_left_out || label.anchors.empty()) return {};
-    const Anchor& first = label.anchors.front();
-    const Point at = place_of(frame, first);
-    Place place{at,    first.align, rect_of(frame, at, first.align, width), first.has_sample,
-                words, false};
-    place.has_sample = place.has_sample && fits_across(frame, place);
+    struct Search {
+        bool anywhere, over_markers;
+    };
+    const auto found = [&](const Search& search) -> std::optional<Place> {
+        for (const Text& text : label.words) {
+            const std::string words = markup_of(text, frame.dc.theme);
+            const double width = measure_text(words, style_of(frame, label)).width;
+            const bool has_shorter = &text != &label.words.back();
+            std::optional<Place> place =
+                search.anywhere
+                    ? place_anywhere(frame, label, width, search.over_markers)
+                    : free_place(frame, label.anchors, width, has_shorter, search.over_markers);
+            if (!place) continue;
+            place->words = words;
+            return place;
+        }
+        return {};
+    };
+    std::optional<Place> place = found({});
+    if (place || !has_sample(label)) return place;
+    for (const Search& search : {Search{true, false}, Search{false, true}, Search{true, true}})
+        if ((place = found(search))) break;
     return place;
 }
 
@@ -114,24 +161,23 @@ std::optional<Place> place_of(const Frame& frame, const Label& label) {
 std::optional<Rect> rect_of(const Frame& frame, const Label& label) {
     const std::optional<Place> place = place_of(frame, label);
     if (!place) return {};
-    frame.placer.keep_clear(place->rect);
-    return place->rect;
+    const Rect whole = whole_of(frame, *place);
+    frame.placer.place(whole);
+    return whole;
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
     const DrawContext& dc = frame.dc;
     const std::optional<Place> place = place_of(frame, label);
-    if (!place) return;
-    const Rect& rect = place->rect;
-    if (label.has_plate || !place->is_free) {
-        const double air = frame.pixels(0.3);
-        canvas.fill({rect.x - air, rect.y, rect.width + 2.0 * air, rect.height},
-                    with_alpha(dc.theme.page, plate_alpha));
+    if (!place) {
+        if (!label.words.empty()) leave_out(markup_of(label.words.back(), dc.theme));
+        return;
     }
+    const Rect& rect = place->rect;
     TextStyle style = style_of(frame, label);
     style.align = place->align;
     draw_text(canvas, place->baseline, place->words, style);
-    frame.placer.keep_clear(rect);
+    frame.placer.place(whole_of(frame, *place));
     if (!place->has_sample || !label.sample) return;
     const double y = place->baseline.y - frame.pixels(0.35);
     draw_straight(canvas, dc, {rect.x + frame.pixels(sample_from), y},
@@ -139,24 +185,48 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Level& level) {
-    const double y = frame.y(level.value, Beyond::clamped);
+    const double y = frame.y(level.value);
+    if (!is_in_area(frame, {frame.area.x, y})) return;
     draw_straight(canvas, frame.dc, {frame.area.x, y}, {frame.area.right(), y}, level.stroke);
     if (level.label) draw_layer(canvas, frame, *level.label);
 }
 
+namespace {
+
+// A vertical line with gaps where words have their places.
+void draw_with_gaps(Canvas& canvas, const Frame& frame, double x, double from, double to,
+                    const Stroke& stroke) {
+    const double air = 0.5 * frame.pixels(stroke.width), up = to < from ? -1.0 : 1.0;
+    std::vector<std::pair<double, double>> gaps;
+    for (const Rect& words : frame.placer.placed())
+        if (x > words.x - air && x < words.right() + air)
+            gaps.emplace_back(up * (up < 0.0 ? words.bottom() : words.y),
+                              up * (up < 0.0 ? words.y : words.bottom()));
+    std::ranges::sort(gaps);
+    for (const auto& [first, last] : gaps) {
+        if (up * first > up * from)
+            draw_straight(canvas, frame.dc, {x, from}, {x, up * std::min(first, up * to)}, stroke);
+        from = up * std::max(up * from, last);
+    }
+    if (up * from < up * to) draw_straight(canvas, frame.dc, {x, from}, {x, to}, stroke);
+}
+
+}  // namespace
+
 void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker) {
     const double x = frame.x(marker.value);
     if (!(x >= frame.area.x && x <= frame.area.right())) return;
-    Point from{x, frame.area.bottom()}, to{x, frame.area.y};  // dashes begin at `from`
-    if (marker.up_to)
-        from = {x, frame.y(*marker.up_to, Beyond::clamped)}, to.y = frame.area.bottom();
-    draw_straight(canvas, frame.dc, from, to, marker.stroke);
+    double from = frame.area.bottom(), to = frame.area.y;  // dashes begin at `from`
+    if (marker.up_to) from = frame.y(*marker.up_to, Beyond::clamped), to = frame.area.bottom();
+    draw_with_gaps(canvas, frame, x, from, to, marker.stroke);
     if (marker.label) draw_layer(canvas, frame, *marker.label);
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Arrow& arrow) {
-    draw_arrow(canvas, frame.dc, {frame.x(arrow.from.x), frame.y(arrow.from.y)},
-               {frame.x(arrow.to.x), frame.y(arrow.to.y)}, arrow);
+    const Point from{frame.x(arrow.from.x), frame.y(arrow.from.y)};
+    const Point to{frame.x(arrow.to.x), frame.y(arrow.to.y)};
+    draw_in_area(canvas, frame, std::array{from, to}, frame.dc.unit,
+                 [&] { draw_arrow(canvas, frame.dc, from, to, arrow); });
 }
 
 }  // namespace carom::plot

@@ -87,7 +87,6 @@ Scale scale_of(const Axis& axis, double from, double to, std::optional<double> s
 
 Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
     const double u = dc.unit;
-    const PlaceOfNotes place = place_of_notes(plot, dc);
     const auto equal_scale = [&](const Rect& area) {
         return plot.has_equal_scales ? std::optional(scale_in(area, plot)) : std::nullopt;
     };
@@ -96,21 +95,54 @@ Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
             plot.y.has_zero_place ? std::min(0.3 * area.height, zero_place_height * u) : 0.0;
         return scale_of(plot.y, area.bottom() - floor, area.y, equal_scale(area));
     };
-    const double space =
-        y_axis_space(scale_up(area_of(plot, dc, place, 0.0).rect), style_of(plot, plot.y, dc));
-    const auto [area, is_key_beside] =
-        area_of(plot, dc, place, std::max(0.0, space - least_left * u));
-    placer = LabelPlacer(area);
-    const double row = first_note(plot, dc) + height_of_rows(plot, dc, is_key_beside) * u;
-    return {dc,
-            area,
-            scale_of(plot.x, area.x, area.right(), equal_scale(area)),
-            scale_up(area),
-            plot.y.kind,
-            placer,
-            place,
-            {area.x, row},
-            is_key_beside};
+    const auto frame_in = [&](const PlaceOfNotes& place) {
+        const double space =
+            y_axis_space(scale_up(area_of(plot, dc, place, 0.0).rect), style_of(plot, plot.y, dc));
+        const auto [area, is_key_beside] =
+            area_of(plot, dc, place, std::max(0.0, space - least_left * u));
+        const double row = first_note(plot, dc) + height_of_rows(plot, dc, is_key_beside) * u;
+        return Frame{dc,
+                     area,
+                     scale_of(plot.x, area.x, area.right(), equal_scale(area)),
+                     scale_up(area),
+                     plot.y.kind,
+                     placer,
+                     place,
+                     {area.x, row},
+                     is_key_beside};
+    };
+    Frame frame = frame_in({});
+    if (const PlaceOfNotes place = place_of_notes(plot, frame); plot.bar_notes) {
+        Frame with_notes = frame_in(place);
+        placer = LabelPlacer(with_notes.area);
+        return with_notes;
+    }
+    placer = LabelPlacer(frame.area);
+    return frame;
+}
+
+bool is_in_area(const Frame& frame, const Point& at) {
+    constexpr double slack = 1.0;  // pixels
+    const Rect& area = frame.area;
+    return at.x >= area.x - slack && at.x <= area.right() + slack && at.y >= area.y - slack &&
+           at.y <= area.bottom() + slack;
+}
+
+std::string x_title_of(const Plot& plot, const Frame& frame) {
+    const std::string title = markup_of(plot.x.title, frame.dc.theme);
+    const double room = frame.area.right() - frame.dc.area.x;
+    if (plot.x.short_title.empty() || measure_text(title, label_style(frame.dc)).width <= room)
+        return title;
+    return markup_of(plot.x.short_title, frame.dc.theme);
+}
+
+std::optional<Rect> place_of_y_title(const Plot& plot, const Frame& frame) {
+    if (plot.y.title.empty()) return {};
+    const double u = frame.dc.unit, x = frame.area.x + 0.4 * u;
+    const double width =
+        measure_text(markup_of(plot.y.title, frame.dc.theme), label_style(frame.dc)).width;
+    if (x + width > frame.area.right()) return {};
+    return Rect{x, frame.area.y - 1.3 * u, width, 1.25 * u};
 }
 
 namespace {
@@ -127,57 +159,26 @@ void draw_zero_place(Canvas& canvas, const Frame& frame) {
     draw_text(canvas, {frame.area.x - 0.65 * u, frame.area.bottom() + 0.36 * u}, "0", style);
 }
 
-// Over the axis; one that has no room there is left out.
-void draw_y_title(Canvas& canvas, const Frame& frame, const std::string& title) {
-    const TextStyle style = label_style(frame.dc);
-    const double x = frame.area.x + 0.4 * frame.dc.unit;
-    if (x + measure_text(title, style).width <= frame.area.right())
-        draw_text(canvas, {x, frame.area.y - 0.35 * frame.dc.unit}, title, style);
+// Over the axis.
+void draw_y_title(Canvas& canvas, const Frame& frame, const Plot& plot) {
+    const std::string title = markup_of(plot.y.title, frame.dc.theme);
+    if (const std::optional<Rect> place = place_of_y_title(plot, frame))
+        draw_text(canvas, {place->x, frame.area.y - 0.35 * frame.dc.unit}, title,
+                  label_style(frame.dc));
+    else if (!plot.y.title.empty())
+        leave_out(title);
 }
 
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
     const AxisStyle style = style_of(plot, plot.x, dc);
-    std::string title = markup_of(plot.x.title, dc.theme);
-    if (!plot.x.short_title.empty() &&
-        measure_text(title, style.title).width > frame.area.right() - dc.area.x)
-        title = markup_of(plot.x.short_title, dc.theme);
-    draw_x_axis(canvas, frame.area, frame.x_scale, title, style);
+    draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame), style);
     Rect above = frame.area;
     above.height = frame.y_scale.from - frame.area.y;
     draw_y_axis(canvas, above, frame.y_scale, style_of(plot, plot.y, dc));
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
-    if (!plot.y.title.empty()) draw_y_title(canvas, frame, markup_of(plot.y.title, dc.theme));
+    draw_y_title(canvas, frame, plot);
 }
-
-// Labels keep clear of the whole course of lines in the film, of levels and of some markers.
-struct Obstacles {
-    const Frame& frame;
-    void operator()(const Line& line) const {
-        std::optional<Point> before;
-        for (std::size_t i = 0; i < line.x.size(); ++i) {
-            const bool is_there = std::isfinite(line.y[i]);
-            const Point now{frame.x(line.x[i]), is_there ? frame.y(line.y[i], line.beyond) : 0.0};
-            if (!is_there) {
-                before = {};
-            } else if (!before || is_apart(*before, now, frame.pixels(0.1)) ||
-                       i + 1 == line.x.size()) {
-                if (before) frame.placer.keep_clear(*before, now);
-                before = now;
-            }
-        }
-    }
-    void operator()(const Level& level) const {
-        const double y = frame.y(level.value, Beyond::clamped);
-        frame.placer.keep_clear({frame.area.x, y}, {frame.area.right(), y});
-    }
-    void operator()(const Marker& marker) const {
-        const double x = frame.x(marker.value);
-        if (marker.is_kept_clear)
-            frame.placer.keep_clear({x, frame.area.y}, {x, frame.area.bottom()});
-    }
-    void operator()(const Layer&) const {}
-};
 
 // The words of a layer; nullptr: none.
 const Label* label_of(const AnyLayer& layer) {
@@ -193,13 +194,17 @@ bool has_labels(const Plot& plot, bool still) {
     });
 }
 
-// Layers of a part in the order in which they are drawn.
+// Layers of a part in the order in which they are drawn; still markers last, because they leave
+// gaps for words.
 std::vector<const AnyLayer*> layers_of(const Plot& plot, bool still) {
     std::vector<const AnyLayer*> layers;
     for (const AnyLayer& layer : plot.layers)
         if (common(layer).still == still) layers.push_back(&layer);
     std::ranges::stable_sort(layers, std::ranges::greater{},
                              [](const AnyLayer* layer) { return common(*layer).depth; });
+    if (still)
+        std::ranges::stable_partition(
+            layers, [](const AnyLayer* layer) { return !std::holds_alternative<Marker>(*layer); });
     return layers;
 }
 
@@ -217,13 +222,13 @@ void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
     const Frame of_all{frame.dc,      frame.area,   frame.x_scale,
                        frame.y_scale, frame.y_kind, still ? frame.placer : placer};
     for (const AnyLayer& layer : plot.layers) {
-        std::visit(Obstacles{of_all}, layer);
-        if (!still && !is_hidden(layer)) std::visit(Obstacles{frame}, layer);
+        keep_clear_of(of_all, layer);
+        if (!still && !is_hidden(layer)) keep_clear_of(frame, layer);
     }
     if (still) return;
     for (const AnyLayer* layer : layers_of(plot, true))
         if (const Label* label = label_of(*layer))
-            if (const auto rect = rect_of(of_all, *label)) frame.placer.keep_clear(*rect);
+            if (const auto rect = rect_of(of_all, *label)) frame.placer.place(*rect);
 }
 
 }  // namespace
@@ -257,7 +262,10 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         draw_counts_beyond(canvas, frame, plot);
     }
     if (last_bars != layers.rend()) draw_counts_of_broken_bars(canvas, frame, plot);
-    if (!still) draw_names(canvas, frame, plot);
+    if (still)
+        leave_out_names(frame, plot);
+    else
+        draw_names(canvas, frame, plot);
 }
 
 }  // namespace carom::plot

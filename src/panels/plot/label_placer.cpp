@@ -23,15 +23,42 @@ bool LabelPlacer::is_inside(const Rect& words) const {
            words.y >= area_.y - slack && words.bottom() <= area_.bottom() + slack;
 }
 
-bool LabelPlacer::is_free(const Rect& words) const {
-    const auto crosses = [&](const auto& segment) {
-        return meets(words, segment.first, segment.second);
+void LabelPlacer::keep_clear(Point from, Point to, double width) {
+    segments_.push_back({from, to, width});
+}
+
+void LabelPlacer::keep_off_marker(double x, double top, double bottom, double width) {
+    markers_.push_back({{x, top}, {x, bottom}, width});
+}
+
+void LabelPlacer::place(const Rect& words) {
+    parts_.push_back(words);
+    placed_.push_back(words);
+}
+
+bool LabelPlacer::crosses(const Segment& segment, const Rect& words) {
+    const double half = 0.5 * segment.width;
+    return meets(
+        {words.x - half, words.y - half, words.width + segment.width, words.height + segment.width},
+        segment.from, segment.to);
+}
+
+bool LabelPlacer::is_free(const Rect& words, bool over_markers) const {
+    const auto is_crossed = [&](const Segment& segment) { return crosses(segment, words); };
+    const auto overlaps = [&](const Rect& part) { return overlap(words, part); };
+    const auto leaves_an_end = [&](const Segment& marker) {
+        return words.y > marker.from.y && words.bottom() < marker.to.y;
     };
-    const auto overlaps = [&](const Rect& other) {
-        return words.x < other.right() && other.x < words.right() && words.y < other.bottom() &&
-               other.y < words.bottom();
-    };
-    return std::ranges::none_of(segments_, crosses) && std::ranges::none_of(words_, overlaps);
+    if (std::ranges::any_of(segments_, is_crossed) || std::ranges::any_of(parts_, overlaps))
+        return false;
+    return std::ranges::none_of(markers_, [&](const Segment& marker) {
+        return is_crossed(marker) && !(over_markers && leaves_an_end(marker));
+    });
+}
+
+bool overlap(const Rect& one, const Rect& other) {
+    return one.x < other.right() && other.x < one.right() && one.y < other.bottom() &&
+           other.y < one.bottom();
 }
 
 }  // namespace carom::plot

@@ -1,8 +1,6 @@
-// Checks places for words in a plot, which are put at the first place where they overlap nothing.
+// Knows what is drawn in a plot, so that words are put where they touch nothing.
 #pragma once
 
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "draw/geometry.h"
@@ -14,20 +12,39 @@ class LabelPlacer {
     /// Words stay inside of `area`.
     explicit LabelPlacer(const Rect& area) : area_(area) {}
 
-    /// Add what words must not overlap: a straight segment of a line, and other words.
-    void keep_clear(Point from, Point to) { segments_.emplace_back(from, to); }
-    void keep_clear(const Rect& words) { words_.push_back(words); }
+    /// Add what words must not touch: a straight piece of a line, as wide as it is drawn, and
+    /// bars, bands or other words.
+    void keep_clear(Point from, Point to, double width = 0.0);
+    void keep_clear(const Rect& part) { parts_.push_back(part); }
+
+    /// Adds a vertical line that may be drawn with gaps for words.
+    void keep_off_marker(double x, double top, double bottom, double width);
+
+    /// Adds words that have their place; markers have gaps there.
+    void place(const Rect& words);
+    const std::vector<Rect>& placed() const { return placed_; }
 
     bool is_inside(const Rect& words) const;
-    bool is_free(const Rect& words) const;
+
+    /// Whether words touch nothing; with `over_markers`, nothing but markers, whose lines go on
+    /// above and below them.
+    bool is_free(const Rect& words, bool over_markers = false) const;
 
   private:
+    struct Segment {
+        Point from, to;
+        double width;
+    };
+    static bool crosses(const Segment& segment, const Rect& words);
     Rect area_;
-    std::vector<std::pair<Point, Point>> segments_;
-    std::vector<Rect> words_;
+    std::vector<Segment> segments_, markers_;
+    std::vector<Rect> parts_, placed_;
 };
 
 /// Whether a straight segment crosses a rectangle.
 bool meets(const Rect& part, const Point& from, const Point& to);
+
+/// Whether two rectangles share more than an edge.
+bool overlap(const Rect& one, const Rect& other);
 
 }  // namespace carom::plot

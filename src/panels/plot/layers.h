@@ -2,6 +2,7 @@
 // data on the canvas; axes, titles and notes belong to draw_plot.cpp.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,10 +17,9 @@ namespace carom::plot {
 /// The place of the words over bars: at the top right or left of the plot, or in rows above it.
 struct PlaceOfNotes {
     enum class Side { right, left, above, none } side = Side::right;
-    double width = 0.0;      ///< of a name and its number, pixels
-    bool is_short = false;   ///< short names
-    double row = 0.0;        ///< the height of all rows, units; 0: none
-    std::size_t in_row = 2;  ///< how many share the width of a row
+    double width = 0.0;     ///< of a name and its number, pixels
+    bool is_short = false;  ///< short names
+    double row = 0.0;       ///< the height of all rows, units; 0: none
 };
 
 /// The mapping of a plot's data to the canvas.
@@ -41,6 +41,24 @@ struct Frame {
     double pixels(double units) const { return units * dc.unit; }
 };
 
+/// Whether a point of the canvas lies in the area of the data, or at most a pixel beyond.
+bool is_in_area(const Frame& frame, const Point& at);
+
+/// Calls draw(), which draws lines of a width (pixels) along `path`, or fills it; clipped to the
+/// area of the data, and half the width around it, if the path leaves it.
+template <class Draw>
+void draw_in_area(Canvas& canvas, const Frame& frame, std::span<const Point> path, double width,
+                  const Draw& draw) {
+    const bool is_inside =
+        std::ranges::all_of(path, [&](const Point& at) { return is_in_area(frame, at); });
+    if (is_inside) return draw();
+    const Rect& area = frame.area;
+    canvas.clip_to(
+        {area.x - 0.5 * width, area.y - 0.5 * width, area.width + width, area.height + width});
+    draw();
+    canvas.release_clip();
+}
+
 /// Lays out a plot in `dc.area`: the data are below the title and the notes, and inside the labels
 /// of the axes.
 Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer);
@@ -56,6 +74,15 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
 /// Places a label and reserves its place against other labels; none if the label is left out.
 std::optional<Rect> rect_of(const Frame& frame, const Label& label);
+
+/// The words of the horizontal axis, in the version that fits (markup).
+std::string x_title_of(const Plot& plot, const Frame& frame);
+
+/// The place of the words over the vertical axis, if it has any and they have room.
+std::optional<Rect> place_of_y_title(const Plot& plot, const Frame& frame);
+
+/// Keep words off what a layer draws.
+void keep_clear_of(const Frame& frame, const AnyLayer& layer);
 
 /// The colour of a role on a theme, and that of a stroke, with its shade and its fading applied.
 Color color_of(const Role& role, const Theme& theme);

@@ -177,14 +177,13 @@ struct Points : Layer {
     Mark mark = {};
 };
 
-/// Words at the first free one of some places; if they must overlap something, on a plate.
+/// Words at the first free one of some places. If none is free, words with a sample go to the
+/// nearest free place of the plot; others are left out.
 struct Label : Layer {
     std::vector<Text> words;  ///< from longest to shortest; the first that fits its place is used
     std::vector<Anchor> anchors = {};
     Role role = {};
     std::optional<Stroke> sample = {};  ///< before them
-    bool has_plate = false;             ///< always
-    bool may_be_left_out = false;       ///< where no place is free
 };
 
 /// A line at one value of y across the plot.
@@ -203,7 +202,6 @@ struct Marker : Layer {
     std::optional<double> up_to = {};  ///< none: the top
     Stroke stroke = {.width = 0.08};
     std::optional<Label> label = {};
-    bool is_kept_clear = false;  ///< labels lie beside it
 };
 
 /// The heights of bins side by side.
@@ -232,17 +230,22 @@ const Layer& common(const AnyLayer& layer);
 /// The text over bars: names and numbers of marks, at places that are fixed while marks and numbers
 /// change, and how many values lie beyond the ends of the axis.
 struct BarNotes {
+    struct Reach {
+        double from, to, value;
+    };
     struct Name {
         Stroke sample;
         std::string name, short_name;  ///< plain words
         std::string number;
+        bool has_number = true;
     };
     std::vector<Name> names = {};
-    std::string typical_number = {};       ///< number whose width determines the places
-    bool are_in_a_row = false;             ///< names are side by side in a row and share its width
-    bool may_be_beside = true;             ///< at the top right or left; else in a row above
-    bool is_right = false;                 ///< at the top right, whatever is behind
+    std::string typical_number = {};  ///< number whose width determines the places
+    bool are_in_a_row = false;        ///< names are side by side in a row and share its width
+    bool may_be_beside = true;  ///< at the top right or left if no bar ever reaches there; else in
+                                ///< a row above
     std::pair<double, double> marks = {};  ///< range in which marks move in the whole film
+    std::vector<Reach> highest = {};       ///< of the bars in the whole film
     std::string below = {}, above = {}, beyond = {};  ///< "3", "5", "faster"; empty: none
 };
 

@@ -133,12 +133,12 @@ plot::Note HistogramPanel::fit_note(std::size_t k, const MeanHistogram* now) con
     if (now == nullptr) return note;
     const Language language = context_.language();
     const std::string whose = count() == 1 ? say(language, "normal curve") : name_of_series(k);
-    const std::string numbers =
-        say(language, "mean {}, standard deviation {}", mean_words(k, now->mean),
-            steady_number(language, now->deviation, {0.0, axes_.bins.high - axes_.bins.low}));
-    const std::string short_numbers =
-        say(language, "mean {}, s.d. {}", mean_words(k, now->mean),
-            steady_number(language, now->deviation, {0.0, axes_.bins.high - axes_.bins.low}));
+    // The mean has the decimals of the deviation, unless it is larger.
+    const std::string deviation = steady_number(language, now->deviation, {0.0, now->deviation});
+    const std::string mean =
+        steady_number(language, now->mean, {0.0, std::max(std::abs(now->mean), now->deviation)});
+    const std::string numbers = say(language, "mean {}, standard deviation {}", mean, deviation);
+    const std::string short_numbers = say(language, "mean {}, s.d. {}", mean, deviation);
     const Role& role = roles_[k].fit;
     KeyEntry entry{.words = {named(say(language, "{}: {}", whose, numbers), role),
                              named(say(language, "{}: {}", whose, short_numbers), role),
@@ -238,6 +238,12 @@ std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCoun
     if (marks_mean_start() && count() == 1)
         add(0, say(language, "mean at start"), say(language, "start"),
             axes_.series.front().mean_start, true);
+    if (marks_mean_start() && count() > 1) {  // their numbers would need a row each
+        Stroke dashed = mean_mark(0, axes_.series.front().mean_start, true).stroke;
+        dashed.role = {Role::Of::muted};
+        names.push_back(
+            {dashed, say(language, "means at the start"), say(language, "start"), "", false});
+    }
     return names;
 }
 
@@ -245,19 +251,23 @@ std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCoun
 // such means are omitted, since the fit states the mean. The number of values beyond the axis may
 // be a small fraction of 1 in a mean over time.
 plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
-    BarNotes notes{.typical_number = mean_words(0, axes_.series.front().mean_start),
-                   .may_be_beside = !fills_the_middle() && !compares(),
-                   .is_right = window() != 0.0,  // the mean over a while comes to rest soon
+    BarNotes notes{.may_be_beside = !fills_the_middle() && !compares(),
                    .beyond = say(context_.language(), "off scale")};
     notes.are_in_a_row = count() > 1;
     if (!compares()) notes.names = mean_names(now);
     if (spec_.fit && !notes.may_be_beside) notes.names.clear();
     notes.marks = {axes_.bins.high, axes_.bins.low};
+    for (int i = 0; i < axes_.bins.count; ++i)
+        notes.highest.push_back(
+            {axes_.bins.edge(i), axes_.bins.edge(i + 1), axes_.highest.at(std::size_t(i))});
     double values = 0.0, below = 0.0, above = 0.0;
     for (std::size_t k = 0; k < count(); ++k) {
         const HistogramSeries& series = axes_.series[k];
         notes.marks.first = std::min(notes.marks.first, series.lowest_mean);
         notes.marks.second = std::max(notes.marks.second, series.highest_mean);
+        for (const double mean : {series.mean_start, series.lowest_mean, series.highest_mean})
+            if (std::string words = mean_words(k, mean); words.size() > notes.typical_number.size())
+                notes.typical_number = std::move(words);
         values += series.values();
         if (now) below += now->series[k].below;
         if (now) above += now->series[k].above;

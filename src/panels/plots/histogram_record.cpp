@@ -192,12 +192,20 @@ double top_of(const std::vector<HistogramCurve>& curves) {
     return top;
 }
 
-// The tallest bar of all series for each probe, in order of time; with only_last, only that of the
-// last probes.
-std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramRules& rules,
-                                 const HistogramAxes& axes) {
-    std::vector<double> tallest;
+struct TallestBars {
+    std::vector<double> by_time;  // for each probe, in order of time
+    std::vector<double> by_bar;
+};
+
+// The tallest bars of all series; with only_last, only those of the last probes.
+TallestBars tallest_bars(const HistogramRecord& record, const HistogramRules& rules,
+                         const HistogramAxes& axes) {
+    std::vector<double> tallest, highest(std::size_t(axes.bins.count), 0.0);
     double of_last = 0.0;
+    const auto raise = [&](const std::vector<double>& counts, double unit) {
+        for (std::size_t i = 0; i < highest.size(); ++i)
+            highest[i] = std::max(highest[i], unit * counts[i]);
+    };
     for (std::size_t k = 0; k < record.series.size(); ++k) {
         RunningHistogram running(axes.bins, rules.window);
         double bar = 0.0;
@@ -207,24 +215,25 @@ std::vector<double> tallest_bars(const HistogramRecord& record, const HistogramR
             if (rules.only_last && rules.window && probe.time < last - *rules.window)
                 continue;  // the first one, before the time of the mean
             running.add(probe.time, probe.values);
-            bar =
-                record.series[k].unit * probe.stands_for * std::ranges::max(running.mean().counts);
+            const double unit = record.series[k].unit * probe.stands_for;
+            const std::vector<double> counts = running.mean().counts;
+            bar = unit * std::ranges::max(counts);
+            if (!rules.only_last || i + 1 == record.probes[k].size()) raise(counts, unit);
             tallest.resize(std::max(tallest.size(), i + 1));
             tallest[i] = std::max(tallest[i], bar);
         }
         of_last = std::max(of_last, bar);
     }
-    return rules.only_last ? std::vector{of_last} : tallest;
+    return {rules.only_last ? std::vector{of_last} : std::move(tallest), std::move(highest)};
 }
 
 // The height of the axis holds the whole curve and the bars of the second half of the run with
 // their fluctuations; earlier bars too if they are not much taller. A start far from equilibrium
 // with all values in one bin, or a return to it, would flatten everything else: such bars are
 // broken.
-double height_of(const HistogramRecord& record, const HistogramRules& rules,
+double height_of(const std::vector<double>& tallest, const HistogramRules& rules,
                  const HistogramAxes& axes) {
     constexpr double over_bars = 1.1, over_curve = 1.2, most_of_settled = 1.6;
-    const std::vector<double> tallest = tallest_bars(record, rules, axes);
     const auto half = tallest.begin() + std::ssize(tallest) / 2;
     std::vector<double> later(half, tallest.end());
     const double usual = later.empty() ? 0.0 : quantile(later, 0.5);
@@ -298,7 +307,9 @@ HistogramAxes axes_of(const HistogramRecord& record, const HistogramRules& rules
                        .compares = record.compares};
     for (const HistogramSeries& one : record.series)
         axes.curves.push_back(curve_of(one, rules, axes.bins));
-    axes.top = height_of(record, rules, axes);
+    TallestBars tallest = tallest_bars(record, rules, axes);
+    axes.top = height_of(tallest.by_time, rules, axes);
+    axes.highest = std::move(tallest.by_bar);
     return axes;
 }
 

@@ -91,7 +91,8 @@ struct HistogramRules {
 /// What is the same for a whole film, or for all runs of a figure.
 struct HistogramAxes {
     Bins bins;
-    double top = 1.0;  ///< of the vertical axis, which begins at 0
+    double top = 1.0;                  ///< of the vertical axis, which begins at 0
+    std::vector<double> highest = {};  ///< of each bar, of all series, in the whole film
     std::vector<HistogramSeries> series;
     std::vector<HistogramCurve> curves;  ///< for each series; may be empty
     std::size_t runs = 1;                ///< this and the next two as in the record
@@ -101,7 +102,9 @@ struct HistogramAxes {
     bool has_curves() const;
     bool counts_per_cent() const;  ///< otherwise each bar counts values
 
-    void archive(auto& archive) { archive(bins, top, series, curves, runs, time, compares); }
+    void archive(auto& archive) {
+        archive(bins, top, highest, series, curves, runs, time, compares);
+    }
 };
 
 HistogramAxes axes_of(const HistogramRecord& record, const HistogramRules& rules);

@@ -37,12 +37,10 @@ plot::Label label_beside(const plot::Axis& axis, double at, const std::string& w
     return label;
 }
 
-// Adds a vertical line, whose words are placed after those of levels. Words of a level that are too
-// long to fit beside the line are drawn over it, on a plate.
+// Adds a vertical line, whose words are placed after those of levels.
 void add_marker(plot::Plot& plot, plot::Marker marker) {
     std::optional<plot::Label> words = std::exchange(marker.label, std::nullopt);
     marker.depth = depth_of_markers;
-    marker.is_kept_clear = true;
     plot.layers.emplace_back(std::move(marker));
     if (!words) return;
     words->still = true;
@@ -447,7 +445,6 @@ void SeriesPanel::add_events() {
             other_side.offset.x = -other_side.offset.x;
             other_side.align = other_side.align == Align::left ? Align::right : Align::left;
             marker.label->anchors.push_back(other_side);
-            marker.label->may_be_left_out = true;
         }
         add_marker(whole_, std::move(marker));
     }

@@ -240,13 +240,23 @@ MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
 
 void MonitorsPanel::survey(const FrameInput& input) {
     if (echo_) echo_->survey(input);
+    expect(input.speed, input.energy);
+}
+
+void MonitorsPanel::expect(const Eigen::ArrayXd& speed, const Eigen::ArrayXd& energy) {
     for (const auto& [number, value] :
-         {std::pair{Monitor::mean_speed, mean_of_speeds(context_.particles, input.speed)},
-          std::pair{Monitor::mean_energy,
-                    mean_over_finite_masses(context_.particles, input.energy)}}) {
+         {std::pair{Monitor::mean_speed, mean_of_speeds(context_.particles, speed)},
+          std::pair{Monitor::mean_energy, mean_over_finite_masses(context_.particles, energy)}}) {
         double &largest = largest_.at(index_of(number)), &smallest = smallest_.at(index_of(number));
         largest = std::max(largest, value);
         smallest = std::min(smallest, value);
+    }
+}
+
+void MonitorsPanel::share_ranges(MonitorsPanel& other) {
+    for (std::size_t i = 0; i < largest_.size(); ++i) {
+        largest_[i] = other.largest_[i] = std::max(largest_[i], other.largest_[i]);
+        smallest_[i] = other.smallest_[i] = std::min(smallest_[i], other.smallest_[i]);
     }
 }
 

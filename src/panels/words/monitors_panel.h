@@ -46,6 +46,12 @@ class MonitorsPanel : public Panel {
     std::optional<double> enough_height() const override;
     std::vector<std::string> left_out(const DrawContext& dc) const override;
 
+    /// Makes room for the numbers of a gas at its start, before any survey.
+    void expect(const Eigen::ArrayXd& speed, const Eigen::ArrayXd& energy);
+
+    /// Gives the numbers of both panels the same digits and places.
+    void share_ranges(MonitorsPanel& other);
+
   protected:
     // The names of the numbers that the scene lists, from index `shown` on.
     std::vector<std::string> names_after(std::size_t shown) const;

@@ -1,4 +1,7 @@
 // The line of text under the box of one of two runs: its name and its numbers.
+#include <algorithm>
+#include <array>
+
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
@@ -10,9 +13,9 @@ namespace {
 // A name, and the numbers after it in one line, each in a place of its own.
 class RunLinePanel : public MonitorsPanel {
   public:
-    RunLinePanel(const PanelContext& context, const PanelSpec& spec, std::string label,
-                 std::size_t run)
-        : MonitorsPanel(context, spec), label_(std::move(label)), run_(run) {
+    RunLinePanel(const PanelContext& context, const PanelSpec& spec,
+                 const std::array<std::string, 2>& labels, std::size_t run)
+        : MonitorsPanel(context, spec), labels_(labels), run_(run) {
         std::erase(numbers_, Monitor::time);
     }
 
@@ -31,7 +34,7 @@ class RunLinePanel : public MonitorsPanel {
     Line line(const DrawContext& dc) const;
     TextStyle name_style(const DrawContext& dc) const;
 
-    std::string label_;
+    std::array<std::string, 2> labels_;  ///< of both runs
     std::size_t run_;
 };
 
@@ -42,11 +45,15 @@ TextStyle RunLinePanel::name_style(const DrawContext& dc) const {
     return style;
 }
 
+// The same in the lines of both runs, so that these show the same numbers at the same places: after
+// the longer of the two names.
 RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
     constexpr double gap = 1.4, after_words = 0.4, least = 0.2;  // units
     const TextStyle style = label_style(dc);
-    double x =
-        dc.area.x + measure_text(escape_markup(label_), name_style(dc)).width + gap * dc.unit;
+    double longest = 0.0;
+    for (const std::string& label : labels_)
+        longest = std::max(longest, measure_text(escape_markup(label), name_style(dc)).width);
+    double x = dc.area.x + longest + gap * dc.unit;
     Line line{{}, dc.area.y + 1.4 * dc.unit};
     for (const Monitor number : numbers_) {
         const double words = measure_text(label(number), style).width;
@@ -61,7 +68,7 @@ RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
 
 void RunLinePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     const Line line = this->line(dc);
-    draw_text(canvas, {dc.area.x, line.y}, escape_markup(label_), name_style(dc));
+    draw_text(canvas, {dc.area.x, line.y}, escape_markup(labels_.at(run_)), name_style(dc));
     constexpr double before_number = 0.4;  // units
     TextStyle style = label_style(dc);
     style.align = Align::right;
@@ -82,8 +89,8 @@ void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState&
 }  // namespace
 
 std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
-                                     const std::string& label, std::size_t run) {
-    return std::make_unique<RunLinePanel>(context, spec, label, run);
+                                     const std::array<std::string, 2>& labels, std::size_t run) {
+    return std::make_unique<RunLinePanel>(context, spec, labels, run);
 }
 
 }  // namespace carom

@@ -263,16 +263,16 @@ TEST_CASE("names of means over bars stand in as many rows as they need") {
     const auto state = seen.last_state();
     const plot::Plot plot = seen.plot(state.get());
     REQUIRE(plot.bar_notes);
-    REQUIRE(plot.bar_notes->names.size() == 4);
+    REQUIRE(plot.bar_notes->names.size() == 5);  // with that of the means at the start
     DiskPainter disks;
-    const auto place = [&](double width, double height) {
+    const auto rows = [&](double width, double height) {
         const DrawContext dc{
             {0.0, 0.0, 10.0 * width, 10.0 * height}, 10.0, theme(ThemeKind::dark), disks};
-        return plot::place_of_notes(plot, dc);
+        plot::LabelPlacer placer({});
+        return plot::frame_of(plot, dc, placer).notes.row / note_height;
     };
-    CHECK(place(60.0, 20.0).in_row == 4);
-    CHECK(place(28.0, 20.0).in_row == 2);
-    CHECK(place(28.0, 20.0).row == 2.0 * place(60.0, 20.0).row);
-    CHECK(place(14.0, 24.0).in_row == 1);
-    CHECK(place(28.0, 8.0).row == 0.0);  // they would leave too little
+    CHECK(rows(60.0, 20.0) == 1.0);
+    CHECK(rows(28.0, 20.0) == 2.0);
+    CHECK(rows(14.0, 24.0) == 3.0);
+    CHECK(rows(28.0, 8.0) == 0.0);  // they would leave too little
 }

@@ -173,7 +173,21 @@ struct Simulation::Implementation {
 
     // For an accurate return the reversal takes place exactly at its time, and all predictions are
     // made again.
-    void reverse() {
+    void reverse(std::size_t event) {
+        const auto one_way = with_loop([](const auto& its) -> std::optional<double> {
+            if constexpr (requires { its.one_way(); })
+                return its.one_way();
+            else
+                return std::nullopt;
+        });
+        if (one_way)
+            throw RunEventError(
+                event,
+                fmt::format("the gas cannot go back from time {:g}: at time {:.10g} several "
+                            "contacts coincided and pushed particles apart that touched at rest; "
+                            "reversed, all of them would meet at once",
+                            present.time, *one_way),
+                "let the particles not touch at the start, or leave out the reversal");
         echo.keep_at_reversal(present.time, [this] { return exact_positions(); });
         with_loop([&](auto& its) { its.reverse(present.time); });
         sampled = false;
@@ -199,7 +213,7 @@ struct Simulation::Implementation {
         if (const auto* its = std::get_if<Perturbation>(&action)) return perturb(event, *its);
         velocities.give_up();
         if (std::holds_alternative<ReverseVelocities>(action))
-            reverse();
+            reverse(event);
         else
             change(event);
     }

@@ -55,6 +55,7 @@ std::array<double, 2> in_two(const std::array<double, Dimension>& v) {
 }  // namespace
 }  // namespace carom
 
+#include "physics/events/event_loop_instants.h"
 #include "physics/events/event_loop_samples.h"
 #include "physics/events/event_loop_surfaces.h"
 
@@ -81,6 +82,8 @@ void EventLoop<Dimension, Scalar, has_surfaces>::forget() {
     counts_ = {};
     impulses_ = {};
     heat_of_events_ = 0.0;
+    one_way_ = {};
+    ties_ = {};
     if constexpr (has_surfaces) geometry_.surfaces().forget();
 }
 
@@ -143,15 +146,14 @@ void EventLoop<Dimension, Scalar, has_surfaces>::resort() {
         for (std::int32_t k = 0; k < events_of_surfaces(); ++k)
             before.push_back(static_cast<std::int32_t>(before.size()));
         queue_.renumber(before);
-        last_pair_[0] = last_pair_[1] = -1;  // it collided in the cycle before
     }
 }
 
 // All bodies must have been advanced to the present.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::predict_all() {
-    last_collision_ = -1.0;
     at_one_instant_ = 0;
+    geometry_.set_margin(margin_of_instants());
     for (Body& b : bodies_) b.collisions = 0;
     // Stored only after all predictions have been made, so that none depends on another one made
     // just before it.
@@ -169,6 +171,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::predict_all() {
     for (std::int32_t k = 0; k < events_of_surfaces(); ++k)
         times.push_back(surface_event(static_cast<std::size_t>(k)));
     queue_.reset(std::move(times));
+    find_touching();
 }
 
 // Advances all bodies to a local time, which becomes the epoch.
@@ -278,6 +281,11 @@ void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
         const bool is_surface_event = static_cast<std::size_t>(i) >= bodies_.size();
         const bool is_collision = process(i, record ? &collision : nullptr);
         if (is_collision && record) record->push_back(collision);
+        if (!at_once_.empty()) [[unlikely]] {
+            collisions_ += std::ssize(at_once_);
+            if (record) record->insert(record->end(), at_once_.begin(), at_once_.end());
+            at_once_.clear();
+        }
         if ((is_collision || is_surface_event) && ++collisions_ > most_) refuse_more_collisions();
         if (--until_look == 0) {
             throw_if_interrupted();
@@ -289,6 +297,11 @@ void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
 
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::advance_one(double time, Collision& collision) {
+    if (!at_once_.empty()) {
+        collision = at_once_.front();
+        at_once_.erase(at_once_.begin());
+        return true;
+    }
     while (true) {
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.time(i) <= clock_.local(time))) return false;
@@ -311,7 +324,7 @@ std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::next_particle() {
             queue_.begin_cycle(shift);
             clock_.advance(shift);
             now_ -= shift;
-            last_collision_ -= shift;
+            geometry_.coincidences().shift_epoch(shift);
             for (Body& b : bodies_) {
                 b.time -= shift;
                 b.prediction.contact_time -= shift;
@@ -346,8 +359,10 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
         if constexpr (has_surfaces)
             if (event.partner < 0) return hit(i, event, collision);
         const std::int32_t j = event.partner;
-        const bool met = (body(j).collisions & most_collisions) == event.partner_collisions &&
-                         collide(i, j, collision);
+        const bool is_valid = (body(j).collisions & most_collisions) == event.partner_collisions;
+        if (is_valid && may_coincide(i, j, time)) [[unlikely]]
+            if (settle_instant(i, false, collision)) return true;
+        const bool met = is_valid && collide(i, j, collision);
         if constexpr (is_large) {
             std::array<double, 2> when;
             if (met && geometry_.predict_both(bodies_, i, j, now_, when)) {
@@ -361,6 +376,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
         return met;
     }
     if (event.border < first_cell_side) {
+        if (may_coincide(i, i, time)) [[unlikely]]
+            if (settle_instant(i, false, collision)) return true;
         bounce(i, static_cast<int>(event.border), collision);
         predict_next(i);
         return true;
@@ -369,6 +386,20 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
     geometry_.cross(bodies_, i, side, now_);
     queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, now_));
     return false;
+}
+
+// Whether other contacts may coincide with the event of body i, with or without a partner.
+template <int Dimension, typename Scalar, bool has_surfaces>
+inline bool EventLoop<Dimension, Scalar, has_surfaces>::may_coincide(std::int32_t i, std::int32_t j,
+                                                                     double time) {
+    const bool is_near = geometry_.coincidences().are_near(time);
+    const bool is_followed =
+        queue_.has_another_until(time + geometry_.coincidences().margin(), i, j);
+    if (!is_near && !is_followed) [[likely]]
+        return false;
+    geometry_.coincidences().forget_before(time);
+    return is_followed || geometry_.coincidences().are_noted_near(time) || touches_another(i) ||
+           touches_another(j);
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
@@ -390,6 +421,11 @@ void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall(std::optional<s
     if (++at_one_instant_ <= bound) return;
     if constexpr (has_surfaces)
         if (const auto surface = geometry_.surfaces().hardest_worker()) throw crushes(*surface);
+    refuse_endless(i);
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::refuse_endless(std::optional<std::int32_t> i) {
     const bool falls = (box_.surfaces.gravity != 0.0).any();
     throw CollisionError(
         fmt::format(
@@ -450,7 +486,6 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
     ++counts_.particle;
     impulses_.virial += contact.virial;
     impulses_.largest_overlap = std::max(impulses_.largest_overlap, contact.overlap);
-    count_tie(first, second);
     if (velocities_) {
         note_velocity(first, in_two(first_before));
         note_velocity(second, in_two(second_before));
@@ -475,18 +510,6 @@ void EventLoop<Dimension, Scalar, has_surfaces>::note_velocity(
     std::int32_t i, const std::array<double, 2>& before) {
     if (velocities_->is_open())
         velocities_->note(number_of(i), before, in_two(in_doubles(body(i).v)));
-}
-
-template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::count_tie(std::int32_t first,
-                                                           std::int32_t second) {
-    const auto was_in_last = [this](std::int32_t i) {
-        return i == last_pair_[0] || i == last_pair_[1];
-    };
-    if (now_ == last_collision_ && (was_in_last(first) || was_in_last(second))) ++counts_.ties;
-    last_collision_ = now_;
-    last_pair_[0] = first;
-    last_pair_[1] = second;
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>

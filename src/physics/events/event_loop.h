@@ -16,12 +16,15 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "physics/advance_result.h"
 #include "physics/collision/velocity_changes.h"
+#include "physics/events/contact_rounds.h"
 #include "physics/events/event_queue.h"
 #include "physics/events/fetch_ahead.h"
 #include "physics/events/local_clock.h"
@@ -39,6 +42,18 @@
 #include "physics/surfaces/surface_events.h"
 
 namespace carom {
+
+/// Contacts of connected particles that coincided (contact_rounds.h).
+struct Ties {
+    std::int64_t instants = 0;  ///< at which two or more contacts coincided
+    std::int64_t contacts = 0;  ///< carried out at these instants
+    double first = 0.0;         ///< time of the first of them, if there is one
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(instants, contacts, first);
+    }
+};
 
 /// `has_surfaces`: the box has surfaces other than reflecting walls, or gravity, or events change
 /// surfaces or velocities.
@@ -105,6 +120,7 @@ class EventLoop {
     /// Collision counts and transferred momentum since construction or the last call of forget().
     const CollisionCounts& counts() const { return counts_; }
     const ImpulseTotals& impulses() const { return impulses_; }
+    const Ties& ties() const { return ties_; }
     void forget();
 
     /// The totals of each surface since then, and its position at `time`, which is restricted as
@@ -125,13 +141,18 @@ class EventLoop {
     }
     double heat_of_events() const { return heat_of_events_; }
 
+    /// The time of the first instant since start() whose contacts would not lead back if all
+    /// velocities were reversed: for instance where two particles that touched at rest were pushed
+    /// apart.
+    std::optional<double> one_way() const { return one_way_; }
+
     /// Writes or reads all that changes in the course of a run.
     template <class Archive>
     void archive(Archive& archive) {
         const std::size_t count = bodies_.size();
         archive(bodies_, number_, geometry_, queue_, clock_, now_, changes_, heat_of_events_,
-                cycles_since_sorted_, counts_, impulses_, collisions_, last_collision_,
-                at_one_instant_, last_pair_[0], last_pair_[1]);
+                cycles_since_sorted_, counts_, impulses_, collisions_, at_one_instant_, touching_,
+                ties_, last_tie_, one_way_, at_once_);
         if (bodies_.size() != count || number_.size() != count)
             archive.refuse("it holds another number of particles");
         fetch_ahead_ = {};
@@ -186,7 +207,39 @@ class EventLoop {
     void move_on_to(const Scalar& time, std::optional<std::int32_t> i);
     void refuse_to_stall(std::optional<std::int32_t> i);
     void refuse_more_collisions();
-    void count_tie(std::int32_t first, std::int32_t second);
+    [[noreturn]] void refuse_endless(std::optional<std::int32_t> i);
+
+    /// Two bodies, or a body and a side or barrier, that touch at the present.
+    struct ClosedContact {
+        std::int32_t first, second;
+        bool is_pair;
+        std::array<Scalar, 2> normal;  ///< of length 1, from the first to the second
+        double distance;               ///< of the centres, or of the centre from the wall
+        double sigma;                  ///< what that should be
+    };
+    /// Their participants, with the number of each body and surface.
+    struct Rounds {
+        ContactRounds<Scalar> rounds;
+        std::vector<std::pair<std::int32_t, std::size_t>> bodies, surfaces;
+    };
+    double margin_of_instants() const;
+    bool is_closed(const Scalar& gap, const Scalar& speed, double length) const;
+    void append_closed_pairs(std::int32_t i, std::vector<ClosedContact>& all);
+    void append_closed_walls(std::int32_t i, std::vector<ClosedContact>& all);
+    std::vector<ClosedContact> closed_contacts_around(std::int32_t i);
+    std::int32_t surface_touched(const ClosedContact& contact) const;
+    bool pushes_piston(const ClosedContact& contact) const;
+    std::vector<std::int32_t> bodies_at_surface(std::int32_t surface);
+    void find_touching();
+    bool touches_another(std::int32_t i) const;
+    Rounds rounds_of(const std::vector<ClosedContact>& contacts);
+    bool may_coincide(std::int32_t i, std::int32_t j, double time);
+    bool settle_instant(std::int32_t i, bool is_bath, Collision* collision);
+    void count_tie(std::size_t contacts);
+    void carry_out(const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit);
+    void note_touching(const std::vector<ClosedContact>& contacts, const Rounds& its);
+    void follow_up(std::int32_t i, const Rounds& its,
+                   const std::vector<typename ContactRounds<Scalar>::Participant>& start);
 
     Box box_;
     typename Geometry::Bodies bodies_;
@@ -205,9 +258,13 @@ class EventLoop {
     ImpulseTotals impulses_;
     std::int64_t collisions_ = 0;  ///< since start()
     std::int64_t most_;
-    Scalar last_collision_ = -1.0;
     std::int64_t at_one_instant_ = 0;  ///< number of consecutive events at the same time
-    std::int32_t last_pair_[2] = {-1, -1};
+    /// Pairs of particles that touch without approaching, in both orders.
+    std::set<std::pair<std::int32_t, std::int32_t>> touching_;
+    Ties ties_;
+    double last_tie_ = -never<double>;  ///< time of the last instant with several contacts
+    std::optional<double> one_way_;
+    std::vector<Collision> at_once_;  ///< carried out, but not yet reported
 };
 
 extern template class EventLoop<1>;

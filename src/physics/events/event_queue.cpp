@@ -284,8 +284,10 @@ void EventQueue::move_to_crowd(std::int32_t list) {
 
 std::int32_t EventQueue::earliest() {
     while (true) {
-        if (!crowd_.empty()) [[unlikely]]
+        if (!crowd_.empty()) [[unlikely]] {
+            second_ = -never<double>;
             return crowd_.begin()->second;
+        }
         const std::int32_t list = next_occupied((bucket_ - year_begin_));
         if (list == overflow_) {
             bucket_ = year_begin_ + overflow_;
@@ -302,9 +304,11 @@ std::int32_t EventQueue::earliest() {
         std::int32_t best = heads_[index(list)];
         std::int32_t i = nodes_[index(best)].next;
         double time = nodes_[index(best)].time;
+        double second = never<double>;
         int count = 0;
         do {
             const double its = nodes_[index(i)].time;
+            second = std::min(second, std::max(its, time));
             const bool earlier = (its < time) | ((its == time) & (i < best));
             const std::int32_t mask = -static_cast<std::int32_t>(earlier);
             time = std::min(its, time);
@@ -312,9 +316,24 @@ std::int32_t EventQueue::earliest() {
             i = nodes_[index(i)].next;
             ++count;
         } while (i != null_link());
+        second_ = second;
         if (count <= most_in_list) return best;
         move_to_crowd(list);
     }
+}
+
+// The events of later years are not sorted.
+bool EventQueue::look_for_another(double time, std::int32_t a, std::int32_t b) const {
+    for (const auto& [when, who] : crowd_) {
+        if (when > time) break;
+        if (who != a && who != b) return true;
+    }
+    const std::int32_t end = bucket_of(time) - year_begin_;
+    if (end >= overflow_) return true;
+    for (std::int32_t list = bucket_ - year_begin_; list <= end; ++list)
+        for (std::int32_t i = heads_[index(list)]; i != null_link(); i = nodes_[index(i)].next)
+            if (i != a && i != b && nodes_[index(i)].time <= time) return true;
+    return false;
 }
 
 // After the end of a cycle all events lie beyond it.

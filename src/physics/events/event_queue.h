@@ -49,6 +49,14 @@ class EventQueue {
     /// or -1 when the cycle is over.
     std::int32_t earliest();
 
+    /// Whether a particle other than these two, of which one is that of the last earliest(), has
+    /// an event at a time <= `time`; may also be true if `time` lies in a later year.
+    bool has_another_until(double time, std::int32_t a, std::int32_t b) const {
+        if (second_ > time && bucket_of(time) == bucket_) [[likely]]
+            return false;
+        return look_for_another(time, a, b);
+    }
+
     /// For prefetching; to be called once for each event processed. Stores in `who` the particles
     /// of the next nonempty bucket that has not been reported yet, at most three, and returns their
     /// number. Returns 0 if that bucket is more than `buckets` ahead or in another year. The result
@@ -115,6 +123,8 @@ class EventQueue {
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
     std::int32_t null_link() const { return count_; }
     std::int32_t bucket_of(double time) const;
+    [[gnu::noinline, gnu::cold]] bool look_for_another(double time, std::int32_t a,
+                                                       std::int32_t b) const;
     bool is_in_overflow(const Node& node) const { return node.previous == ~overflow_; }
     void clear();
     void set_width(double width);
@@ -160,7 +170,9 @@ class EventQueue {
     std::int32_t prefetched_ = -1;  ///< bucket of the year whose first particle was prefetched last
     double width_ = 1.0;  ///< of a bucket: a power of two, so that shifts by cycles are exact
     double per_width_ = 1.0;
-    double cycle_ = 1.0;  ///< length of a cycle
+    double cycle_ = 1.0;              ///< length of a cycle
+    double second_ = -never<double>;  ///< time of the second event in the list of the last
+                                      ///< earliest()
     std::int64_t events_in_cycle_ = 0;
 };
 

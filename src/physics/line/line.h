@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/collision/coincidences.h"
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/particles.h"
@@ -51,8 +52,8 @@ class Line : public PlainBodies<BodyType> {
     void enter(Bodies& bodies);
 
     /// As the functions of Plane.
-    Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
-    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) const {
+    Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
+    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) {
         return predict(bodies, i, now);
     }
 
@@ -70,22 +71,48 @@ class Line : public PlainBodies<BodyType> {
     std::optional<std::int32_t> overlapped(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                            double slack) const;
 
-    /// Empty: the line has no state apart from the bodies.
+    /// As in PairSearch: see(j, shift, side) with side 1 for the neighbour to the right, -1 for
+    /// that to the left.
+    Coincidences& coincidences() { return coincidences_; }
+    void set_margin(double margin) { coincidences_.reset(margin); }
+    template <typename See>
+    void for_each_neighbour(const Bodies& bodies, std::int32_t i, const See& see) const {
+        if (!periodic_ || count_ > 1)
+            for (const int side : {1, -1}) {
+                const bool at_end = i == (side == 1 ? last() : 0);
+                if (at_end && !periodic_) continue;
+                const std::int32_t j = at_end ? last() - i : i + side;
+                const double turns = bodies[static_cast<std::size_t>(j)].turns -
+                                     bodies[static_cast<std::size_t>(i)].turns +
+                                     (at_end ? side : 0);
+                see(j, std::array<double, 2>{turns * length_, 0.0}, side);
+            }
+    }
+
     template <class Archive>
-    void archive(Archive&) {}
+    void archive(Archive& archive) {
+        archive(coincidences_);
+    }
 
   protected:
     std::int32_t last() const { return count_ - 1; }
     bool is_periodic() const { return periodic_; }
     void predict_neighbours(const Bodies& bodies, std::int32_t i, const Scalar& now,
-                            Event<Scalar>& first) const;
-    void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
-                     Event<Scalar>& first) const;
+                            Event<Scalar>& first);
+    void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now, Event<Scalar>& first);
+    /// Notes an event that may coincide with the first one found so far.
+    void notice(const Scalar& time, const Event<Scalar>& first) {
+        const auto when = static_cast<double>(time);
+        if (coincidences_.may_coincide(when, static_cast<double>(first.time)))
+            coincidences_.note(when);
+    }
+
+    Coincidences coincidences_;
 
   private:
     Scalar gap(const Body& left, const Body& right, const Scalar& now, bool around) const;
     void predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right, const Scalar& now,
-                      Event<Scalar>& first) const;
+                      Event<Scalar>& first);
 
     double length_;
     bool periodic_;

@@ -29,6 +29,9 @@ class MpEventQueue {
     /// there is none.
     std::int32_t earliest() const;
 
+    /// Whether a particle other than these two has an event at a time <= `time`.
+    bool has_another_until(double time, std::int32_t a, std::int32_t b) const;
+
     template <class Archive>
     void archive(Archive& archive) {
         archive(times_, keys_, winner_);

@@ -180,6 +180,10 @@ void MpPlane::consider(const Bodies& bodies, const MpDisk& a, const Candidate& c
                        const Real& now, First& first) {
     const MpDisk& b = at(bodies, candidate.other);
     if (!solve_contact(a, b, candidate.shift, now)) return;
+    const double when = time_.rounded_up();
+    if (coincidences_.may_coincide(when, first.late) ||
+        (is_contact(b.prediction) && coincidences_.may_coincide(when, b.event_late)))
+        coincidences_.note(when);
     const auto order = time_ <=> first.time;
     if (order > 0 || (order == 0 && is_contact(first) && candidate.other >= first.partner)) return;
     if (is_contact(b.prediction) && time_ > b.event_time) return;

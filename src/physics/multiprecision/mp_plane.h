@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/collision/coincidences.h"
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/mp_disk.h"
 #include "physics/plane/cell_grid.h"
@@ -31,9 +32,25 @@ class MpPlane : public PlainBodies<MpDisk> {
     void cross(Bodies& bodies, std::int32_t i, int side, const Real& now);
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
 
+    // As those of PairSearch.
+    Coincidences& coincidences() { return coincidences_; }
+    void set_margin(double margin) { coincidences_.reset(margin); }
+    template <typename See>
+    void for_each_neighbour(const Bodies& bodies, std::int32_t i, const See& see) {
+        const MpDisk& disk = bodies[static_cast<std::size_t>(i)];
+        grid_.for_each_near(disk.radius, disk.cell,
+                            [&](const CellGrid::Slots& slots, double shift_x, double shift_y) {
+                                std::size_t count = 0;
+                                grid_.append(slots, near_, count);
+                                for (std::size_t k = 0; k < count; ++k)
+                                    if (near_[k] != i)
+                                        see(near_[k], std::array<double, 2>{shift_x, shift_y}, 0);
+                            });
+    }
+
     template <class Archive>
     void archive(Archive& archive) {
-        archive(grid_);
+        archive(grid_, coincidences_);
     }
 
   private:
@@ -79,6 +96,7 @@ class MpPlane : public PlainBodies<MpDisk> {
 
     Box box_;
     CellGrid grid_;
+    Coincidences coincidences_;
     bool screened_;
     int bits_;
     std::vector<std::int32_t> near_ = std::vector<std::int32_t>(2 * CellGrid::spare);

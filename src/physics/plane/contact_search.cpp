@@ -134,6 +134,8 @@ template <bool several_images, bool alike, typename Scope>
 [[gnu::always_inline]] inline void consider(double time, std::int32_t other,
                                             std::uint32_t collisions, FirstContact& first) {
     const bool lower = other < first.partner();
+    const double later = first.time > time ? first.time : time;
+    first.second = later < first.second ? later : first.second;
     const bool take = (time < first.time) | ((time <= first.time) & lower);
     const std::uint64_t mask = -static_cast<std::uint64_t>(take);
     const auto bits = std::bit_cast<std::uint64_t>(first.time);
@@ -142,7 +144,7 @@ template <bool several_images, bool alike, typename Scope>
 }
 
 // The exact times of two contacts: of a with the disk at position k in `near`, and of b with that
-// at l. Solving the same contact twice does no harm.
+// at l. The same contact may be solved twice.
 template <bool alike, typename Scope>
 [[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
                                          const Pairs& p, std::size_t k, std::size_t l,
@@ -159,7 +161,8 @@ template <bool alike, typename Scope>
     if constexpr (Scope::falls) others_vx = motion.vx + vx, others_vy = motion.vy + vy;
     const TwoLanes round_off = approach_round_off(motion, vx, vy, others_vx, others_vy);
     const TwoLanes met = scope.now + contact_time(motion, sigma, round_off);
-    TwoMasks possible = met <= TwoLanes{c.prediction.contact_time, d.prediction.contact_time};
+    const TwoLanes latest{c.prediction.contact_time, d.prediction.contact_time};
+    TwoMasks possible = met <= latest + scope.pairing.margin;
     if (!alike) {
         const TwoLanes weight =
             TwoLanes{a.properties.inverse_mass, b.properties.inverse_mass} +
@@ -168,7 +171,7 @@ template <bool alike, typename Scope>
     }
     const TwoLanes time = select(possible, met, both(never<double>));
     consider(time[0], scope.near[k], c.collisions, first_of_a);
-    consider(time[1], scope.near[l], d.collisions, first_of_b);
+    consider(k == l ? never<double> : time[1], scope.near[l], d.collisions, first_of_b);
 }
 
 // Removes the lowest set bit and returns its index.

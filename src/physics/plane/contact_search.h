@@ -28,6 +28,7 @@ struct Pairing {
     bool several_images = true;
     double sigma = 0.0;               ///< sum of radii if all disks are alike; otherwise 0
     std::array<double, 2> gravity{};  ///< common acceleration of the disks, if they may fall
+    double margin = 0.0;              ///< contacts closer in time may coincide (coincidences.h)
 
     /// Selects the nearest images, for a box so wide that no others are relevant.
     static Pairing nearest(const Box& box);
@@ -38,7 +39,9 @@ struct Pairing {
 /// A predicted contact, in a form that a search can replace by an earlier one without branches.
 struct FirstContact {
     double time = never<double>;
-    std::uint64_t who = 0;  ///< the partner and, in the upper half, its count of collisions
+    std::uint64_t who = 0;          ///< the partner and, in the upper half, its count of collisions
+    double second = never<double>;  ///< not later than the earliest contact with another partner
+                                    ///< that was found, unless both are `never`
 
     FirstContact() = default;
     FirstContact(double at, std::int32_t partner, std::uint32_t collisions)
@@ -54,7 +57,8 @@ inline constexpr std::size_t most_searched = 64;
 /// Replaces `first` by the earliest contact of disk i with the disks listed in `near`, if that
 /// comes before it; among equal times the lowest number counts. `count` <= most_searched is a whole
 /// number of lanes; i itself may be listed and is never met. Contacts with a disk that has an
-/// earlier contact are left out, because that disk will predict again after it. If the disks may
+/// earlier contact, by more than the margin, are left out, because that disk will predict again
+/// after it. If the disks may
 /// fall, all of them do, with the acceleration of `pairing`.
 void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "physics/collision/coincidences.h"
 #include "physics/collision/loop_types.h"
 #include "physics/plane/cell_grid.h"
 #include "physics/plane/contact_search.h"
@@ -73,9 +74,30 @@ class PairSearch {
         fill_grid(bodies);
     }
 
+    /// When contacts may coincide; set_margin() forgets what was noted.
+    Coincidences& coincidences() { return coincidences_; }
+    void set_margin(double margin) {
+        coincidences_.reset(margin);
+        nearest_.margin = only_.margin = margin;
+    }
+
+    /// Calls see(j, shift, 0) for the images of all other bodies that may touch body i.
+    template <typename See>
+    void for_each_neighbour(const Bodies& bodies, std::int32_t i, const See& see) {
+        grid_.for_each_near(properties_[i].radius, at(bodies, i).cell,
+                            [&](const CellGrid::Slots& slots, double shift_x, double shift_y) {
+                                std::size_t count = 0;
+                                grid_.append(slots, near_, count);
+                                for (std::size_t k = 0; k < count; ++k)
+                                    if (near_[k] != i)
+                                        see(near_[k], std::array<double, 2>{shift_x, shift_y}, 0);
+                            });
+    }
+
     template <class Archive>
     void archive(Archive& archive) {
-        archive(grid_, origin_, properties_);
+        archive(grid_, origin_, properties_, coincidences_);
+        nearest_.margin = only_.margin = coincidences_.margin();
     }
 
     /// Moves the body to the next cell.
@@ -130,8 +152,15 @@ class PairSearch {
         grid_ = CellGrid(part, radii);
     }
 
+    /// Notes the first contact of a disk if its second may coincide with it.
+    void notice(const FirstContact& first) {
+        if (first.second - first.time <= coincidences_.margin()) [[unlikely]]
+            coincidences_.note(first.time);
+    }
+
     Box box_;
     CellGrid grid_;
+    Coincidences coincidences_;
     std::array<double, 2> origin_{};  ///< lower left corner of the grid
     std::vector<std::int32_t> near_ =
         std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be examined
@@ -267,6 +296,7 @@ inline auto PairSearch<Body>::search_slots(const Bodies& bodies, std::int32_t i,
         if (near_count_ == 0) return;
         Pairing pairing = Pairing::shifted(shift_x, shift_y);
         pairing.gravity = only_.gravity;
+        pairing.margin = only_.margin;
         search(bodies, i, now, pairing, first);
     };
 }
@@ -284,6 +314,7 @@ template <typename Body>
     } else {
         grid_.for_each_near(radius, cell, search_slots(bodies, i, now, first));
     }
+    notice(first);
     return first;
 }
 
@@ -305,6 +336,8 @@ template <typename Body>
     const bool at_edge = pairing_near(a).several_images || pairing_near(b).several_images;
     search_two_contacts(bodies, properties_, {i, j}, now, near_.data(), split, count,
                         at_edge ? nearest_ : only_, contacts);
+    notice(contacts[0]);
+    notice(contacts[1]);
     return true;
 }
 
@@ -321,6 +354,7 @@ template <typename Body>
     } else {
         grid_.for_each_newly_near(radius, a.cell, side, search_slots(bodies, i, now, first));
     }
+    notice(first);
     return first;
 }
 

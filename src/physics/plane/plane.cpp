@@ -44,7 +44,7 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
 // The contact, or the first of the borders ahead on each axis: of the cell with its overhang, or of
 // the box. A large disk reaches the wall while it is still several cells away.
 [[gnu::always_inline]] inline double Plane::next_event(Body& d, double radius, double now,
-                                                       const FirstContact& contact) const {
+                                                       const FirstContact& contact) {
     const TwoLanes none = both(never<double>), zero{};
     const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
     const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
@@ -68,6 +68,8 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
     const TwoMasks first_kind = other_first ? swapped(kind) : kind;
     const TwoLanes border_time = select(other_first, swapped(time), time);
     const TwoLanes contact_time = both(contact.time);
+    if (coincidences_.may_coincide(contact.time, border_time[0])) [[unlikely]]
+        coincidences_.note(contact.time);
     d.prediction = {.contact_time = contact.time,
                     .partner = contact.partner(),
                     .partner_collisions = contact.collisions() & most_collisions,

@@ -40,7 +40,7 @@ class Plane : public PairSearch<DiskState> {
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
 
   private:
-    double next_event(Body& d, double radius, double now, const FirstContact& contact) const;
+    double next_event(Body& d, double radius, double now, const FirstContact& contact);
 
     TwoLanes cell_size_{}, last_cell_{}, overhang_{};  ///< parameters of the grid, as lanes
     TwoLanes box_size_{};

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace carom {
 
@@ -56,7 +58,15 @@ bool CollisionHistory::record(int direction, double path, std::int32_t particle,
     const bool is_new = next < 0 || next == static_cast<std::ptrdiff_t>(its.entries.size());
     if (!is_new) {
         its.position += direction;
-        return its.entries[static_cast<std::size_t>(next)].partner == partner;
+        // Contacts that coincide are carried out in one order in either direction.
+        for (std::ptrdiff_t k = next; k >= 0 && k < std::ssize(its.entries); k += direction) {
+            Entry& entry = its.entries[static_cast<std::size_t>(k)];
+            if (k != next && std::abs(entry.path - path) > slack_) break;
+            if (entry.partner != partner) continue;
+            std::swap(entry, its.entries[static_cast<std::size_t>(next)]);
+            return true;
+        }
+        return false;
     }
     if (path > low_ + slack_ && path < high_ - slack_) return false;
     if (forward) {

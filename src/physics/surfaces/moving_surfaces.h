@@ -48,6 +48,14 @@ class MovingSurfaces {
     /// Whether the barrier is present (its partition is not open), and whether it may move.
     bool is_there(const Barrier& barrier) const;
     bool is_mobile(const Barrier& barrier) const { return mover_of(barrier) != nullptr; }
+    /// Whether collisions change the motion of its surface.
+    bool can_be_pushed(const Barrier& barrier) const {
+        const auto* mover = mover_of(barrier);
+        return mover != nullptr && mover->inverse_mass > 0.0;
+    }
+    bool is_bath(const Barrier& barrier) const {
+        return std::holds_alternative<Bath>(behaviours_[static_cast<std::size_t>(barrier.surface)]);
+    }
     /// The axis along which its surface can move.
     std::size_t axis_of(const Barrier& barrier) const {
         return movers_[static_cast<std::size_t>(barrier.surface)].axis;
@@ -74,6 +82,13 @@ class MovingSurfaces {
     SurfaceControl<Scalar> control(std::int32_t surface, const Scalar& now) const;
     void set_control(std::int32_t surface, const SurfaceControl<Scalar>& control,
                      const Scalar& now);
+
+    /// Sets the velocity of a piston that contacts have pushed.
+    void push(std::size_t mover, const Scalar& velocity, const Scalar& now) {
+        movers_[mover].advance(now);
+        movers_[mover].velocity = velocity;
+        ++movers_[mover].changes;
+    }
 
     /// Registers all movers at the present.
     void register_all(const Scalar& now);

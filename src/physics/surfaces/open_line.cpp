@@ -24,7 +24,7 @@ void OpenLine<Scalar>::resettle(Bodies& bodies) {
 
 // Only the bead next to a wall can reach it.
 template <typename Scalar>
-Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) const {
+Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& now) {
     Event<Scalar> first;
     this->predict_neighbours(bodies, i, now, first);
     Body& body = bodies[static_cast<std::size_t>(i)];
@@ -32,6 +32,7 @@ Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& n
         const Barrier& end = surfaces_.barriers()[k];
         if (i != (end.surface == 0 ? 0 : this->last())) continue;
         const Scalar time = now + surfaces_.time_to(body, static_cast<std::int32_t>(k), now);
+        this->notice(time, first);
         if (!(time < first.time)) continue;
         first.time = time;
         first.contact_time = rounded_down(time);

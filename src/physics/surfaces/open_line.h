@@ -33,16 +33,25 @@ class OpenLine : public Line<Scalar, FallingDisk<Scalar>> {
     bool fits_grid(const Scalar&) const { return true; }
     void enter(Bodies& bodies);
     void resettle(Bodies& bodies);
-    Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now) const;
-    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) const {
+    Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
+    Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) {
         return predict(bodies, i, now);
     }
     bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<1>& contact);
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
                        const Agenda<Scalar>& agenda) const;
 
+    /// Calls see(k) for the barriers that body i may touch.
+    template <typename See>
+    void for_each_barrier(const Bodies&, std::int32_t i, const See& see) const {
+        for (std::size_t k = 0; k < surfaces_.barriers().size(); ++k)
+            if (i == (surfaces_.barriers()[k].surface == 0 ? 0 : this->last()))
+                see(static_cast<std::int32_t>(k));
+    }
+
     template <class Archive>
     void archive(Archive& archive) {
+        Base::archive(archive);
         archive(surfaces_);
     }
 

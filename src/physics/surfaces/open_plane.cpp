@@ -274,12 +274,13 @@ Scalar OpenPlane<Scalar>::pair_time(const Body& a, const Body& b,
 template <typename Scalar>
 inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
                                                 const DiskView& view, const Scalar& now,
-                                                double within, First& first) const {
+                                                double within, First& first) {
     const auto look = [&](std::int32_t k) {
         if (screened_ && !surfaces_.may_touch(view, radius, k, now, within)) return;
         const Barrier& barrier = surfaces_.barrier(k);
         if (surfaces_.lets_pass(barrier, body.species)) return;
         const Scalar time = now + surfaces_.time_to(body, k, now);
+        notice(time, first);
         if (time < first.time) first = {time, -1 - k, surfaces_.changes_of(barrier)};
     };
     const int cell = body.cell[1] * (grid_.last_cell()[0] + 1) + body.cell[0];
@@ -331,6 +332,7 @@ auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const
                             rounded_up(Scalar(first.time - now))))
                 continue;
             const Scalar time = now + pair_time(body, other, shift, now);
+            notice(time, first);
             if (time < first.time || (time == first.time && j < first.partner))
                 first = {time, j, other.collisions & most_collisions};
         }

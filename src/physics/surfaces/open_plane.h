@@ -90,6 +90,18 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
                        const Agenda<Scalar>& agenda);
 
+    /// Calls see(k) for the barriers that a disk in the cell of body i may touch.
+    template <typename See>
+    void for_each_barrier(const Bodies& bodies, std::int32_t i, const See& see) const {
+        const Cell& its = at(bodies, i).cell;
+        const int cell = its[1] * (grid_.last_cell()[0] + 1) + its[0];
+        for (std::int32_t k = at(first_listed_, cell); k < at(first_listed_, cell + 1); ++k)
+            see(at(listed_, k));
+        for (const Moving& moving : moving_)
+            if (moving.first <= its[moving.axis] && its[moving.axis] <= moving.last)
+                see(moving.barrier);
+    }
+
     template <class Archive>
     void archive(Archive& archive) {
         Base::archive(archive);
@@ -98,8 +110,8 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     }
 
   private:
-    using Base::at, Base::box_, Base::grid_, Base::near_, Base::properties_, Base::origin_,
-        Base::of_doubles;
+    using Base::at, Base::box_, Base::coincidences_, Base::grid_, Base::near_, Base::properties_,
+        Base::origin_, Base::of_doubles;
 
     /// The first event found so far.
     struct First {
@@ -150,7 +162,12 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
                      const Scalar& now) const;
     void look_at_barriers(const Body& body, double radius, const DiskView& view, const Scalar& now,
-                          double within, First& first) const;
+                          double within, First& first);
+    void notice(const Scalar& time, const First& first) {
+        const auto when = static_cast<double>(time);
+        if (coincidences_.may_coincide(when, static_cast<double>(first.time)))
+            coincidences_.note(when);
+    }
     auto search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now, First& first);
     Scalar next_event(Body& body, double radius, const Scalar& now, First first);
     double border_time(const Body& body, const DiskView& view, std::uint32_t& side) const;

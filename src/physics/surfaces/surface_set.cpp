@@ -257,6 +257,45 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
 }
 
 template <typename Scalar>
+auto SurfaceSet<Scalar>::touch(const Body& body, std::int32_t k, const Scalar& now) const
+    -> std::optional<Touch> {
+    using std::sqrt;
+    const Barrier& its = this->barrier(k);
+    const Behaviour& behaviour = at(behaviours_, its.surface);
+    if (!this->is_there(its) || this->lets_pass(its, body.species) ||
+        std::holds_alternative<Bath>(behaviour) || (body.passing & bit_of(its.surface)) != 0)
+        return std::nullopt;
+    const BarrierMotion<Scalar> m = motion_of(body, its, now);
+    if (const auto* membrane = std::get_if<Membrane>(&behaviour)) {
+        const auto& speeds = velocity_at(body, at(movers_, its.surface).axis, now) > 0.0
+                                 ? membrane->upward
+                                 : membrane->downward;
+        const Vector v{velocity_at(body, 0, now), velocity_at(body, 1, now)};
+        if (speeds.admits(std::sqrt(square_of(v)))) return std::nullopt;
+    }
+    if (its.kind == Barrier::Kind::line) {
+        const Scalar share = m.x[0] * its.normal[1] - m.x[1] * its.normal[0];
+        if (!its.is_endless() && !(share >= 0.0 && share <= its.length)) return std::nullopt;
+        const double side = side_of_origin(body, its, now);
+        return Touch{side * dot(its.normal, m.x) - m.radius,
+                     {as_precise_as(m.x[0], -side * its.normal[0]),
+                      as_precise_as(m.x[0], -side * its.normal[1])}};
+    }
+    const Scalar distance = sqrt(Scalar(m.x[0] * m.x[0] + m.x[1] * m.x[1]));
+    if (!(distance > 0.0)) return std::nullopt;
+    const Scalar gap = distance - (as_precise_as(m.x[0], its.radius) + m.radius);
+    return Touch{gap, {-(m.x[0] / distance), -(m.x[1] / distance)}};
+}
+
+template <typename Scalar>
+void SurfaceSet<Scalar>::count_hit(Body& body, std::int32_t k, const Vector& before) {
+    const Barrier& its = this->barrier(k);
+    ++at(totals_, its.surface).hits;
+    body.passing &= ~bit_of(its.surface);
+    if (body.inverse_mass > 0.0) account_for_hit(body, before, its);
+}
+
+template <typename Scalar>
 void SurfaceSet<Scalar>::account_for_hit(const Body& body, const Vector& before,
                                          const Barrier& barrier) {
     SurfaceTotals& totals = at(totals_, barrier.surface);

@@ -46,6 +46,19 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     /// crushes the gas.
     bool hit(Body& body, std::int32_t barrier, const Scalar& now);
 
+    /// How a disk touches a barrier at a time.
+    struct Touch {
+        Scalar gap;
+        Vector normal;  ///< of length 1, from the disk to the barrier
+    };
+    /// Empty if it does not face the barrier, if that lets it through, or if it is a bath, which
+    /// forgets how it was hit.
+    std::optional<Touch> touch(const Body& body, std::int32_t barrier, const Scalar& now) const;
+    /// To be called when a disk that touches a barrier has been reflected by one of several
+    /// contacts at the present: counts the hit. `before`: its velocity before. Throws SurfaceError
+    /// if a driven wall crushes the gas.
+    void count_hit(Body& body, std::int32_t barrier, const Vector& before);
+
     bool has_gravity() const { return has_gravity_; }
 
     /// Sets the acceleration of a disk. A disk that lies on a wall and does not leave it does not

@@ -25,25 +25,15 @@ constexpr std::array lists{
     List{"film", "beside", "second run"},  List{nullptr, "figures", "figure"},
 };
 
-Node* section_of(Node& root, const List& list) {
-    return list.section != nullptr ? find(root, list.section) : &root;
-}
-
 // Returns what may be left out of a list; a mapping is its own only item.
-std::vector<Node*> items_of(Node& root, const List& list) {
-    Node* section = section_of(root, list);
-    Node* found = section != nullptr ? find(*section, list.key) : nullptr;
-    std::vector<Node*> items;
+std::vector<const Node*> items_of(const Node& root, const List& list) {
+    const Node* section = list.section != nullptr ? find(root, list.section) : &root;
+    const Node* found = section != nullptr ? find(*section, list.key) : nullptr;
+    std::vector<const Node*> items;
     if (found != nullptr && found->is_mapping()) items.push_back(found);
     if (found != nullptr && found->is_list())
-        for (Node& item : found->items) items.push_back(&item);
+        for (const Node& item : found->items) items.push_back(&item);
     return items;
-}
-
-void erase_key(Node& mapping, const char* key) {
-    const auto at = std::ranges::find(mapping.keys, key, &Node::text) - mapping.keys.begin();
-    mapping.keys.erase(mapping.keys.begin() + at);
-    mapping.items.erase(mapping.items.begin() + at);
 }
 
 bool is_at(const Node& node, const SourceSpan& span) {
@@ -58,9 +48,9 @@ bool contains(const Node& node, const SourceSpan& span) {
     return std::ranges::any_of(node.keys, has) || std::ranges::any_of(node.items, has);
 }
 
-std::optional<ListItems::value_type> item_with(const SourceSpan& span, Node& root) {
+std::optional<ListItems::value_type> item_with(const SourceSpan& span, const Node& root) {
     for (const List& list : lists) {
-        const std::vector<Node*> items = items_of(root, list);
+        const std::vector<const Node*> items = items_of(root, list);
         for (std::size_t i = 0; i < items.size(); ++i)
             if (contains(*items[i], span)) return std::pair{list.key, i};
     }
@@ -87,12 +77,8 @@ std::size_t remove_events(Node& run, double until) {
 
 void end_slow_motion(Node& spans, double until) {
     for (Node& span : spans.items)
-        for (std::size_t k = 0; k < span.keys.size(); ++k)
-            if (span.keys[k].text == "to" && is_after(span.items[k], until)) {
-                const auto at = static_cast<std::ptrdiff_t>(k);
-                span.keys.erase(span.keys.begin() + at);
-                span.items.erase(span.items.begin() + at);
-            }
+        if (const Node* to = find(span, "to"); to != nullptr && is_after(*to, until))
+            erase_key(span, "to");
 }
 
 // A strip keeps its earlier moments if there are at least two.
@@ -119,12 +105,17 @@ std::vector<std::string> counts_of(const ListItems& items, std::size_t events) {
 
 }  // namespace
 
+const Node* end_set_by_command_line(const Node& root) {
+    const Node* run = find(root, "run");
+    const Node* end = run != nullptr ? find(*run, "until") : nullptr;
+    return end != nullptr && end->source->origin == Origin::command_line ? end : nullptr;
+}
+
 bool add_items_with(const std::vector<Diagnostic>& errors, const Node& root, ListItems& items) {
-    Node tree = root;
     ListItems found;
     for (const Diagnostic& error : errors) {
         if (error.span.line == 0) continue;  // the number of errors that are not listed
-        const auto item = item_with(error.span, tree);
+        const auto item = item_with(error.span, root);
         if (!item || items.contains(*item)) return false;
         found.insert(*item);
     }
@@ -134,12 +125,12 @@ bool add_items_with(const std::vector<Diagnostic>& errors, const Node& root, Lis
 
 void remove_items(Node& root, const ListItems& items) {
     for (const List& list : lists) {
-        const std::vector<Node*> all = items_of(root, list);
+        const std::vector<const Node*> all = items_of(root, list);
         std::vector<Node> kept;
         for (std::size_t i = 0; i < all.size(); ++i)
             if (!items.contains({list.key, i})) kept.push_back(*all[i]);
         if (kept.size() == all.size()) continue;
-        Node& section = *section_of(root, list);
+        Node& section = list.section != nullptr ? *find(root, list.section) : root;
         const bool has_default = list.key == std::string_view("panels");  // by the template
         if (kept.empty() && !has_default)
             erase_key(section, list.key);
@@ -149,12 +140,12 @@ void remove_items(Node& root, const ListItems& items) {
 }
 
 void leave_out_later(Node& root, const ListItems& items, Errors& errors) {
-    Node* run = find(root, "run");
-    const Node* end = run != nullptr ? find(*run, "until") : nullptr;
-    if (end == nullptr || end->source->origin != Origin::command_line) return;
+    const Node* end = end_set_by_command_line(root);
+    if (end == nullptr) return;
     const auto until = number_in(*end);
     if (!until || !(*until > 0.0)) return;
-    const std::vector<std::string> counts = counts_of(items, remove_events(*run, *until));
+    const std::vector<std::string> counts =
+        counts_of(items, remove_events(*find(root, "run"), *until));
     Node* film = find(root, "film");
     if (Node* slow = film != nullptr ? find(*film, "slow") : nullptr; slow != nullptr)
         end_slow_motion(*slow, *until);

@@ -16,6 +16,9 @@ namespace carom {
 /// film's second run, with index 0.
 using ListItems = std::set<std::pair<std::string, std::size_t>>;
 
+/// Returns the end of the run if the command line sets it; otherwise null.
+const Node* end_set_by_command_line(const Node& root);
+
 /// Adds the items in which all of these errors lie. Returns false, and adds nothing, if an error
 /// lies elsewhere, in what the command line sets, or in an item that is contained already.
 bool add_items_with(const std::vector<Diagnostic>& errors, const Node& root, ListItems& items);
@@ -25,8 +28,8 @@ void remove_items(Node& root, const ListItems& items);
 
 /// If the command line ends the run of a scene at a time, removes later events and moments of
 /// strips from its tree, ends slow motion with the run, and adds a note that counts the events and
-/// `items`, which have been removed. Trees with mistakes are left as they are, where the mistake
-/// is.
+/// `items`, which have been removed. Parts of the tree that do not have the expected form are left
+/// as they are.
 void leave_out_later(Node& root, const ListItems& items, Errors& errors);
 
 }  // namespace carom

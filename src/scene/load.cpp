@@ -260,7 +260,7 @@ SceneSource source_of(const Tree& tree, const Source& source, const SceneResourc
 
 /// What is loaded: a scene with overrides, or a part of it, without some items of its lists.
 struct Asked {
-    const fs::path& path;
+    fs::path path;
     const SceneResources& resources;
     Overrides overrides;
     Wanted wanted;
@@ -269,6 +269,8 @@ struct Asked {
 };
 
 Source source_at(const fs::path& path, const SceneResources& resources);
+
+constexpr const char* how_to_start = "`carom new NAME` writes a scene to start from";
 
 Scene load_once(Source file, const Asked& asked) {
     const EndsAtOnce whole;
@@ -279,8 +281,7 @@ Scene load_once(Source file, const Asked& asked) {
     Tree tree;
     auto root = read_yaml(source, errors);
     if (root && root->kind == Node::Kind::null)
-        errors.add(source, std::size_t{0}, "the scene is empty",
-                   "`carom new NAME` writes a scene to start from");
+        errors.add(source, std::size_t{0}, "the scene is empty", how_to_start);
     if (!root || root->kind == Node::Kind::null) errors.throw_if_any();
     tree.root = std::move(root.value());
     if (tree.root.is_mapping()) apply_overrides(overrides, tree.root, sources, errors);
@@ -289,7 +290,7 @@ Scene load_once(Source file, const Asked& asked) {
                    "expected a scene (a mapping with `title`, `box`, `gas` and `run`), "
                    "found " +
                        described(tree.root),
-                   "`carom new NAME` writes a scene to start from");
+                   how_to_start);
         errors.throw_if_any();
     }
     remove_items(tree.root, left_out);
@@ -318,10 +319,11 @@ Scene load_once(Source file, const Asked& asked) {
         [&](const std::string& name, const ScenePart& other, const Overrides& changes) {
             if (name.empty())
                 return load_once(source, {path, resources, changes, wanted, other, left_out});
-            const fs::path its = path.parent_path() / name;
-            if (!resources.files.contains(its.string()))
-                require_in_folder(its, *find(*find(tree.film, "beside"), "scene"));
-            return load_once(source_at(its, resources), {its, resources, changes, wanted, other});
+            const fs::path there = path.parent_path() / name;
+            if (!resources.files.contains(there.string()))
+                require_in_folder(there, *find(*find(tree.film, "beside"), "scene"));
+            return load_once(source_at(there, resources),
+                             {there, resources, changes, wanted, other});
         });
     return scene;
 }
@@ -338,7 +340,8 @@ bool leave_out(const SceneError& error, const Source& file, Asked& asked) {
     auto root = read_yaml(sources.front(), errors);
     if (!root || !root->is_mapping()) return false;
     apply_overrides(asked.overrides, *root, sources, errors);
-    const auto until = number_in(*find(*find(*root, "run"), "until"));
+    const Node* end = end_set_by_command_line(*root);
+    const auto until = end != nullptr ? number_in(*end) : std::nullopt;
     if (!until || !add_items_with(error.diagnostics(), *root, asked.left_out)) return false;
     whole.left_out.clear();
     try {
@@ -375,8 +378,7 @@ Source source_at(const fs::path& path, const SceneResources& resources) {
 
 Scene load_file(const fs::path& path, const SceneResources& resources, const Overrides& overrides,
                 Wanted wanted, const ScenePart& part) {
-    const fs::path name = name_of(path);
-    return load(source_at(path, resources), {name, resources, overrides, wanted, part});
+    return load(source_at(path, resources), {name_of(path), resources, overrides, wanted, part});
 }
 
 }  // namespace
@@ -393,9 +395,8 @@ Scene load_scene(const fs::path& path, const SceneResources& resources, const Ov
 LoadedScene load_for_all(const fs::path& path, const SceneResources& resources,
                          const Overrides& overrides) {
     const Source source = source_at(path, resources);
-    const fs::path name = name_of(path);
     const auto loaded = [&](Wanted wanted) {
-        return load(source, {name, resources, overrides, wanted});
+        return load(source, {name_of(path), resources, overrides, wanted});
     };
     try {
         return {loaded(Wanted::film)};
@@ -410,14 +411,12 @@ LoadedScene load_for_all(const fs::path& path, const SceneResources& resources,
 
 Scene load_run_text(const std::string& text, const std::string& name,
                     const SceneResources& resources, const Overrides& overrides) {
-    const fs::path path = name;
-    return load({name, text}, {path, resources, overrides, Wanted::physics, {.figure = ""}});
+    return load({name, text}, {name, resources, overrides, Wanted::physics, {.figure = ""}});
 }
 
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const SceneResources& resources, const Overrides& overrides, Wanted wanted) {
-    const fs::path path = name;
-    return load({name, text}, {path, resources, overrides, wanted});
+    return load({name, text}, {name, resources, overrides, wanted});
 }
 
 }  // namespace carom

@@ -53,11 +53,7 @@ void keep_figure(Node& root, const std::string& name) {
 }
 
 Node without(Node mapping, const std::string& key) {
-    for (std::size_t i = mapping.keys.size(); i-- > 0;)
-        if (mapping.keys[i].text == key) {
-            mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(i));
-            mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(i));
-        }
+    erase_key(mapping, key);
     return mapping;
 }
 

@@ -261,11 +261,6 @@ void check_kind(Node& node, const Section& section, Errors& errors) {
     }
 }
 
-void erase(Node& mapping, std::size_t index) {
-    mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(index));
-    mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(index));
-}
-
 // Gives keys with a former name their present one, with a note. Beside the present name, the later
 // origin wins.
 void rename_former(Node& node, const Section& section, Errors& errors) {
@@ -281,11 +276,12 @@ void rename_former(Node& node, const Section& section, Errors& errors) {
             key.text = now->name;
             continue;
         }
-        const Origin origin = key.source->origin, its = other->source->origin;
-        if (origin == its) refuse_together(errors, key, {now->name, key.text});
+        const Origin origin = key.source->origin, other_origin = other->source->origin;
+        if (origin == other_origin) refuse_together(errors, key, {now->name, key.text});
         const auto index = static_cast<std::size_t>(other - node.keys.begin());
-        if (origin > its) key.text = now->name;
-        erase(node, origin > its ? index : i);
+        const bool replaces = origin > other_origin;
+        if (replaces) key.text = now->name;
+        erase_key(node, replaces ? index : i);
         --i;
     }
 }

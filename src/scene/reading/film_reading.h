@@ -39,10 +39,6 @@ struct FilmNodes {
     bool has_length = true;  ///< false: a length that is not given is not checked (Wanted::figures)
 };
 
-/// Returns what the user changes to make a film longer, for messages: `film.seconds`, or, if `film`
-/// gives a `pace`, a smaller one.
-std::string key_of_length(const Node& film);
-
 /// Reads the film of a scene whose gas and run are known. `pauses` come from the run's events. If
 /// the film does not give its length, it follows from the run's. A film may list more panels than
 /// the template has places: if the command line chose the template, the surplus panels are left

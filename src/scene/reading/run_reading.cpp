@@ -9,7 +9,7 @@
 #include "physics/ways_back.h"
 #include "scene/limits.h"
 #include "scene/reading/event_reading.h"
-#include "scene/reading/film_reading.h"
+#include "scene/reading/film_length.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/time/captions.h"
 #include "scene/yaml/scalar.h"

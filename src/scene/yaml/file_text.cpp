@@ -81,9 +81,7 @@ std::optional<std::string> file_text(const fs::path& path, const Source& name, E
     InputFile file(path);
     if (file.is_open()) {
         keep_source(path);
-        std::string text(most_file_bytes.count() + 1, '\0');
-        text.resize(file.read(text));
-        return text;
+        return file.rest(static_cast<std::int64_t>(most_file_bytes.count()));
     }
     if (file.may_pass()) file.require_open();
     std::string hint;

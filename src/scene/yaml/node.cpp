@@ -93,6 +93,16 @@ Node* find(Node& mapping, std::string_view key) {
     return const_cast<Node*>(find(std::as_const(mapping), key));
 }
 
+void erase_key(Node& mapping, std::size_t index) {
+    mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(index));
+    mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void erase_key(Node& mapping, std::string_view key) {
+    for (std::size_t i = mapping.keys.size(); i-- > 0;)
+        if (mapping.keys[i].text == key) erase_key(mapping, i);
+}
+
 std::string in_quotes(std::string_view text) {
     constexpr int most_shown = 40;
     std::size_t end = 0;

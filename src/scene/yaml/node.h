@@ -47,6 +47,11 @@ struct Node {
 const Node* find(const Node& mapping, std::string_view key);
 Node* find(Node& mapping, std::string_view key);
 
+/// Removes a key of a mapping, by its index, with its value.
+void erase_key(Node& mapping, std::size_t index);
+/// Removes every key of this name from a mapping.
+void erase_key(Node& mapping, std::string_view key);
+
 /// Returns a description of a node for messages: `abc`, a list of 3, a mapping, nothing.
 std::string described(const Node& node);
 

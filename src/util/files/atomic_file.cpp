@@ -45,6 +45,16 @@ void create_folder_of(const fs::path& path) {
     if (error) fail("create the folder", folder_of(path), error.value());
 }
 
+// `shown`: the path as the user has named it.
+void refuse_other_kinds(const fs::path& target, const fs::path& shown) {
+    std::error_code error;
+    const fs::file_status status = fs::status(target, error);
+    if (fs::is_directory(status)) fail("write", shown, EISDIR);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw SystemError(fmt::format(
+            "cannot write {}: a device or a pipe would be replaced by a file", shown.string()));
+}
+
 // A temporary file or folder is accessible to its owner only; the finished one gets the permissions
 // of any new file or folder.
 mode_t usual_rights(mode_t all) {
@@ -72,7 +82,7 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
     for (PendingOutput* output : outputs) output->settle();
     const MustCleanUp together;
     std::string there;
-    const auto with_those = [&](const char* failure) {
+    const auto with_those = [&](std::string_view failure) {
         return fmt::format("{}; already written: {}", failure, there);
     };
     for (PendingOutput* output : outputs) {
@@ -87,29 +97,19 @@ void commit_together(const std::vector<PendingOutput*>& outputs) {
             throw SystemError(with_those(error.what()));
         } catch (const std::bad_alloc&) {
             if (there.empty()) throw;
-            throw SystemError(with_those(
-                fmt::format("cannot write {}: not enough memory", output->name()).c_str()));
+            throw SystemError(
+                with_those(fmt::format("cannot write {}: not enough memory", output->name())));
         }
         there.swap(next);
     }
 }
 
-// A symbolic link is kept: the file that it points to is written.
-AtomicFile::AtomicFile(fs::path path) : path_(std::move(path)), target_(behind_links(path_)) {
-    std::error_code error;
-    const fs::file_status status = fs::status(target_, error);
-    if (fs::is_directory(status)) fail("write", path_, EISDIR);
-    if (fs::exists(status) && !fs::is_regular_file(status))
-        throw SystemError(fmt::format(
-            "cannot write {}: a device or a pipe would be replaced by a file", path_.string()));
-    create_folder_of(target_);
-    begin();
-}
-
+// A symbolic link to a file that may be replaced is kept: the file that it points to is written.
 AtomicFile::AtomicFile(fs::path path, Earlier earlier)
     : path_(std::move(path)),
       target_(earlier == Earlier::kept ? path_ : behind_links(path_)),
       earlier_(earlier) {
+    if (earlier_ == Earlier::replaced) refuse_other_kinds(target_, path_);
     create_folder_of(target_);
     begin();
 }
@@ -161,26 +161,15 @@ void AtomicFile::write(std::span<const std::uint8_t> bytes) {
 void AtomicFile::write(std::string_view text) { write(as_bytes(text)); }
 
 void AtomicFile::write_at(std::int64_t place, std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = pwrite(file_.descriptor, bytes.data(), bytes.size(), place);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) throw_unwritable(path_, count == 0 ? ENOSPC : errno);
-        place += count;
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
+    if (const int error = carom::write_at(file_.descriptor, place, std::as_bytes(bytes));
+        error != 0)
+        throw_unwritable(path_, error);
 }
 
 std::size_t AtomicFile::read_at(std::int64_t place, std::span<std::uint8_t> to) const {
-    std::size_t done = 0;
-    while (done < to.size()) {
-        const ssize_t count = pread(file_.descriptor, to.data() + done, to.size() - done,
-                                    place + static_cast<std::int64_t>(done));
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail("read back", path_);
-        if (count == 0) break;
-        done += static_cast<std::size_t>(count);
-    }
-    return done;
+    const auto count = carom::read_at(file_.descriptor, place, std::as_writable_bytes(to));
+    if (!count) fail("read back", path_);
+    return *count;
 }
 
 std::int64_t AtomicFile::size() const {

@@ -33,11 +33,9 @@ class AtomicFile : public PendingOutput {
     /// symbolic link, the folder and the name are those of the file that it points to. Throws
     /// SystemError, naming the path and the cause, also for a device or a pipe; UsageError if
     /// `path` was read as an input (one_use_paths.h), or if another output is being written to it.
-    explicit AtomicFile(std::filesystem::path path);
-
     /// With Earlier::kept nothing is replaced, not even a link, or what another process creates at
     /// the moment: commit() then throws UsageError.
-    AtomicFile(std::filesystem::path path, Earlier earlier);
+    explicit AtomicFile(std::filesystem::path path, Earlier earlier = Earlier::replaced);
 
     /// For a file that carom keeps. It replaces whatever is in its place except a folder: a link,
     /// a pipe or a device is neither followed nor opened. Throws as above, also for a link among

@@ -31,14 +31,9 @@ int opened(int at, const char* name, int flags) {
 
 std::string all_of(InputFile& file, std::int64_t most) {
     file.require_open();
-    std::string text;
-    std::vector<char> buffer(block);
-    for (std::size_t count = buffer.size(); count == buffer.size();) {
-        count = file.read(buffer);
-        text.append(buffer.data(), count);
-        if (static_cast<std::int64_t>(text.size()) > most)
-            file.refuse(fmt::format("it is larger than {} bytes", most));
-    }
+    std::string text = file.rest(most);
+    if (static_cast<std::int64_t>(text.size()) > most)
+        file.refuse(fmt::format("it is larger than {} bytes", most));
     return text;
 }
 
@@ -118,6 +113,17 @@ std::size_t InputFile::read(std::span<char> to) {
         done += static_cast<std::size_t>(count);
     }
     return done;
+}
+
+std::string InputFile::rest(std::int64_t most) {
+    const auto enough = static_cast<std::size_t>(most) + 1;
+    std::string text;
+    std::vector<char> buffer(block);
+    for (std::size_t count = buffer.size(); count == buffer.size() && text.size() < enough;) {
+        count = read(buffer);
+        text.append(buffer.data(), std::min(count, enough - text.size()));
+    }
+    return text;
 }
 
 std::int64_t InputFile::size() const {

@@ -35,6 +35,9 @@ class InputFile {
     /// of the file. Throws SystemError.
     std::size_t read(std::span<char> to);
 
+    /// Reads the rest of the file, up to one byte more than `most`. Throws SystemError.
+    std::string rest(std::int64_t most);
+
     std::int64_t size() const;  ///< in bytes; throws SystemError
 
     /// Throws SystemError: `cannot read PATH: CAUSE`.

@@ -31,6 +31,30 @@ void write_all(int descriptor, std::span<const std::uint8_t> bytes, const fs::pa
     }
 }
 
+int write_at(int descriptor, std::int64_t place, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = pwrite(descriptor, bytes.data(), bytes.size(), place);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return written == 0 ? ENOSPC : errno;
+        place += written;
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+std::optional<std::size_t> read_at(int descriptor, std::int64_t place, std::span<std::byte> to) {
+    std::size_t done = 0;
+    while (done < to.size()) {
+        const ssize_t count = pread(descriptor, to.data() + done, to.size() - done,
+                                    place + static_cast<std::int64_t>(done));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return std::nullopt;
+        if (count == 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    return done;
+}
+
 // Some file systems cannot sync. That costs only safety, so that it is not an error; a failure to
 // write is one.
 void sync_file(int descriptor, const fs::path& shown) {

@@ -1,9 +1,11 @@
 // Writing the bytes of files that do not have their final names yet. Messages refer to such a file
-// as `shown`. All functions throw SystemError.
+// as `shown`. Functions that take `shown` throw SystemError.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "util/pending/temporary.h"
@@ -16,6 +18,14 @@ namespace carom {
 /// Writes all bytes to an open file.
 void write_all(int descriptor, std::span<const std::uint8_t> bytes,
                const std::filesystem::path& shown);
+
+/// Writes all bytes at a place of an open file, which may be beyond its end. Returns 0, or the
+/// error of the system.
+int write_at(int descriptor, std::int64_t place, std::span<const std::byte> bytes);
+
+/// Reads the bytes at a place of an open file and returns how many there were: fewer than asked for
+/// only at its end; nothing, with errno, if it cannot be read.
+std::optional<std::size_t> read_at(int descriptor, std::int64_t place, std::span<std::byte> to);
 
 /// Waits until all of an open file is on the disk, if the file system supports that.
 void sync_file(int descriptor, const std::filesystem::path& shown);

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "util/diagnostics.h"
+#include "util/files/new_file.h"
 #include "util/pending/temporary.h"
 
 namespace carom {
@@ -70,30 +71,19 @@ std::int64_t ScratchFile::room() {
 std::optional<std::int64_t> ScratchFile::append(std::span<const std::byte> bytes) {
     const auto length = static_cast<std::int64_t>(bytes.size());
     if (descriptor_ < 0 || length > most_ - size_) return std::nullopt;
-    for (std::int64_t done = 0; done < length;) {
-        const std::span<const std::byte> rest = bytes.subspan(static_cast<std::size_t>(done));
-        const ssize_t count = pwrite(descriptor_, rest.data(), rest.size(), size_ + done);
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return std::nullopt;
-        done += count;
-    }
+    if (write_at(descriptor_, size_, bytes) != 0) return std::nullopt;
     size_ += length;
     return size_ - length;
 }
 
 void ScratchFile::read(std::int64_t place, std::span<std::byte> to) const {
-    for (std::size_t done = 0; done < to.size();) {
-        const std::span<std::byte> rest = to.subspan(done);
-        const ssize_t count =
-            pread(descriptor_, rest.data(), rest.size(), place + static_cast<std::int64_t>(done));
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0)
-            throw_system_error(
-                fmt::format("cannot read a temporary file in {}: {}", folder_for_scratch().string(),
-                            count < 0 ? std::generic_category().message(errno) : "it is too short"),
-                count < 0 ? errno : EIO);
-        done += static_cast<std::size_t>(count);
-    }
+    const auto count = read_at(descriptor_, place, to);
+    if (count && *count == to.size()) return;
+    const int error = count ? EIO : errno;
+    throw_system_error(
+        fmt::format("cannot read a temporary file in {}: {}", folder_for_scratch().string(),
+                    count ? "it is too short" : std::generic_category().message(error)),
+        error);
 }
 
 }  // namespace carom

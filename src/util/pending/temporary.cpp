@@ -67,26 +67,6 @@ bool is_still_there(int descriptor, const std::string& name) {
            open.st_ino == found.st_ino && open.st_dev == found.st_dev;
 }
 
-// A lock ends with its process: if a file can be locked, nobody owns it.
-void remove_if_dead(const fs::path& path) {
-    const int descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    if (descriptor < 0) return;
-    std::error_code error;
-    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) fs::remove_all(path, error);
-    close(descriptor);
-}
-
-// Whether a folder is seen for the first time, by whatever path.
-bool is_first_look_at(const fs::path& folder) {
-    static std::mutex mutex;
-    static std::set<fs::path> seen;
-    std::error_code error;
-    fs::path place = fs::canonical(folder, error);
-    if (error) return false;
-    const std::lock_guard lock(mutex);
-    return seen.insert(std::move(place)).second;
-}
-
 // The names in a folder, which is open only while they are read.
 std::vector<std::string> names_in(const fs::path& folder) {
     std::vector<std::string> names;
@@ -108,6 +88,25 @@ int remove_tree(const fs::path& path) {
     for (const std::string& name : names_in(path))
         if (const int error = remove_tree(path / name); error != 0) return error;
     return is_removed() ? 0 : errno;
+}
+
+// A lock ends with its process: if a file can be locked, nobody owns it.
+void remove_if_dead(const fs::path& path) {
+    const int descriptor = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0) return;
+    if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) remove_tree(path);
+    close(descriptor);
+}
+
+// Whether a folder is seen for the first time, by whatever path.
+bool is_first_look_at(const fs::path& folder) {
+    static std::mutex mutex;
+    static std::set<fs::path> seen;
+    std::error_code error;
+    fs::path place = fs::canonical(folder, error);
+    if (error) return false;
+    const std::lock_guard lock(mutex);
+    return seen.insert(std::move(place)).second;
 }
 
 // Waits for the lock: between the creation and the locking of a file, another process may take it
@@ -169,8 +168,7 @@ int remove_temporary(TemporaryFile& file) noexcept {
     if (file.descriptor >= 0) close(std::exchange(file.descriptor, -1));
     if (file.name.empty()) return 0;
     try {
-        const int error = remove_tree(std::exchange(file.name, {}));
-        return error;
+        return remove_tree(std::exchange(file.name, {}));
     } catch (const std::bad_alloc&) {
         return ENOMEM;
     }

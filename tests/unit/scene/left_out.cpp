@@ -79,6 +79,19 @@ TEST_CASE("without an earlier end nothing is left out") {
     CHECK(loaded({"run.until=20"}).notes.empty());
 }
 
+TEST_CASE("a run of another form, or none, is an error like any other") {
+    const auto refused = [](const std::string& run, const Overrides& overrides) {
+        fs::current_path(test::checkout());
+        CHECK_THROWS_AS(
+            load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: [{count: 2}]\n" + run,
+                            "scenes/test.yaml", {"templates", panel_kinds()}, overrides),
+            SceneError);
+    };
+    refused("run: 5\n", {"run.until=3"});
+    refused("", {"run.until=["});
+    refused("run: {until: 5}\n", {"run.until=3", "run=4"});
+}
+
 TEST_CASE("what the command line itself sets later is an error") {
     CHECK_THROWS_AS(loaded({"run.until=5", "figures.0.at=7"}), SceneError);
 }

@@ -61,7 +61,7 @@ bool lets_through(const Partition& partition, std::size_t index,
     const auto number = static_cast<std::int32_t>(index) + Surfaces::first_partition;
     return std::ranges::any_of(events, [&](const RunEvent& event) {
         const auto* open = std::get_if<SetOpen>(&event.action);
-        return open != nullptr && open->surface == number;
+        return open != nullptr && open->surface == number && open->is_open;
     });
 }
 

@@ -61,6 +61,7 @@ constexpr std::array words{
     Phrase{"no gravity acts along this axis"},
     Phrase{"there is no floor along this axis"},
     Phrase{"there are too many kinds of particles"},
+    Phrase{"walls reflect the particle without ending its flight"},
     Phrase{"the obstacles are not disks that leave room between them"},
     Phrase{"nothing has collided yet"},
     Phrase{"there have been too few collisions"}};

@@ -72,6 +72,7 @@ struct NoLaw {
         no_gravity,
         no_floor,    ///< a periodic axis along gravity
         many_kinds,  ///< of masses and radii
+        flies_on,    ///< walls that do not end a flight
         shapes,      ///< obstacles of which no mean path is known
         // Not yet.
         no_collisions,   ///< nothing has collided yet

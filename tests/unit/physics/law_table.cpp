@@ -142,6 +142,12 @@ std::vector<Condition> conditions() {
              s.asked.surface = Surfaces::first_partition;
              s.events = {{1.0, SetOpen{Surfaces::first_partition, true}}};
          }},
+        {"shut",
+         [middle](GasState& s) {
+             s.gas.box.surfaces.partitions = {middle};
+             s.asked.surface = Surfaces::first_partition;
+             s.events = {{1.0, SetOpen{Surfaces::first_partition, false}}};
+         }},
         {"reversed",
          [](GasState& s) {
              s.events = {{1.0, ReverseVelocities{}}};
@@ -152,6 +158,18 @@ std::vector<Condition> conditions() {
          [](GasState& s) {
              s.gas.species = {disks(1)};
              s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
+         }},
+        {"billiard-falling",
+         [](GasState& s) {
+             s.gas.species = {disks(1)};
+             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
+             s.gas.box.surfaces.gravity = {0.0, -0.2};
+         }},
+        {"billiard-on",
+         [](GasState& s) {
+             s.gas.species = {disks(1)};
+             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
+             s.asked.ends_at_walls = false;
          }},
         of_disks("two", 2, false),
         of_disks("two-free", 2, true),
@@ -164,6 +182,11 @@ std::vector<Condition> conditions() {
              s.gas.species.back().velocity = Velocity{{{3.0, 0.0}}};
          }},
         {"points", [](GasState& s) { s.gas.species[0].radius = 0.0; }},
+        {"points-falling",
+         [](GasState& s) {
+             s.gas.species[0].radius = 0.0;
+             s.gas.box.surfaces.gravity = {0.0, -0.2};
+         }},
         on_line("line", Wall::solid, {1.0, 2.0, 3.0, 1.0, 2.5}),
         on_line("ring", Wall::periodic, {1.0, 2.0, 3.0, 1.0, 2.5}),
         on_line("equals", Wall::solid, {1.0, 1.0, 1.0, 1.0, 1.0}),
@@ -241,6 +264,7 @@ constexpr std::array<const char*, reasons_count> words_of_reasons{"unknown_gas",
                                                                   "no_gravity",
                                                                   "no_floor",
                                                                   "many_kinds",
+                                                                  "flies_on",
                                                                   "shapes",
                                                                   "no_collisions",
                                                                   "few_collisions"};
@@ -389,6 +413,21 @@ std::vector<std::string> words_in(const std::string& row) {
 }
 
 }  // namespace
+
+TEST_CASE("PRINT") {
+    const std::vector<Condition> all = conditions();
+    for (std::size_t k = 0; k < laws_count; ++k) {
+        std::printf("ROW %zu", k);
+        for (const Condition& c : all) {
+            const GasState s = state_of(c);
+            std::printf(" %s", cell_of(law(s.boxed(), LawOf(k), s.asked)).c_str());
+        }
+        std::printf("\n");
+    }
+    std::printf("NAMES");
+    for (const Condition& c : all) std::printf(" %s", c.name.c_str());
+    std::printf("\n");
+}
 
 TEST_CASE("each law holds, or gives its reason, under each condition") {
     const std::vector<Condition> all = conditions();

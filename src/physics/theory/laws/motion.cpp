@@ -151,11 +151,19 @@ Law autocorrelation(const BoxedGas& gas, const Asked& asked) {
 
 Law free_flight(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
+    const bool has_walls = !gas.box.is_periodic(0) || !gas.box.is_periodic(1);
     if (gas.box.dimension == 1) return none(Why::line);
     if (gas.finite != 1.0 || gas.fixed > 0.0) return none(Why::many);
     if (all.velocities || all.wall_event || all.heat_event) return none(Why::event);
     if (!all.obstacles) return none(Why::unhindered);
+    if (all.driven) return none(Why::driven);
+    if (all.bath) return none(Why::bath);
+    if (all.piston) return none(Why::piston);
+    if (all.membrane) return none(Why::membrane);
+    if (all.has_gravity()) return none(Why::gravity);
+    if (all.partitions) return none(Why::partitions);
     if (!(gas.energy > 0.0)) return none(Why::at_rest);
+    if (has_walls && !asked.ends_at_walls) return none(Why::flies_on);
     const auto path = mean_path_of_billiard(gas.box, gas.particles->radius[0], asked.ends_at_walls);
     return path ? value(*path) : none(Why::shapes);
 }

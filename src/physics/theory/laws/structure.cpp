@@ -110,8 +110,8 @@ Law position_entropy(const BoxedGas& gas, const Asked& asked) {
     return value(entropy_of_even_spread(gas.finite, double(asked.cells) * asked.cells_up));
 }
 
-// A single disk conserves its energy along each axis, and beads on a line keep the order of their
-// masses.
+// A single disk conserves its energy along each axis, so do points, which never meet, and beads on a
+// line keep the order of their masses.
 Law heights(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
     const auto axis = static_cast<std::size_t>(asked.axis);
@@ -131,6 +131,7 @@ Law heights(const BoxedGas& gas, const Asked& asked) {
     if (gas.finite == 0.0) return none(Why::no_finite_mass);
     if (gas.fixed > 0.0) return none(Why::fixed_particles);
     if (gas.finite == 1.0) return none(Why::keeps_axes);
+    if (!(gas.particles->radius > 0.0).all()) return none(Why::points);
     if (gas.is_placed && !(gas.thermal.energy + gas.falling_energy > 0.0))
         return none(Why::at_rest);
     if (falling_kinds(gas, asked.axis) > most_falling_kinds) return none(Why::many_kinds);

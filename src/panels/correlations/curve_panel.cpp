@@ -122,6 +122,7 @@ CurveValues CurvePanel::values_of(const CurveMeter& meter) const {
     CurveValues values = meter.values();
     values.start = shown_start_;
     values.reach = shown_reach_;
+    if (subject_.laws) values.laws = subject_.laws(values);
     return values;
 }
 

@@ -25,8 +25,9 @@ struct CurveValues {
     std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
     std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
     std::vector<std::vector<double>> errors = {};   ///< of `numbers`, if these are means of runs
+    std::vector<LineLaw> laws = {};                 ///< of each line; none of a mean of runs
     double start = 0.0, reach = 0.0;                ///< ends of the horizontal axis
-    void archive(auto& archive) { archive(curves, numbers, errors, start, reach); }
+    void archive(auto& archive) { archive(curves, numbers, errors, laws, start, reach); }
 };
 
 /// Measures the curves of a run.
@@ -46,7 +47,7 @@ class CurveMeter {
     /// called before values(); holds for frames that were seen and for those to come.
     virtual void fix_axis(double start, double reach, int points) = 0;
 
-    /// The curves on the axis of fix_axis(). `start` and `reach` are filled in by the caller.
+    /// The curves on the axis of fix_axis(). Laws and ends are filled in by the caller.
     virtual CurveValues values() const = 0;
 
     /// Writes or reads all that see() has accumulated; to be called after fix_axis().
@@ -77,6 +78,7 @@ struct CurveSubject {
     Over over = {Over::Since::start, 0.0};  ///< the time that is averaged over
     double least_top = 0.0;                 ///< lower bound of the vertical axis's end
     bool logarithmic = false;               ///< whether the vertical axis is
+    std::function<std::vector<LineLaw>(const CurveValues&)> laws = {};  ///< of this panel's own run
     std::function<std::string(const CurveValues&, std::size_t line)> account =
         {};  ///< result of a line in words: "mean free path 1.25"; empty if not known
 

@@ -45,24 +45,28 @@ std::string with_error(Language language, const MeanError& number) {
     return carom::with_error(language, number.mean, number.error);
 }
 
-Finding finding_of(const PanelContext& context, const Chosen& chosen, const std::string& name,
-                   const std::vector<MeanError>& numbers, int runs) {
-    Finding finding{
-        .name = name,
-        .law = law(context.gas, LawOf::displacement,
-                   {.of = members(context, chosen), .collisions = numbers[of_collisions].mean}),
-        .diffusion = numbers[of_diffusion]};
-    if (finding.law)
+LineLaw displacement_law(const PanelContext& context, const Chosen& chosen,
+                         std::optional<double> collisions) {
+    const Law found = law(context.gas, LawOf::displacement,
+                          {.of = members(context, chosen), .collisions = collisions});
+    LineLaw its{.value = found.value};
+    if (found.none)
+        its.reason = to_text(context.language(), *found.none, context.scene.gas.species);
+    return its;
+}
+
+Finding finding_of(const std::string& name, LineLaw law, const std::vector<MeanError>& numbers,
+                   int runs) {
+    Finding finding{.name = name, .law = std::move(law), .diffusion = numbers[of_diffusion]};
+    if (finding.is_known())
         finding.problem =
             problem_of({numbers[of_diffusion], numbers[of_bend], numbers[of_pieces].mean * runs,
                         runs > 1 ? double(runs) : numbers[of_pieces].mean});
     return finding;
 }
 
-std::string reason_of(const PanelContext& context, const Finding& finding) {
-    const Language language = context.language();
-    return finding.law.none ? to_text(language, *finding.law.none, context.scene.gas.species)
-                            : to_text(language, *finding.problem);
+std::string reason_of(Language language, const Finding& finding) {
+    return finding.problem ? to_text(language, *finding.problem) : finding.law.reason;
 }
 
 std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<double>& x,
@@ -127,10 +131,9 @@ plot::KeyEntry plateau_entry(Language language, const Finding& finding) {
                    say(language, "plateau {}", three_digits(language, finding.law.value)))}};
 }
 
-plot::KeyEntry finding_entry(const PanelContext& context, const Finding& finding) {
-    const Language language = context.language();
+plot::KeyEntry finding_entry(Language language, const Finding& finding) {
     if (!finding.is_known()) {
-        const std::string reason = reason_of(context, finding);
+        const std::string reason = reason_of(language, finding);
         return {.words = {named(language, finding.name, say(language, "no <i>D</i>: {}", reason)),
                           named(language, finding.name, say(language, "no <i>D</i>"))}};
     }
@@ -143,9 +146,8 @@ plot::KeyEntry finding_entry(const PanelContext& context, const Finding& finding
             .longest = words("0.0000 ± 0.0000")};
 }
 
-void add_findings(const PanelContext& context, double from, const std::vector<Finding>& all,
+void add_findings(Language language, double from, const std::vector<Finding>& all,
                   plot::Plot& plot) {
-    const Language language = context.language();
     const std::string since = three_digits(language, from);
     std::vector<std::string> values;
     std::vector<std::pair<std::string, std::string>> reasons;  // and the lines that have them
@@ -155,7 +157,7 @@ void add_findings(const PanelContext& context, double from, const std::vector<Fi
             values.push_back(one.name.empty() ? value : one.name + " " + value);
             continue;
         }
-        const std::string reason = reason_of(context, one);
+        const std::string reason = reason_of(language, one);
         if (reasons.empty() || reasons.back().first != reason)
             reasons.emplace_back(reason, one.name);
         else

@@ -9,6 +9,7 @@
 #include "panels/chosen.h"
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
+#include "panels/plots/series_record.h"
 #include "stats/fitted_slope.h"
 
 namespace carom {
@@ -26,21 +27,26 @@ enum DiffusionNumber : std::size_t {
 /// What is known of the diffusion of one line.
 struct Finding {
     std::string name = {};                     ///< empty: the only line
-    Law law = {};                              ///< of displacements (LawOf::displacement)
+    LineLaw law = {};                          ///< of its displacements
     std::optional<SlopeProblem> problem = {};  ///< of the fit, where the law allows one
     MeanError diffusion = {};
 
-    bool is_known() const { return !law.none && !problem; }
+    bool is_known() const { return law.reason.empty() && !problem; }
 
-    bool has_plateau() const { return law.none && std::isfinite(law.value); }
+    bool has_plateau() const { return !law.reason.empty() && std::isfinite(law.value); }
 };
 
-/// What theory and the fit make of the numbers of a line, from one run or the mean of several.
-Finding finding_of(const PanelContext& context, const Chosen& chosen, const std::string& name,
-                   const std::vector<MeanError>& numbers, int runs);
+/// The law of the displacements (LawOf::displacement) of chosen particles of the run of `context`,
+/// each of which has collided so often; none: as often as it takes.
+LineLaw displacement_law(const PanelContext& context, const Chosen& chosen,
+                         std::optional<double> collisions);
+
+/// What the law and the fit make of the numbers of a line, from one run or the mean of several.
+Finding finding_of(const std::string& name, LineLaw law, const std::vector<MeanError>& numbers,
+                   int runs);
 
 /// The reason why there is no diffusion coefficient.
-std::string reason_of(const PanelContext& context, const Finding& finding);
+std::string reason_of(Language language, const Finding& finding);
 
 /// A diffusion coefficient with its error.
 std::string with_error(Language language, const MeanError& number);
@@ -61,11 +67,11 @@ void add_plateau(const Finding& finding, const std::string& of, bool is_still, p
 /// The entries of a key. That of a line is its diffusion coefficient, or why it has none.
 plot::KeyEntry ballistic_entry(Language language);
 plot::KeyEntry plateau_entry(Language language, const Finding& finding);
-plot::KeyEntry finding_entry(const PanelContext& context, const Finding& finding);
+plot::KeyEntry finding_entry(Language language, const Finding& finding);
 
 /// Adds the diffusion coefficients of a fit from a time on as text, each with the name of its line,
 /// or why there are none.
-void add_findings(const PanelContext& context, double from, const std::vector<Finding>& all,
+void add_findings(Language language, double from, const std::vector<Finding>& all,
                   plot::Plot& plot);
 
 }  // namespace carom

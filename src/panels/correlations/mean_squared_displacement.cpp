@@ -120,6 +120,13 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     subject.numbers = [followed, dimension = context.scene.gas.box.dimension] {
         return followed->numbers(dimension);
     };
+    subject.laws = [context, chosen, followed] {
+        std::vector<LineLaw> all;
+        for (std::size_t k = 0; k < chosen.size(); ++k)
+            all.push_back(displacement_law(context, chosen[k],
+                                           followed->collisions.mean(followed->lists[k])));
+        return all;
+    };
     subject.quantity = Phrase{"mean squared displacement"};
     subject.unit = "length^2";
     subject.needs_collisions = true;
@@ -133,7 +140,12 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
                 const SeriesRun& run = record.runs[k];
                 const Chosen& choice = chosen[compares ? record.compared : i];
                 const std::string name = compares ? run.name : name_of(context.scene, choice);
-                all.push_back(finding_of(context, choice, chosen.size() > 1 || compares ? name : "",
+                // Runs of a mean differ in their collisions only.
+                LineLaw its =
+                    run.laws.empty()
+                        ? displacement_law(context, choice, run.numbers[i][of_collisions].mean)
+                        : run.laws[i];
+                all.push_back(finding_of(chosen.size() > 1 || compares ? name : "", std::move(its),
                                          run.numbers[i], record.runs_in_mean));
                 if (!all.back().is_known()) continue;
                 std::optional<plot::Line> line =
@@ -145,7 +157,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
                 if (compares) line->stroke = plot::stroke_of_run(k, line->stroke.width);
                 whole.layers.emplace_back(std::move(*line));
             }
-        add_findings(context, fit_from, all, whole);
+        add_findings(context.language(), fit_from, all, whole);
         if (compares || chosen.size() != 1) return;
         const SeriesRun& run = record.runs.front();
         plot::Note note{.wraps = true};
@@ -174,9 +186,12 @@ class LagTheory {
 
     Finding finding(const CurveValues& values, std::size_t line) const {
         const int runs = values.errors.empty() ? 1 : runs_;
-        return finding_of(context_, chosen_[line],
-                          has_names_ ? name_of(context_.scene, chosen_[line]) : "",
-                          numbers_of(values, line), runs);
+        const std::vector<MeanError> numbers = numbers_of(values, line);
+        // Runs of a mean differ in their collisions only.
+        LineLaw its = values.laws.empty()
+                          ? displacement_law(context_, chosen_[line], numbers[of_collisions].mean)
+                          : values.laws[line];
+        return finding_of(name(line), std::move(its), numbers, runs);
     }
 
     void operator()(const CurveValues* values, plot::Plot& plot) const {
@@ -188,16 +203,22 @@ class LagTheory {
     }
 
   private:
+    std::string name(std::size_t line) const {
+        return has_names_ ? name_of(context_.scene, chosen_[line]) : "";
+    }
+
+    // Before anything is known, what the walls decide is.
+    Finding before_all(std::size_t line) const {
+        return {.name = name(line),
+                .law = displacement_law(context_, chosen_[line], {}),
+                .diffusion = {NAN, NAN}};
+    }
+
     void add_line(const CurveValues* values, std::size_t k, plot::Note& note,
                   plot::Plot& plot) const {
         const std::string of = column_name_of(context_.scene, chosen_[k]);
-        // Before anything is known, what the walls decide is.
-        Finding found{
-            .name = has_names_ ? name_of(context_.scene, chosen_[k]) : "",
-            .law = law(context_.gas, LawOf::displacement, {.of = members(context_, chosen_[k])}),
-            .diffusion = {NAN, NAN}};
-        if (values != nullptr) found = finding(*values, k);
-        note.entries.push_back(finding_entry(context_, found));
+        const Finding found = values != nullptr ? finding(*values, k) : before_all(k);
+        note.entries.push_back(finding_entry(context_.language(), found));
         if (values == nullptr) return;
         std::vector<double> x;
         for (int i = 0; i < lag_count; ++i) x.push_back(lags_ * i / (lag_count - 1));
@@ -241,12 +262,18 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     subject.unit_up = "length^2";
     subject.reach = lags;
     const LagTheory theory(context, spec, lags, fit_from);
-    subject.account = [context, language, theory](const CurveValues& values,
-                                                  std::size_t line) -> std::string {
+    subject.laws = [context, chosen](const CurveValues& values) {
+        std::vector<LineLaw> all;
+        for (std::size_t k = 0; k < chosen.size(); ++k)
+            all.push_back(displacement_law(context, chosen[k], values.numbers[k][of_collisions]));
+        return all;
+    };
+    subject.account = [language, theory](const CurveValues& values,
+                                         std::size_t line) -> std::string {
         const Finding found = theory.finding(values, line);
         return found.is_known()
                    ? "D = " + with_error(language, found.diffusion)
-                   : say(language, "no diffusion coefficient: {}", reason_of(context, found));
+                   : say(language, "no diffusion coefficient: {}", reason_of(language, found));
     };
     if (spec.theory) subject.add = theory;
     return std::make_unique<CurvePanel>(context, std::move(subject));

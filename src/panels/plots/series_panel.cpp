@@ -120,6 +120,7 @@ void SeriesPanel::finish_record() {
     SeriesRun& run = record_.runs.front();
     if (subject_.references) run.levels = subject_.references();
     if (subject_.numbers) run.numbers = subject_.numbers();
+    if (subject_.laws) run.laws = subject_.laws();
     run.turns = reversal_times(context_.scene.run);
     const auto add = [&](double at, Phrase word) {
         if (!word.english.empty()) run.events.emplace_back(at, word.english);

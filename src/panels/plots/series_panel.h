@@ -29,7 +29,8 @@ struct SeriesSubject {
     std::vector<std::string> notes = {};  ///< markup under the title, from longest to shortest
     std::function<ReferenceLevels()> references = {};  ///< after the first pass
     std::function<std::vector<std::vector<MeanError>>()> numbers =
-        {};                          ///< numbers for each line, after the first pass
+        {};  ///< numbers for each line, after the first pass
+    std::function<std::vector<LineLaw>()> laws = {};  ///< of each line, after the first pass
     std::optional<double> top = {};  ///< end of the axis; none: determined from the run
     bool is_signed = false;  ///< numbers may be negative; if any is, the axis is symmetric about 0
     bool spreads = false;    ///< the axis may be logarithmic if the values require it

@@ -45,6 +45,7 @@ SeriesRecord mean_of(std::vector<SeriesRecord> records) {
     mean.runs_in_mean = static_cast<int>(records.size());
     SeriesRun& run = mean.runs.front();
     run.errors = run.lines;
+    run.laws.clear();
     const auto over_runs = [&](const auto& number) {
         std::vector<double> values;
         for (const SeriesRecord& record : records) values.push_back(number(record.runs.front()));
@@ -80,6 +81,7 @@ SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::s
         SeriesRun& run = all.runs.emplace_back(std::move(records[k].runs.front()));
         run.lines = {std::move(run.lines[all.compared])};
         if (!run.numbers.empty()) run.numbers = {std::move(run.numbers[all.compared])};
+        if (!run.laws.empty()) run.laws = {std::move(run.laws[all.compared])};
         run.name = names[k];
         std::erase_if(run.levels, [&](const ReferenceLevel& level) {
             return level.line >= 0 && static_cast<std::size_t>(level.line) != all.compared;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,13 @@ struct ReferenceLevel {
 /// Several reference levels; of compared runs, each shows its last.
 using ReferenceLevels = std::vector<ReferenceLevel>;
 
+/// What theory says of a line of one run, by the gas of that run.
+struct LineLaw {
+    std::string reason = {};  ///< why there is no law, in words; empty: there is one
+    double value = std::numeric_limits<double>::quiet_NaN();
+    void archive(auto& archive) { archive(reason, value); }
+};
+
 /// The numbers of one run.
 struct SeriesRun {
     std::vector<double> time;                      ///< elapsed time of each frame
@@ -34,10 +42,11 @@ struct SeriesRun {
     std::vector<std::pair<double, std::string>> events =
         {};  ///< changes of surfaces, and heating: the time and a word for each
     std::vector<std::vector<MeanError>> numbers = {};  ///< for each line, numbers beyond its points
+    std::vector<LineLaw> laws = {};                    ///< of each line; none of a mean of runs
     std::string name = {};                             ///< among compared runs
 
     void archive(Archive& archive) {
-        archive(time, lines, errors, levels, turns, events, numbers, name);
+        archive(time, lines, errors, levels, turns, events, numbers, laws, name);
     }
 };
 

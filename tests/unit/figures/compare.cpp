@@ -470,6 +470,48 @@ TEST_CASE("pressure and area of two runs are two paths, with theory where they b
     }
 }
 
+TEST_CASE("mean squared displacements side by side have a law each, that of their own walls") {
+    const std::string periodic = "box.walls=periodic", walls = "box.walls=solid";
+    for (const bool are_walls_first : {false, true})
+        for (const bool all_origins : {false, true}) {
+            CAPTURE(are_walls_first);
+            CAPTURE(all_origins);
+            const FigureRun run = run_of(test::scene_from(fmt::format(
+                "title: A gas\nbox: {{size: [20, 20]}}\n"
+                "gas: [{{count: 60, radius: 0.5, temperature: 4}}]\nrun: {{until: 60}}\n"
+                "film: {{seconds: 6}}\nfigures:\n"
+                "  - {{name: f, kind: mean-squared-displacement, {}compare: [{{label: first, set: "
+                "{}}}, {{label: second, set: {}}}]}}\n",
+                all_origins ? "origins: all, lags: 10, " : "", are_walls_first ? walls : periodic,
+                are_walls_first ? periodic : walls)));
+            const Figure& figure = run.figures()[0];
+            const std::string account = figure.panel->account(state_of(run));
+            CAPTURE(account);
+            const std::string bounded = are_walls_first ? "first" : "second";
+            const std::string free = are_walls_first ? "second" : "first";
+            if (all_origins) {
+                for (const FigureSide& side : figure.sides) {
+                    CAPTURE(side.account);
+                    CHECK(side.account.starts_with(side.label == bounded
+                                                       ? "no diffusion coefficient: the walls limit"
+                                                       : "D = "));
+                }
+                continue;
+            }
+            CHECK(account.find("has D = " + free + " ") != std::string::npos);
+            CHECK(account.find(bounded + ": No diffusion coefficient: the walls limit") !=
+                  std::string::npos);
+            const Table table = table_of(figure);
+            const auto has_fit = [&](const std::string& name) {
+                return std::ranges::any_of(rows_of(table, name), [](const auto& row) {
+                    return std::get<std::string>(row[0]) == "fit";
+                });
+            };
+            CHECK(has_fit(free));
+            CHECK_FALSE(has_fit(bounded));
+        }
+}
+
 TEST_CASE("what cannot be compared is refused with the reason") {
     CHECK(message_of("  - {name: a, kind: gas, compare: {seeds: 2}}\n") ==
           "test:8:26: error: `compare` does not apply to a panel of kind `gas`\n"

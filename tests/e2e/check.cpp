@@ -76,16 +76,20 @@ TEST_CASE("carom check tells what a scene is") {
 }
 
 TEST_CASE("check warns of a gas that is at rest for ever") {
-    const std::string run = "\nrun: {until: 5}\n";
+    const std::string until = "\nrun: {until: 5}\n";
     const std::string box = "box: {size: [20, 15]", still = "}\ngas: [{count: 3, radius: 0.5}]";
-    CHECK(checked(box + still + run).at("at_rest") == true);
-    CHECK(checked(box + "}\ngas: [{count: 3, radius: 0.5, speed: 1}]" + run).at("at_rest") ==
+    CHECK(checked(box + still + until).at("at_rest") == true);
+    CHECK(checked(box + "}\ngas: [{count: 3, radius: 0.5, speed: 1}]" + until).at("at_rest") ==
           false);
-    CHECK(
-        checked(box + "}\ngravity: [0, -1]\ngas: [{count: 3, radius: 0.5}]" + run).at("at_rest") ==
-        false);
-    CHECK(checked(box + ", walls: {left: {temperature: 1}}" + still + run).at("at_rest") == false);
-    CHECK(checked(box + ", walls: {left: {velocity: 0.1}}" + still + run).at("at_rest") == false);
+    CHECK(checked(box + "}\ngravity: [0, -1]\ngas: [{count: 3, radius: 0.5}]" + until)
+              .at("at_rest") == false);
+    CHECK(checked(box + ", walls: {left: {temperature: 1}}" + still + until).at("at_rest") ==
+          false);
+    CHECK(checked(box + ", walls: {left: {velocity: 0.1}}" + still + until).at("at_rest") == false);
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", "title: T\n" + box + still + until);
+    CHECK(has(run({program, "check", "scene.yaml"}, folder.path()).out,
+              "\n  warning      all particles are at rest, and nothing moves them: "));
 }
 
 TEST_CASE("check lists the panels that have no theory, and why") {

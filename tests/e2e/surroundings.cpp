@@ -8,22 +8,15 @@
 #include <vector>
 
 #include "e2e/program.h"
+#include "e2e/two_disks.h"
 #include "support/process.h"
 
 using namespace carom::test;
 namespace fs = std::filesystem;
 
-namespace {
-
-constexpr const char* scene =
-    "title: Two disks\nbox: {size: [8, 6]}\ngas: [{count: 2, radius: 0.5, speed: 1}]\n"
-    "run: {until: 1}\nfilm: {seconds: 0.4, fps: 15, panels: [temperature]}\n";
-
-}  // namespace
-
 TEST_CASE("a killed command leaves no film behind, neither in $TMPDIR nor in a site") {
     const TemporaryFolder folder;
-    folder.write("films/scene.yaml", scene);
+    folder.write("films/scene.yaml", two_disks);
     fs::create_directory(folder.path() / "tmp");
     const std::string large = " --size 1280x720 --seconds 20 --fps 60 --quiet";
     for (const std::string& command :
@@ -32,6 +25,7 @@ TEST_CASE("a killed command leaves no film behind, neither in $TMPDIR nor in a s
         CAPTURE(command);
         const Outcome outcome = shell(
             fmt::format("TMPDIR=tmp timeout -s KILL 0.5 '{}' {}", program, command), folder.path());
+        CHECK(outcome.exit_code == 137);
         CHECK(fs::is_empty(folder.path() / "tmp"));
         for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
             CHECK_FALSE(has(entry.path().string(), ".carom-"));
@@ -40,7 +34,7 @@ TEST_CASE("a killed command leaves no film behind, neither in $TMPDIR nor in a s
 
 TEST_CASE("a name that is too long for one of the files is refused before any is written") {
     const TemporaryFolder folder;
-    folder.write("scene.yaml", scene);
+    folder.write("scene.yaml", two_disks);
     const std::string name(251, 'a');  // with .mp4 as long as names may be
     const Outcome outcome = run({program, "render", "scene.yaml", "--words", "--size", "128x96",
                                  "--quiet", "-o", name + ".mp4"},
@@ -56,7 +50,7 @@ TEST_CASE("a name that is too long for one of the files is refused before any is
 
 TEST_CASE("too small a stack is an error in plain words") {
     const TemporaryFolder folder;
-    folder.write("scene.yaml", scene);
+    folder.write("scene.yaml", two_disks);
     for (const int size : {16, 64, 255}) {
         CAPTURE(size);
         const Outcome outcome =
@@ -70,7 +64,7 @@ TEST_CASE("too small a stack is an error in plain words") {
 
 TEST_CASE("a system without /proc makes the same pictures and films") {
     const TemporaryFolder folder;
-    folder.write("scene.yaml", scene);
+    folder.write("scene.yaml", two_disks);
     const std::string small = " --size 128x96 --quiet && ";
     const std::string work = fmt::format(
         "'{0}' still scene.yaml -o a.png{1}'{0}' render scene.yaml "
@@ -103,7 +97,7 @@ TEST_CASE("an empty scene is reported at its first line") {
 
 TEST_CASE("with hardly any files that may be open a command succeeds, or is worth another try") {
     const TemporaryFolder folder;
-    folder.write("scene.yaml", scene);
+    folder.write("scene.yaml", two_disks);
     // What a program that runs the tests leaves open would take the only number that is free.
     const std::string close_inherited = "exec 3>&- 4>&- 5>&- 6>&- 7>&- 8>&- 9>&-;";
     for (const int files : {4, 5, 6, 7})

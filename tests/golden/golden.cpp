@@ -155,11 +155,13 @@ void compare_text(const Pair& pair) {
     }
     const fs::path kept = without_fingerprint(pair.kept, pair.drawn.string() + ".kept.txt");
     const fs::path drawn = without_fingerprint(pair.drawn, pair.drawn.string() + ".txt");
-    const std::string lines = run({"diff", "-u", kept.string(), drawn.string()}).out;
-    CHECK_MESSAGE(lines.empty(), lines);
+    const Outcome lines = run({"diff", "-u", kept.string(), drawn.string()});
+    const bool same = lines.exit_code == 0;
+    CAPTURE(lines.err);
+    CHECK_MESSAGE(same, lines.out);
     fs::remove(kept);
     fs::remove(drawn);
-    if (lines.empty()) fs::remove(pair.drawn);
+    if (same) fs::remove(pair.drawn);
 }
 
 void compare_pixels(const Pair& pair) {

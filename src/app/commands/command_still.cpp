@@ -114,7 +114,7 @@ Command still_command() {
             joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
                              {"--at T", "simulated time; the nearest frame is drawn", &its.at},
                              {"--quick",
-                              "draw axes, colour scales, curves, averages and trails from thirty "
+                              "draw axes, colour scales, curves, averages and trails from about thirty "
                               "samples of the run, not from all frames",
                               &its.is_quick},
                              cache_option(its.cache),

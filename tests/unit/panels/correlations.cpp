@@ -187,6 +187,7 @@ TEST_CASE("of mixtures between walls the slope has every mass and every wall in 
     const std::vector<plot::Line> curves =
         layers_of<plot::Line>(run.plots().plot(run.state.get()), "curve");
     for (std::size_t k = 0; k < 2; ++k) {
+        // 90 disks between walls have 180 degrees of freedom.
         CHECK((slopes.at(k).y[1] - 1.0) / slopes[k].x[1] ==
               doctest::Approx(-lost[k] * 180.0 / 181.0).epsilon(1e-9));
         CHECK((curves.at(k).y[1] - 1.0) / curves[k].x[1] == doctest::Approx(-lost[k]).epsilon(0.2));

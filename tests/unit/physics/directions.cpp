@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "physics/mechanics.h"
@@ -16,8 +15,6 @@ using namespace carom;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 Gas gas_with(std::vector<Species> species, std::array<Wall, 2> walls, int dimension = 2,
              std::uint64_t seed = 1) {
     return {.box = {dimension, {20.0, dimension == 2 ? 20.0 : 0.0}, walls},
@@ -27,14 +24,10 @@ Gas gas_with(std::vector<Species> species, std::array<Wall, 2> walls, int dimens
 
 constexpr std::array all_periodic{Wall::periodic, Wall::periodic};
 
-Eigen::ArrayXd speeds_of(const Sample& start) {
-    return start.velocity.square().rowwise().sum().sqrt();
-}
-
 // The largest component of the momentum, relative to the sum of all momenta.
 double imbalance(const Particles& particles, const Sample& start, Eigen::Index axis) {
     const Eigen::ArrayXd mass = particles.inverse_mass.inverse();
-    return std::abs((mass * start.velocity.col(axis)).sum()) / (mass * speeds_of(start)).sum();
+    return std::abs((mass * start.velocity.col(axis)).sum()) / (mass * speeds(start)).sum();
 }
 
 }  // namespace
@@ -47,7 +40,7 @@ TEST_CASE("in a periodic box all particles keep their speed, and the momenta sum
             const Gas gas = gas_with({{.name = "", .count = count, .velocity = Speed{1.0}}},
                                      all_periodic, 2, seed);
             const auto [particles, start] = draw_gas(gas);
-            CHECK((speeds_of(start) - 1.0).abs().maxCoeff() < 4e-16);
+            CHECK((speeds(start) - 1.0).abs().maxCoeff() < 4e-16);
             CHECK(imbalance(particles, start, 0) < 1e-15);
             CHECK(imbalance(particles, start, 1) < 1e-15);
         }
@@ -60,9 +53,9 @@ TEST_CASE("in a periodic box all particles keep their speed, and the momenta sum
         const auto [particles, start] = draw_gas(mixed);
         CHECK(imbalance(particles, start, 0) < 1e-15);
         CHECK(imbalance(particles, start, 1) < 1e-15);
-        CHECK(speeds_of(start)[0] == doctest::Approx(0.5).epsilon(1e-15));
-        CHECK(speeds_of(start).segment(1, 4).minCoeff() >= 2.0 - 1e-15);
-        CHECK(speeds_of(start).segment(1, 4).maxCoeff() <= 4.0 + 1e-15);
+        CHECK(speeds(start)[0] == doctest::Approx(0.5).epsilon(1e-15));
+        CHECK(speeds(start).segment(1, 4).minCoeff() >= 2.0 - 1e-15);
+        CHECK(speeds(start).segment(1, 4).maxCoeff() <= 4.0 + 1e-15);
     }
 }
 
@@ -115,10 +108,10 @@ TEST_CASE("where momentum is not conserved, speeds have independent directions")
     Gas lorentz = gas_with(alone, all_periodic);
     lorentz.box.surfaces.obstacles.push_back(
         {.name = "", .shape = Obstacle::Disk{{5.0, 5.0}, 2.0}});
-    CHECK(speeds_of(draw_gas(lorentz).second)[0] == doctest::Approx(1.0));
+    CHECK(speeds(draw_gas(lorentz).second)[0] == doctest::Approx(1.0));
     Gas pinned = gas_with(alone, all_periodic);
     pinned.species.push_back({.name = "", .count = 1, .mass = Infinite{}});
-    CHECK(speeds_of(draw_gas(pinned).second)[0] == doctest::Approx(1.0));
+    CHECK(speeds(draw_gas(pinned).second)[0] == doctest::Approx(1.0));
     // Periodic along x only: the particle moves along y.
     const Sample across = draw_gas(gas_with(alone, {Wall::periodic, Wall::solid})).second;
     CHECK(std::abs(across.velocity(0, 0)) < 1e-15);
@@ -127,7 +120,7 @@ TEST_CASE("where momentum is not conserved, speeds have independent directions")
         {{.name = "", .count = 50, .velocity = Speed{3.0}}}, {Wall::periodic, Wall::solid}));
     CHECK(imbalance(particles, start, 0) < 1e-15);
     CHECK(imbalance(particles, start, 1) > 1e-3);
-    CHECK((speeds_of(start) - 3.0).abs().maxCoeff() < 2e-15);
+    CHECK((speeds(start) - 3.0).abs().maxCoeff() < 2e-15);
 }
 
 TEST_CASE("on a ring the directions of beads sum to zero, or none do") {
@@ -173,7 +166,8 @@ TEST_CASE("a gas of many particles keeps its drawn directions but for small turn
                                           {Wall::solid, Wall::solid}))
                             .second;
     const Eigen::ArrayXd turned = (start.velocity * free.velocity).rowwise().sum().min(1.0).acos();
-    CHECK(turned.maxCoeff() < 4.0 * 2.0 / std::sqrt(double(count)));
+    // The drawn momenta sum to some sqrt(N) of the N, and each turn takes up a share of the sum: turns
+    // are of order 1/sqrt(N), the largest here 0.47 of it.
+    CHECK(turned.maxCoeff() < 2.0 / std::sqrt(double(count)));
     CHECK(turned.maxCoeff() > 0.0);
-    CHECK(pi > turned.maxCoeff());
 }

@@ -151,11 +151,10 @@ TEST_CASE("with and without the screen of doubles: the same hits of surfaces") {
 }
 
 TEST_CASE("a piston that a reversal brings back to its start stands still there") {
-    int pistons = 0;
-    for (const std::uint64_t seed : {6U, 34U, 54U, 106U, 110U}) {
+    for (const std::uint64_t seed : {6U, 34U, 54U, 110U}) {
         CAPTURE(seed);
         const Gas gas = open_scene(seed);
-        if (test::may_crush(gas) || gas.box.is_periodic(1)) continue;
+        REQUIRE_FALSE((test::may_crush(gas) || gas.box.is_periodic(1)));
         const auto [particles, start] = place(gas);
         EventLoop<2, Real, true> loop(gas.box, particles, {.bits = 256});
         loop.start(start);
@@ -165,9 +164,7 @@ TEST_CASE("a piston that a reversal brings back to its start stands still there"
         const auto piston = loop.surfaces(6.0)[3].motion.value();
         CHECK(piston.place == doctest::Approx(gas.box.size[1]));
         CHECK(std::abs(piston.velocity) < 1e-9);
-        ++pistons;
     }
-    CHECK(pistons > 0);
 }
 
 TEST_CASE("a late start costs the screen its sharpness, not its right") {

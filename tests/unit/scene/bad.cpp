@@ -1,5 +1,6 @@
 // Every bad scene with its whole message: tests/scenes_bad/NAME.yaml gives exactly NAME.txt.
-// CAROM_UPDATE_MESSAGES=1 writes the messages of today; read what it changes.
+// CAROM_UPDATE_MESSAGES=1 writes the messages as carom gives them; read the difference before it is
+// committed.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -10,6 +11,7 @@
 
 #include "panels/registry.h"
 #include "scene/load.h"
+#include "support/bad_scenes.h"
 #include "support/files.h"
 #include "support/test_root.h"
 
@@ -27,20 +29,11 @@ std::string message_of(const fs::path& scene) {
     return "no error\n";
 }
 
-// Files that only other scenes ask for, as templates.
-bool is_part(const fs::path& path) { return path.stem().string().starts_with("with_"); }
-
-std::vector<fs::path> bad_scenes() {
-    std::vector<fs::path> scenes = carom::test::yaml_files("tests/scenes_bad");
-    std::erase_if(scenes, is_part);
-    return scenes;
-}
-
 }  // namespace
 
 TEST_CASE("a bad scene is refused with its whole message") {
     fs::current_path(carom::test::checkout());
-    const std::vector<fs::path> scenes = bad_scenes();
+    const std::vector<fs::path> scenes = carom::test::bad_scenes();
     CHECK(scenes.size() >= 60);
     for (const fs::path& scene : scenes) {
         CAPTURE(scene.string());

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "panels/registry.h"
 #include "scene/load.h"
 #include "support/files.h"
 #include "support/library.h"
+#include "support/resources.h"
 #include "support/test_root.h"
 
 using namespace carom;
@@ -44,7 +44,7 @@ figures:
 
 Scene loaded(const Overrides& overrides) {
     fs::current_path(test::checkout());
-    return load_scene_text(with_later_things, "scenes/test.yaml", {"templates", panel_kinds()},
+    return load_scene_text(with_later_things, "scenes/test.yaml", test::resources(),
                            overrides);
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("every scene of the library may be ended early, unless a reversal need
             CAPTURE(until);
             std::string errors;
             try {
-                load_scene(path, {"templates", panel_kinds()}, {std::string("run.until=") + until});
+                load_scene(path, test::resources(), {std::string("run.until=") + until});
             } catch (const SceneError& error) {
                 errors = error.what();
             }

@@ -142,6 +142,36 @@ bool returns(const Gas&, const Run& run) { return !reversal_times(run).empty(); 
 
 bool is_line(const Gas& gas, const Run&) { return gas.box.dimension == 1; }
 
+std::function<std::vector<LawOf>(const PanelSpec&, const Gas&)> always(LawOf quantity) {
+    return [quantity](const PanelSpec&, const Gas&) { return std::vector{quantity}; };
+}
+
+std::vector<LawOf> laws_of_species(const PanelSpec&, const Gas& gas) {
+    if (gas.species.size() < 2) return {};
+    return {LawOf::mean_energy};
+}
+
+std::vector<LawOf> laws_of_entropy(const PanelSpec& spec, const Gas&) {
+    if (spec.entropy_of == EntropyOf::velocities) return {LawOf::velocity_entropy};
+    if (spec.entropy_of == EntropyOf::positions) return {LawOf::position_entropy};
+    return {LawOf::velocity_entropy, LawOf::position_entropy};
+}
+
+std::vector<LawOf> laws_of_pressure(const PanelSpec& spec, const Gas&) {
+    if (!spec.surfaces.empty()) return {};
+    return {LawOf::pressure};
+}
+
+std::vector<LawOf> laws_of_sides(const PanelSpec& spec, const Gas&) {
+    if (!spec.regions.empty()) return {};
+    if (spec.measure == PartMeasure::count) return {LawOf::side_count};
+    if (spec.measure == PartMeasure::mean_energy) return {LawOf::side_energy};
+    if (spec.measure == PartMeasure::temperature) return {LawOf::side_temperature};
+    return {};
+}
+
+bool always_has_own_time(const PanelSpec&) { return true; }
+
 std::vector<PanelKind> all_kinds() {
     using enum Ability;
     return {
@@ -152,7 +182,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_speed_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
          .rule = check_scalar_test,
-         .suits = speeds_spread},
+         .suits = speeds_spread,
+         .laws = always(LawOf::distribution)},
         {.name = "energy-histogram",
          .words = Phrase{"energy histogram"},
          .shows = "A histogram of the kinetic energies of the particles, with the equilibrium "
@@ -160,7 +191,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_energy_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
          .rule = check_scalar_test,
-         .suits = speeds_spread},
+         .suits = speeds_spread,
+         .laws = always(LawOf::distribution)},
         {.name = "velocity-histogram",
          .words = Phrase{"velocity histogram"},
          .shows = "A histogram of the velocities along one axis, or of both components together, "
@@ -168,7 +200,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_velocity_histogram,
          .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison},
          .rule = check_velocity_test,
-         .suits = speeds_spread},
+         .suits = speeds_spread,
+         .laws = always(LawOf::distribution)},
         {.name = "position-histogram",
          .words = Phrase{"position histogram"},
          .shows = "A histogram of the positions along one axis.",
@@ -179,7 +212,8 @@ std::vector<PanelKind> all_kinds() {
          .shows = "The mean kinetic energy of each species against time.",
          .make = make_energy_by_species,
          .abilities = {means},
-         .suits = has_several_species},
+         .suits = has_several_species,
+         .laws = laws_of_species},
         {.name = "speed-classes",
          .words = Phrase{"speed classes"},
          .shows = "The shares of slow (below half of the mean speed), medium and fast particles "
@@ -200,7 +234,8 @@ std::vector<PanelKind> all_kinds() {
                   "time.",
          .make = make_entropy,
          .abilities = {means, comparison},
-         .keys = entropy_keys()},
+         .keys = entropy_keys(),
+         .laws = laws_of_entropy},
         {.name = "pressure",
          .words = Phrase{"pressure"},
          .shows = "The pressure on all walls, or on single `surfaces`, against time; with `gauge: "
@@ -208,7 +243,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_pressure_or_gauge,
          .abilities = {over, means, comparison},
          .keys = pressure_keys(),
-         .rule = check_pressure},
+         .rule = check_pressure,
+         .laws = laws_of_pressure},
         {.name = "thermometer",
          .words = Phrase{"thermometer"},
          .shows = "The temperature of all particles, of those that `of` names, or of those in "
@@ -242,7 +278,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_pressure_volume,
          .abilities = {over, theory, comparison},
          .keys = surfaces_key(),
-         .rule = check_pressure_volume},
+         .rule = check_pressure_volume,
+         .laws = always(LawOf::isotherm)},
         {.name = "piston",
          .words = Phrase{"piston"},
          .shows = "The position of moving walls and partitions against time; for a free piston, "
@@ -251,7 +288,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_piston,
          .abilities = {theory, means, comparison},
          .keys = surfaces_key(),
-         .rule = check_piston},
+         .rule = check_piston,
+         .laws = always(LawOf::piston)},
         {.name = "piston-histogram",
          .words = Phrase{"piston histogram"},
          .shows = "The share of the time that a moving wall or partition spends at each position, "
@@ -259,7 +297,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_piston_histogram,
          .abilities = {theory, means, comparison},
          .keys = surfaces_key(),
-         .rule = check_piston_histogram},
+         .rule = check_piston_histogram,
+         .laws = always(LawOf::piston)},
         {.name = "sides",
          .words = Phrase{"sides"},
          .shows = "The number of particles on each side of a partition, or in `regions` of the "
@@ -268,7 +307,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_sides,
          .abilities = {component, means, comparison},
          .keys = sides_keys(),
-         .rule = check_sides},
+         .rule = check_sides,
+         .laws = laws_of_sides},
         {.name = "flux",
          .words = Phrase{"flux"},
          .shows = "Particles that cross a partition or a `line` per unit of time, in each "
@@ -293,7 +333,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_mean_squared_displacement,
          .abilities = {of, theory, means, comparison},
          .keys = displacement_keys(),
-         .rule = check_displacements},
+         .rule = check_displacements,
+         .laws = always(LawOf::displacement)},
         {.name = "velocity-autocorrelation",
          .words = Phrase{"velocity autocorrelation"},
          .shows = "The mean of **v**(0)·**v**(*t*) over all starting times, divided by that of "
@@ -301,7 +342,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_velocity_autocorrelation,
          .abilities = {of, theory, means, comparison},
          .keys = autocorrelation_keys(),
-         .rule = check_autocorrelation},
+         .rule = check_autocorrelation,
+         .laws = always(LawOf::autocorrelation)},
         {.name = "pair-correlation",
          .words = Phrase{"pair correlation"},
          .shows = "*g*(*r*): the number of pairs at each distance, relative to that of random "
@@ -309,7 +351,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_pair_correlation,
          .abilities = {of, over, theory, means, comparison},
          .keys = pair_correlation_keys(),
-         .rule = check_pair_correlation},
+         .rule = check_pair_correlation,
+         .laws = always(LawOf::contact)},
         {.name = "free-path",
          .words = Phrase{"free path"},
          .shows = "The distribution of the distances that particles fly between collisions, with "
@@ -317,7 +360,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_free_path,
          .abilities = {of, over, theory, means, comparison},
          .keys = free_flight_keys(),
-         .rule = check_free_flights},
+         .rule = check_free_flights,
+         .laws = always(LawOf::memoryless)},
         {.name = "free-time",
          .words = Phrase{"free time"},
          .shows = "The distribution of the times that particles fly between collisions, with the "
@@ -325,7 +369,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_free_time,
          .abilities = {of, over, theory, means, comparison},
          .keys = free_flight_keys(),
-         .rule = check_free_flights},
+         .rule = check_free_flights,
+         .laws = always(LawOf::memoryless)},
         {.name = "orientational-order",
          .words = Phrase{"hexagonal order"},
          .shows =
@@ -341,7 +386,8 @@ std::vector<PanelKind> all_kinds() {
          .abilities = {theory, comparison},
          .keys = against_key(),
          .rule = check_return_distance,
-         .suits = returns},
+         .suits = returns,
+         .laws = always(LawOf::error_growth)},
         {.name = "profile",
          .words = Phrase{"profile"},
          .shows = "Density, temperature, mean speed or flow (`quantity`) in slabs along an axis, "
@@ -373,13 +419,15 @@ std::vector<PanelKind> all_kinds() {
          .shows = "One collision in a plane: the velocities before, at and after contact.",
          .make = make_single_collision,
          .abilities = {of, pair},
+         .has_own_time = always_has_own_time,
          .has_plot = false},
         {.name = "contact-time",
          .words = Phrase{"contact time"},
          .shows = "The squared distance of two particles against time, and the time of contact "
                   "that follows from it.",
          .make = make_contact_time,
-         .abilities = {of, pair}},
+         .abilities = {of, pair},
+         .has_own_time = always_has_own_time},
         {.name = "collision-map",
          .words = Phrase{"collision map"},
          .shows = "Collisions of two beads on a line, in the plane of their two velocities: see "
@@ -387,7 +435,8 @@ std::vector<PanelKind> all_kinds() {
          .make = make_collision_map,
          .abilities = {of, pair},
          .keys = collision_map_keys(),
-         .rule = check_collision_map},
+         .rule = check_collision_map,
+         .has_own_time = [](const PanelSpec& spec) { return !spec.walk; }},
         {.name = "text",
          .words = Phrase{"text"},
          .shows = "Your own text, with formulae.",
@@ -403,6 +452,7 @@ std::vector<PanelKind> all_kinds() {
          .abilities = {theory, means},
          .keys = sweep_keys(),
          .rule = check_sweep_figure,
+         .has_own_time = always_has_own_time,
          .in_films_instead = "a sweep is of many runs; it is a kind of figure"},
         {.name = "gas",
          .words = Phrase{"gas"},

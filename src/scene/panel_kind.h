@@ -20,6 +20,7 @@ namespace carom {
 
 class Panel;
 struct PanelContext;
+enum class LawOf;
 
 /// The abilities of a kind of panel. Each gives it the keys named here.
 enum class Ability {
@@ -57,6 +58,14 @@ struct PanelKind {
     /// Returns whether the panel has something to show for a gas and its run. A film that lists no
     /// panels gets those of its template's list for which this is true. Empty: always.
     std::function<bool(const Gas&, const Run&)> suits = {};
+
+    /// Returns the quantities whose theory (physics/theory/law.h) the panel may show of a gas.
+    /// Empty: none.
+    std::function<std::vector<LawOf>(const PanelSpec&, const Gas&)> laws = {};
+
+    /// Returns whether the panel as a figure shows another time than the one asked for, which is
+    /// known only after the run, or none. Empty: never.
+    std::function<bool(const PanelSpec&)> has_own_time = {};
 
     /// Whether it has axes that a callout can point to.
     bool has_plot = true;

@@ -2,7 +2,7 @@
 // template of a page in each page language.
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
-#include "app/report/check_facts.h"
+#include "app/check/check_facts.h"
 #include "app/resources.h"
 #include "fuzz/fuzz.h"
 

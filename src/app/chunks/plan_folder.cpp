@@ -18,6 +18,7 @@
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/files/input_file.h"
+#include "util/files/links.h"
 #include "util/files/new_file.h"
 #include "util/files/one_use_paths.h"
 #include "util/files/utf8_names.h"
@@ -122,8 +123,8 @@ class Moves {
 
     // Does nothing if `from` does not exist.
     void move(const fs::path& from, const fs::path& to) {
+        if (!is_taken(from)) return;
         std::error_code error;
-        if (!fs::exists(fs::symlink_status(from, error))) return;
         done_.emplace_back(from, to);
         fs::rename(from, to, error);
         if (!error) return;

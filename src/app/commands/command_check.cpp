@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "app/check/accessibility.h"
+#include "app/check/check_facts.h"
 #include "app/command.h"
 #include "app/cost/trial_run.h"
 #include "app/figures/figure_pages.h"
@@ -15,8 +17,6 @@
 #include "app/film/words/letters.h"
 #include "app/output.h"
 #include "app/progress.h"
-#include "app/report/accessibility.h"
-#include "app/report/check_facts.h"
 #include "app/resources.h"
 #include "draw/text.h"
 #include "figures/figure_drawing.h"

@@ -179,7 +179,7 @@ std::string as_centimetres(const std::string& width) {
 }
 
 // A text as YAML, whatever its letters.
-std::string in_quotes(const std::string& text) {
+std::string single_quoted(const std::string& text) {
     std::string quoted;
     for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
     return "'" + quoted + "'";
@@ -191,7 +191,7 @@ std::string as_choices(const std::vector<std::string>& of) {
     for (const std::string& one : of) {
         const bool is_number =
             !one.empty() && one.find_first_not_of("0123456789") == std::string::npos;
-        choices.push_back(is_number ? one : in_quotes(one));
+        choices.push_back(is_number ? one : single_quoted(one));
     }
     return choices.size() == 1 ? choices.front() : fmt::format("[{}]", fmt::join(choices, ", "));
 }

@@ -15,6 +15,7 @@
 #include "scene/reading/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
+#include "util/files/links.h"
 #include "util/interrupt.h"
 #include "util/text.h"
 
@@ -84,11 +85,6 @@ std::string text_for(const NewArguments& arguments, const fs::path& file) {
     return starter_from(scene.source.text, schema);
 }
 
-bool exists_already(const fs::path& path) {
-    std::error_code error;
-    return fs::exists(fs::symlink_status(path, error));
-}
-
 // Neither file replaces another, not even one that a process creates at this moment. The schema is
 // removed again if the scene cannot get its name.
 void write_both(const fs::path& file, const std::string& text) {
@@ -96,7 +92,7 @@ void write_both(const fs::path& file, const std::string& text) {
     scene.write(text);
     const fs::path beside = file.parent_path() / schema_reference(file);
     std::optional<AtomicFile> schema;  // an existing one is left as it is
-    if (!exists_already(beside)) schema.emplace(beside, Earlier::kept).write(scene_schema_json());
+    if (!is_taken(beside)) schema.emplace(beside, Earlier::kept).write(scene_schema_json());
     scene.settle();
     const MustCleanUp together;
     if (schema) schema->commit();
@@ -111,7 +107,7 @@ void write_both(const fs::path& file, const std::string& text) {
 
 void make_scene(const NewArguments& arguments) {
     const fs::path file = named(arguments.name);
-    if (exists_already(file)) refuse_existing(file);
+    if (is_taken(file)) refuse_existing(file);
     const std::string text = text_for(arguments, file);
     load_scene_text(text, file.string(), scene_resources());  // a template beside the other one
     write_both(file, text);

@@ -10,6 +10,7 @@
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/files/input_file.h"
+#include "util/files/links.h"
 #include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
 
@@ -19,11 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::int64_t most_manifest_bytes = 16 << 20;
-
-bool is_there(const fs::path& path) {
-    std::error_code error;
-    return fs::exists(fs::symlink_status(path, error));
-}
 
 std::string_view as_text(std::span<const std::uint8_t> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -90,7 +86,7 @@ FigureFolder::FigureFolder(fs::path path, std::string of, std::string manifest)
     : path_(std::move(path)), manifest_name_(std::move(manifest)) {
     manifest_.of = of;
     const fs::path file = path_ / manifest_name_;
-    if (!is_there(file)) return;
+    if (!is_taken(file)) return;
     saved_ = read_file(stored(manifest_name_), most_manifest_bytes);
     auto known = read_manifest(saved_);
     if (!known)
@@ -115,7 +111,7 @@ bool FigureFolder::is_current(const std::string& file, const std::string& inputs
 std::vector<std::string> FigureFolder::foreign(std::span<const std::string> files) const {
     std::vector<std::string> found;
     for (const std::string& file : files) {
-        if (!is_there(path_ / file)) continue;
+        if (!is_taken(path_ / file)) continue;
         const auto known = manifest_.files.find(file);
         const auto content = fingerprint_of_file(stored(file));
         if (known == manifest_.files.end() || !content ||
@@ -172,7 +168,7 @@ std::vector<std::string> FigureFolder::remove_all_but(const std::set<std::string
     std::erase_if(manifest_.files, [&](const auto& known) {
         const auto& [file, written] = known;
         if (kept.contains(file)) return false;
-        if (!is_there(path_ / file)) return true;
+        if (!is_taken(path_ / file)) return true;
         // The manifest may come from elsewhere: a name that leads out of the folder is not one of
         // carom's files there.
         const bool is_own = fingerprint_of_file(stored(file)) == written.content;

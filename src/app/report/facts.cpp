@@ -23,6 +23,8 @@ std::string printable_lines(std::string_view text) {
 
 }  // namespace
 
+Fact for_people(const char* label, const std::string& words) { return {"", nullptr, label, words}; }
+
 Json number_or_null(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }

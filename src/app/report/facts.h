@@ -19,6 +19,9 @@ struct Fact {
 };
 using Facts = std::vector<Fact>;
 
+/// A row for people only.
+Fact for_people(const char* label, const std::string& words);
+
 /// A JSON number; null if there is no value or it is not finite.
 Json number_or_null(std::optional<double> value);
 

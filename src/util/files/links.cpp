@@ -22,4 +22,9 @@ fs::path behind_links(const fs::path& path) {
     return target;
 }
 
+bool is_taken(const fs::path& path) {
+    std::error_code error;
+    return fs::exists(fs::symlink_status(path, error));
+}
+
 }  // namespace carom

@@ -62,7 +62,7 @@ const std::map<std::string, Parts> parts_of_module{
       {"archived.h", "chosen.h", "layout.h", "panel.h", "registry.h", "shared_panel.h", "table.h",
        "thinning.h"}}},
     {"app",
-     {{"chunks", "sweep", "film", "cost", "figures", "pages", "report", "manual", "commands",
+     {{"chunks", "sweep", "film", "cost", "figures", "pages", "report", "check", "manual", "commands",
        "app"},
       {"command.h", "depfile.h", "json.h", "means.h", "output.h", "progress.h", "resources.h",
        "simulate.h"}}},

@@ -1,4 +1,4 @@
-#include "app/report/command_facts.h"
+#include "app/check/command_facts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

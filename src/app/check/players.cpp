@@ -1,4 +1,4 @@
-#include "app/report/players.h"
+#include "app/check/players.h"
 
 #include <fmt/format.h>
 

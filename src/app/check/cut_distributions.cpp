@@ -1,4 +1,4 @@
-#include "app/report/cut_distributions.h"
+#include "app/check/cut_distributions.h"
 
 #include <fmt/format.h>
 

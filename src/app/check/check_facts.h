@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/cost/film_cost.h"
+#include "app/check/command_facts.h"
+#include "app/check/film_facts.h"
 #include "app/figures/figure_set.h"
-#include "app/report/command_facts.h"
 #include "app/report/facts.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
@@ -24,20 +24,6 @@ struct CheckedFile {
     std::vector<Diagnostic> errors = {};
     std::optional<std::vector<Diagnostic>> barriers = {};  ///< none: not asked for
 };
-
-/// The film of a checked scene whose cost is reported.
-struct CheckedFilm {
-    FilmOptions options = {};                       ///< the output path is ignored
-    std::vector<const OutputFormat*> formats = {};  ///< whose costs are estimated; at least one
-    std::optional<FilmCost> measured = {};
-    SceneCounts counts = {};  ///< of its runs
-    std::vector<std::string> cut = {};  ///< words_left_out() of its last frame
-    std::optional<double> collisions =
-        {};  ///< in all its runs, including those with walls; none: estimated as in equilibrium
-};
-
-/// The formats whose costs are reported, in their order.
-std::vector<const OutputFormat*> formats_with_costs();
 
 /// What a scene contains and what its film will cost; no `film` means that none can be made from
 /// it; `works` are those of other commands. Draws the properties of the particles from their

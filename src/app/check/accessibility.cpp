@@ -1,4 +1,4 @@
-#include "app/report/accessibility.h"
+#include "app/check/accessibility.h"
 
 #include <fmt/format.h>
 

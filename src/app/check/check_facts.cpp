@@ -1,0 +1,258 @@
+#include "app/check/check_facts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/check/cut_distributions.h"
+#include "app/check/figure_facts.h"
+#include "app/check/theory_facts.h"
+#include "app/chunks/source_fingerprint.h"
+#include "app/command.h"
+#include "physics/placement/draws.h"
+#include "physics/theory/collision_rate.h"
+#include "physics/theory/law.h"
+#include "scene/describe.h"
+#include "scene/words.h"
+#include "util/fingerprint.h"
+#include "util/joined.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+std::string_view side_word(const Box& box, std::size_t side) {
+    const Behaviour& behaviour = box.surfaces.sides[side];
+    if (std::holds_alternative<Bath>(behaviour)) return "bath";
+    if (std::holds_alternative<Piston>(behaviour)) return "piston";
+    if (std::holds_alternative<Driven>(behaviour)) return "driven";
+    return word_of(box.walls[side / 2]);
+}
+
+Fact box_fact(const Box& box) {
+    const bool across = box.is_periodic(0), up = box.is_periodic(1);
+    Json walls{{"left", side_word(box, 0)}, {"right", side_word(box, 1)}};
+    if (box.dimension == 1)
+        return {"box", Json{{"length", box.size[0]}, {"walls", walls}}, "box",
+                fmt::format("one dimension, length {}, {}", box.size[0],
+                            across ? "ends joined" : "between walls")};
+    walls["bottom"] = side_word(box, 2);
+    walls["top"] = side_word(box, 3);
+    const bool walls_act = !box.surfaces.sides_reflect();
+    std::string words = across ? "periodic" : walls_act ? "walls that act" : "solid walls";
+    if (across != up)
+        words = across ? "periodic across, solid below and above"
+                       : "periodic up and down, solid left and right";
+    return {"box", Json{{"size", Json::array({box.size[0], box.size[1]})}, {"walls", walls}}, "box",
+            fmt::format("two dimensions, {} by {}, {}", box.size[0], box.size[1], words)};
+}
+
+std::string species_words(const Gas& gas, std::int64_t particles) {
+    constexpr std::size_t most_shown = 8;
+    std::vector<std::string> words;
+    for (const Species& one : gas.species) {
+        if (words.size() == most_shown) {
+            words.push_back(fmt::format("{} more", gas.species.size() - most_shown));
+            break;
+        }
+        words.push_back(fmt::format("{} {}", grouped(one.count), one.name));
+    }
+    std::string text = fmt::format("{}", fmt::join(words, ", "));
+    if (gas.species.size() > 1) text += fmt::format("; {} in all", grouped(particles));
+    return text;
+}
+
+Fact species(const Gas& gas, std::int64_t particles) {
+    Json list = Json::array();
+    for (const Species& one : gas.species)
+        list.push_back(Json{{"name", one.name}, {"count", one.count}});
+    return {"species", std::move(list), "species", species_words(gas, particles)};
+}
+
+// Expected between particles up to the end of the run.
+Fact collisions(const Scene& scene, const Law& rate, double expected, std::int64_t particles) {
+    if (rate.none)
+        return {"expected_collisions", nullptr, "collisions",
+                "no estimate: " + to_text(Language::english, *rate.none, scene.gas.species)};
+    return {"expected_collisions", number_or_null(expected), "collisions",
+            fmt::format("{} between particles, {} for each (kinetic theory, in equilibrium)",
+                        (expected < 0.01 ? "" : "about ") + about(expected),
+                        about(2.0 * expected / std::max(1.0, static_cast<double>(particles))))};
+}
+
+std::string run_words(const Run& run) {
+    std::string text = fmt::format("time 0 to {}", run.until);
+    if (run.equilibrate > 0.0) text += fmt::format(", after {} not shown", run.equilibrate);
+    if (!run.events.empty())
+        text += ", " + counted(static_cast<long long>(run.events.size()), "event");
+    return text;
+}
+
+Facts distribution_rows(const Gas& gas) {
+    std::vector<std::string> lines;
+    Json list = Json::array();
+    for (CutDistribution& cut : cut_distributions(gas)) {
+        lines.push_back(std::move(cut.words));
+        list.push_back(std::move(cut.value));
+    }
+    Facts rows = rows_of("cut_distributions", lines);
+    rows.front().value = std::move(list);
+    if (!lines.empty()) rows.front().label = "drawn";
+    return rows;
+}
+
+// Whether nothing ever moves, which is hardly meant.
+Facts rest_rows(const BoxedGas& gas) {
+    const Law motion = law(gas, LawOf::displacement);
+    if (!motion.none || motion.none->why != NoLaw::Why::at_rest) return {{"at_rest", false}};
+    return {{"at_rest", true, "warning",
+             "all particles are at rest, and nothing moves them: give `temperature` or `speed`"}};
+}
+
+Facts theory_rows(const Scene& scene, const BoxedGas& gas) {
+    Facts rows = rows_of("no_theory", missing_theory(scene, gas));
+    if (!rows.front().label.empty()) rows.front().label = "no theory";
+    return rows;
+}
+
+Facts event_rows(const Scene& scene) {
+    std::vector<std::string> lines;
+    for (const Happening& one : happenings(Language::english, scene.run, scene.gas))
+        lines.push_back(one.when + ": " + one.words);
+    return rows_of("events", lines);
+}
+
+Facts note_rows(const Scene& scene) {
+    std::vector<std::string> lines;
+    Json values = Json::array();
+    for (const Diagnostic& note : scene.notes) {
+        lines.push_back(note_text(note));
+        values.push_back(error_value(note));
+    }
+    Facts rows = rows_of("note", lines);
+    rows.front().name = "notes";
+    rows.front().value = std::move(values);
+    return rows;
+}
+
+Fact name_of(const CheckedFile& checked) {
+    const std::string errors = counted(static_cast<long long>(checked.errors.size()), "error");
+    return {checked.is_set ? "set" : "scene", checked.path, "",
+            fmt::format("{}: {}\n", printable(checked.path),
+                        checked.facts ? "valid" : "not valid, " + errors)};
+}
+
+// For people. Without lists of JSON, whose destructor takes memory, which may be what is missing.
+Facts rows_of(const CheckedFile& checked) {
+    Facts facts;
+    facts.push_back(name_of(checked));
+    if (checked.facts) facts.insert(facts.end(), checked.facts->begin(), checked.facts->end());
+    return facts;
+}
+
+Facts facts_of(const CheckedFile& checked) {
+    const auto list = [](const std::vector<Diagnostic>& found) {
+        Json values = Json::array();
+        for (const Diagnostic& one : found) values.push_back(error_value(one));
+        return values;
+    };
+    Facts facts = joined<Fact>({{name_of(checked), {"valid", checked.facts.has_value()}},
+                                checked.facts.value_or(Facts{}),
+                                {{"errors", list(checked.errors)}}});
+    if (checked.barriers) facts.push_back({"barriers", list(*checked.barriers)});
+    return facts;
+}
+
+// What pictures and films of a scene depend on, in one word.
+std::string made_from(const SceneSource& source) {
+    std::string all = source_fingerprint;
+    const auto add = [&](const std::string& text) {
+        all += fmt::format(" {}:{}", text.size(), text);
+    };
+    for (const std::string& text : {source.text, source.template_text}) add(text);
+    for (const std::string& one : source.overrides) add(one);
+    for (const auto& [path, text] : source.files) {
+        add(path);
+        add(text);
+    }
+    return fingerprint(all);
+}
+
+}  // namespace
+
+Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const NamedWork& works,
+               const std::vector<CommandsRefused>& refused) {
+    const Box& box = scene.gas.box;
+    const Run& run = scene.run;
+    const auto gas = draw_gas(scene.gas);
+    const Particles& drawn = gas.first;
+    const Sample& sample = gas.second;
+    const std::int64_t particles = drawn.count();
+    const double packing = packing_fraction(box, drawn);
+    const BoxedGas boxed(box, run.events, drawn, sample);
+    const Law of_each = law(boxed, LawOf::collision_rate);
+    const double rate = 0.5 * static_cast<double>(particles) * (of_each ? of_each.value : 0.0);
+    return joined<Fact>(
+        {{{"title", scene.title, "title", scene.title},
+          {"description", scene.description},
+          {"language", word_of(scene.film.language)},
+          {"made_from", made_from(scene.source)},
+          {"seed", scene.seed},
+          {"dimension", box.dimension},
+          box_fact(box)},
+         rows_of("surfaces", words_of_surfaces(Language::english, scene.gas)),
+         {{"particles", particles}, species(scene.gas, particles)},
+         distribution_rows(scene.gas),
+         {{"packing_fraction", packing, "packing",
+           fmt::format("{:.4g} of the {}", packing, box.dimension == 1 ? "length" : "area")},
+          {"time", run.until, "run", run_words(run)}},
+         event_rows(scene),
+         {{"equilibrate", run.equilibrate},
+          collisions(scene, of_each, rate * run.until, particles)},
+         rest_rows(boxed),
+         theory_rows(scene, boxed),
+         film ? film_facts(scene, *film, drawn, sample, rate * run.until)
+              : Facts{{"film", nullptr, "film", "none: for `carom run` and figures only"}},
+         note_rows(scene),
+         work_rows(works),
+         refused_rows(refused)});
+}
+
+Facts facts_of(const FigureSet& set, const NamedWork& works,
+               const std::vector<CommandsRefused>& refused) {
+    Json sections = Json::array();
+    std::size_t figures = 0;
+    for (const SetPart& part : set.parts) {
+        sections.push_back(section_value(part));
+        figures += part.figures.size();
+    }
+    std::vector<std::string> pages;
+    for (const PageTemplate& page : set.pages) pages.push_back(set.stem + page.ending);
+    return joined<Fact>(
+        {{{"title", set.title, "title", set.title}, {"sections", std::move(sections)}},
+         section_rows(set),
+         {{"formats", set.formats, "figures",
+           fmt::format("{}, each as {}", figures, listed(set.formats))},
+          {"pages", pages, "pages", listed(pages)}},
+         work_rows(works),
+         refused_rows(refused)});
+}
+
+std::string check_table(std::span<const CheckedFile> files) {
+    constexpr int label_width = 12;
+    std::string text;
+    for (const CheckedFile& checked : files) {
+        if (!text.empty() && checked.facts) text += "\n";
+        text += table_of(rows_of(checked), label_width);
+    }
+    return text;
+}
+
+std::string check_json(std::span<const CheckedFile> files) {
+    Json list = Json::array();
+    for (const CheckedFile& checked : files) list.push_back(json_of(facts_of(checked)));
+    return text_of(list, 2) + "\n";
+}
+
+}  // namespace carom

@@ -118,9 +118,14 @@ std::string problem_of_message(const Fault& fault, const std::string& err, const
     return names_path ? "" : "the message names no path";
 }
 
-// Input that cannot be read may be reported as invalid (exit code 2).
-bool may_end_with(const Fault& fault, int code) {
-    return code == 1 || code == 75 || (code == 2 && (fault.call == "open" || fault.call == "read"));
+// All faults but interrupted calls may pass, so that the exit code is 75; libraries may hide the
+// reason of those of resources, and FreeType that of every fault. Input that cannot be read may be
+// reported as invalid.
+bool may_end_with(const Fault& fault, const std::string& err, int code) {
+    if (code == 2) return fault.call == "open" || fault.call == "read";
+    const bool hides_reason = is_of_resources(fault) || has(err, "cannot read the font /");
+    if (hides_reason || fault.error == EINTR) return code == 1 || code == 75;
+    return code == 75;
 }
 
 // Checks the files that exist after the command has failed.
@@ -147,7 +152,7 @@ std::string problem(const Fault& fault, const Outcome& outcome, const Files& bef
         if (is_temporary(name)) return name + " remains";
     if (outcome.exit_code == 0) return now == after ? "" : "other outputs with exit code 0";
     const bool is_aborted = outcome.exit_code == 134 && is_end_of_libgcrypt(outcome.err);
-    if (!is_aborted && !may_end_with(fault, outcome.exit_code)) return "a wrong exit code";
+    if (!is_aborted && !may_end_with(fault, outcome.err, outcome.exit_code)) return "a wrong exit code";
     const std::string found = problem_of_files(fault, outcome.err, before, after, now);
     if (is_aborted) return found;
     return found.empty() ? problem_of_message(fault, outcome.err, after) : found;

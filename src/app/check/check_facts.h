@@ -33,7 +33,7 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
                const NamedWork& works = {}, const std::vector<CommandsRefused>& refused = {});
 
 /// What a figure set is.
-Facts facts_of(const FigureSet& set, const NamedWork& works,
+Facts facts_of(const FigureSet& set, const NamedWork& works = {},
                const std::vector<CommandsRefused>& refused = {});
 
 /// A short table for each valid file, and a line for each invalid one; ends with a line break.

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "draw/formula/words.h"
-#include "panels/fade.h"
+#include "panels/callouts/fade.h"
 #include "panels/gas/marks/ghosts.h"
 #include "panels/layout.h"
 

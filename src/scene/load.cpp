@@ -18,7 +18,7 @@
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "scene/reading/template.h"
 #include "scene/run_fingerprint.h"
 #include "scene/sweep_figures.h"

@@ -24,7 +24,7 @@
 #include "panels/words/text_panel.h"
 #include "panels/words_left_out.h"
 #include "physics/placement/draws.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 

@@ -12,7 +12,7 @@
 #include "app/resources.h"
 #include "panels/registry.h"
 #include "scene/manual/starter.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/files/links.h"

@@ -31,7 +31,7 @@
 #include "panels/registry.h"
 #include "runs/run.h"
 #include "scene/limits.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"

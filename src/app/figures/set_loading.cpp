@@ -11,7 +11,7 @@
 #include "app/resources.h"
 #include "media/formats.h"
 #include "panels/registry.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"

@@ -16,7 +16,7 @@
 #include "app/pages/film_page.h"
 #include "app/resources.h"
 #include "runs/json.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"

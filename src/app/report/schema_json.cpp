@@ -10,7 +10,7 @@
 #include "runs/json.h"
 #include "scene/keys/keys.h"
 #include "scene/reading/scene_reading.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "scene/yaml/scalar.h"
 
 namespace carom {

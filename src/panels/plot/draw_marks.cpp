@@ -198,7 +198,7 @@ void draw_with_gaps(Canvas& canvas, const Frame& frame, double x, double from, d
                     const Stroke& stroke) {
     const double air = 0.5 * frame.pixels(stroke.width), up = to < from ? -1.0 : 1.0;
     std::vector<std::pair<double, double>> gaps;
-    for (const Rect& words : frame.placer.placed())
+    for (const Rect& words : frame.gaps)
         if (x > words.x - air && x < words.right() + air)
             gaps.emplace_back(up * (up < 0.0 ? words.bottom() : words.y),
                               up * (up < 0.0 ? words.y : words.bottom()));

@@ -194,17 +194,13 @@ bool has_labels(const Plot& plot, bool still) {
     });
 }
 
-// Layers of a part in the order in which they are drawn; still markers last, because they leave
-// gaps for words.
+// Layers of a part in the order in which they are drawn.
 std::vector<const AnyLayer*> layers_of(const Plot& plot, bool still) {
     std::vector<const AnyLayer*> layers;
     for (const AnyLayer& layer : plot.layers)
         if (common(layer).still == still) layers.push_back(&layer);
     std::ranges::stable_sort(layers, std::ranges::greater{},
                              [](const AnyLayer* layer) { return common(*layer).depth; });
-    if (still)
-        std::ranges::stable_partition(
-            layers, [](const AnyLayer* layer) { return !std::holds_alternative<Marker>(*layer); });
     return layers;
 }
 
@@ -231,6 +227,20 @@ void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
             if (const auto rect = rect_of(of_all, *label)) frame.placer.place(*rect);
 }
 
+// Where markers of a part leave gaps: at the words that have their places, and at those that layers
+// will place.
+std::vector<Rect> gaps_of(const Frame& frame, const std::vector<const AnyLayer*>& layers) {
+    const auto is_marker = [](const AnyLayer* layer) {
+        return std::holds_alternative<Marker>(*layer);
+    };
+    if (std::ranges::none_of(layers, is_marker)) return {};
+    LabelPlacer placer = frame.placer;
+    const Frame tried{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
+    for (const AnyLayer* layer : layers)
+        if (const Label* label = label_of(*layer)) rect_of(tried, *label);
+    return placer.placed();
+}
+
 }  // namespace
 
 double Frame::y(double value, Beyond beyond) const {
@@ -243,7 +253,7 @@ double Frame::y(double value, Beyond beyond) const {
 
 void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part) {
     LabelPlacer placer({});
-    const Frame frame = frame_of(plot, dc, placer);
+    Frame frame = frame_of(plot, dc, placer);
     const bool still = part == Part::still;
     if (still) {
         draw_panel_title(canvas, dc, title_of(plot, dc));
@@ -252,6 +262,7 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
     draw_notes(canvas, frame, plot, part);
     keep_labels_clear(frame, plot, still);
     const std::vector<const AnyLayer*> layers = layers_of(plot, still);
+    frame.gaps = gaps_of(frame, layers);
     const auto last_bars = std::ranges::find_if(
         layers.rbegin(), layers.rend(),
         [](const AnyLayer* layer) { return std::holds_alternative<Bars>(*layer); });

@@ -32,6 +32,7 @@ struct Frame {
     PlaceOfNotes notes = {};     ///< over bars
     Point row = {};              ///< where the last row above the plot begins, on its baseline
     bool is_key_beside = false;  ///< whether a note that may be beside the plot is there
+    std::vector<Rect> gaps = {};  ///< where markers are not drawn, because words stand there
 
     double x(double value) const { return x_scale(value); }
 

@@ -9,7 +9,7 @@
 #include "scene/manual/color_chart.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "util/text.h"
 
 namespace carom {

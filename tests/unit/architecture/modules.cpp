@@ -53,7 +53,7 @@ const std::map<std::string, Parts> parts_of_module{
       {"advance_result.h", "collision_error.h", "exact_positions.h", "gas.h", "mechanics.h",
        "particles.h", "run.h", "surface.h", "ways_back.h"}}},
     {"scene",
-     {{"yaml", "time", "keys", "lettering", "reading", "instruments", "feasibility", "scene",
+     {{"yaml", "time", "keys", "lettering", "reading", "sets", "instruments", "feasibility", "scene",
        "manual"},
       {"limits.h", "panel_kind.h", "scene.h", "sweep.h", "words.h"}}},
     {"panels",

@@ -224,7 +224,9 @@ TEST_CASE("the mark of a mean does not cross out the count of a broken bar") {
     painter.paint(film.frames.front());
     const Rect area = area_of_last_plot(*film.panels, Grid(scene.film.layout, scene.film.size));
     const double mark = area.x + area.width * 0.727 / 6.0, half_of_mark = 2.0;
-    const auto count = std::ranges::find(log.lines, "400", &DrawnLine::markup);
+    const auto count = std::ranges::find_if(log.lines, [](const DrawnLine& line) {
+        return line.markup.find("400") != std::string::npos;
+    });
     REQUIRE(count != log.lines.end());
     CHECK((count->ink.right() < mark - half_of_mark || count->ink.x > mark + half_of_mark ||
            count->ink.bottom() <= area.y));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "panels/callouts/callout.h"
-#include "panels/fade.h"
+#include "panels/callouts/fade.h"
 #include "panels/gas/camera.h"
 #include "panels/gas/marks/spotlights.h"
 #include "panels/gas/particle_panel.h"

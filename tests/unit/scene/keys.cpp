@@ -18,7 +18,7 @@
 #include "scene/keys/colors.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "scene/yaml/yaml.h"
 
 using namespace carom;

@@ -6,7 +6,7 @@
 
 #include "media/formats.h"
 #include "panels/registry.h"
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 #include "support/files.h"
 #include "support/test_root.h"
 

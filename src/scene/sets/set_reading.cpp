@@ -1,4 +1,4 @@
-#include "scene/reading/set_reading.h"
+#include "scene/sets/set_reading.h"
 
 #include <fmt/format.h>
 

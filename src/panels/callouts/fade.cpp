@@ -1,4 +1,4 @@
-#include "panels/fade.h"
+#include "panels/callouts/fade.h"
 
 #include <algorithm>
 #include <cmath>

@@ -132,9 +132,17 @@ std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style
 std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
     const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
     const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
-    return localised(style.language, style.decades
-                                         ? decade_ticks(scale.low, scale.high, most)
-                                         : ticks(scale.low, scale.high, most, style.whole));
+    std::vector<TickMark> marks =
+        localised(style.language, style.decades ? decade_ticks(scale.low, scale.high, most)
+                                                : ticks(scale.low, scale.high, most, style.whole));
+    // Where not even two labels have room, marks near the one before have none.
+    double before = INFINITY;
+    for (TickMark& mark : marks) {
+        const double y = scale(mark.value);
+        if (std::abs(before - y) < 1.1 * style.label.size) mark.label.clear();
+        if (!mark.label.empty()) before = y;
+    }
+    return marks;
 }
 
 // The number of multiples of a step from `first` to `last`.
@@ -171,6 +179,14 @@ std::vector<TickMark> ticks(double low, double high, int most, bool whole) {
         marks.push_back({value, label_of(value, step, largest)});
     }
     return marks;
+}
+
+int common_power(const std::vector<TickMark>& marks, double largest) {
+    const auto has_power = [](const TickMark& mark) {
+        return mark.label.find("×") != std::string::npos;
+    };
+    if (std::ranges::none_of(marks, has_power)) return 0;
+    return static_cast<int>(std::floor(std::log10(largest) + slack));
 }
 
 std::vector<TickMark> decade_ticks(double low, double high, int most) {

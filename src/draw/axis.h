@@ -30,6 +30,10 @@ struct TickMark {
 /// range from 0. Empty for an empty range. `whole`: whole numbers only, for counts.
 std::vector<TickMark> ticks(double low, double high, int most = 5, bool whole = false);
 
+/// The exponent of the power of ten that the labels of marks up to `largest` have in common; 0 if
+/// these are written without one.
+int common_power(const std::vector<TickMark>& marks, double largest);
+
 /// Powers of ten from 10^low to 10^high; usually not more than `most`, and at least two if the
 /// range contains two. Their exponents are multiples of 1, 2, 5, 10, 20, 25, 50 or 100. The value
 /// of a mark is its exponent.

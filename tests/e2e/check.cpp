@@ -192,7 +192,9 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
     CHECK(json::parse(small.out).at(0).at("cut") ==
           json{"the panel `entropy` (its place is 16 by 6.9 units, it needs 8 by 7)",
                "the panel `temperature` (its place is 7 by 9 units, it needs 8 by 7)",
-               "the monitor `fast`", "the monitor `slow`"});
+               "the monitor `fast`", "the monitor `slow`", "the words “mean” of a plot",
+               "the words “mean at start” of a plot", "the words “equilibrium 1.68” of a plot",
+               "the words “temperature” of a plot"});
     places.write("words.yaml",
                  "title: T" + std::string(120, 'w') +
                      "\nbox: {size: [10, 10]}\ngas: [{count: 9, radius: 0.3, speed: 2}]\n"

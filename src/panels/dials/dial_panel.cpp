@@ -219,22 +219,39 @@ std::optional<std::array<double, 2>> DialPanel::error_band(const Reading& readin
 // A mean of the counts of several runs is not a whole number.
 bool DialPanel::is_whole() const { return subject_.counts && record_.runs_in_mean == 1; }
 
-std::string DialPanel::number(double value, const std::optional<double>& error) const {
+// That all numbers have in common, if they are written with one; otherwise 0.
+int DialPanel::power() const {
+    if (is_whole()) return 0;
+    return common_power(ticks(scale_.low, scale_.high), scale_.high);
+}
+
+DialScale DialPanel::written_scale() const {
+    const double factor = std::pow(10.0, -power());
+    return {factor * scale_.low, factor * scale_.high};
+}
+
+std::string DialPanel::written(double value, const std::optional<double>& error, int power) const {
     if (std::isnan(value)) return "–";
     if (is_whole()) return grouped(std::llround(value));
-    if (error) return with_error(context_.language(), value, *error);
-    return steady_number(context_.language(), value, {scale_.low, scale_.high});
+    const double factor = std::pow(10.0, -power);
+    if (error) return with_error(context_.language(), factor * value, factor * *error);
+    return steady_number(context_.language(), factor * value,
+                         {factor * scale_.low, factor * scale_.high});
+}
+
+std::string DialPanel::number(double value, const std::optional<double>& error) const {
+    return written(value, error, 0);
 }
 
 double DialPanel::widest_number(const TextStyle& style) const {
     const DialRun& run = record_.runs.front();
     if (run.errors.empty())
-        return std::max(measure_text(number(scale_.low, {}), style).width,
-                        measure_text(number(scale_.high, {}), style).width);
+        return std::max(measure_text(written(scale_.low, {}, power()), style).width,
+                        measure_text(written(scale_.high, {}, power()), style).width);
     std::string longest;
     for (std::size_t i = 0; i < run.lines.size(); ++i)
         for (std::size_t frame = 0; frame < run.lines[i].size(); ++frame) {
-            std::string words = number(run.lines[i][frame], run.errors[i][frame]);
+            std::string words = written(run.lines[i][frame], run.errors[i][frame], power());
             if (words.size() > longest.size()) longest = std::move(words);
         }
     for (char& letter : longest)
@@ -377,7 +394,9 @@ void DialPanel::draw_words(Canvas& canvas, const DrawContext& dc, const Layout& 
 }
 
 void DialPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    draw_panel_title(canvas, dc, escape_markup(subject_.title));
+    const std::string title = escape_markup(subject_.title);
+    draw_panel_title(canvas, dc,
+                     power() == 0 ? title : title + " /\u200910" + superscript(power()));
     const Layout layout = this->layout(dc);
     const std::vector<DialSubject::Line> all = lines();
     for (std::size_t k = 0; k < all.size(); ++k)
@@ -391,7 +410,7 @@ void DialPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& st
     for (std::size_t k = 0; k < now.size(); ++k) {
         if (has_room_for(layout.faces[k], dc)) draw_value(canvas, dc, layout.faces[k], now[k]);
         if (k < layout.places.size())
-            draw_text(canvas, layout.places[k].at, number(now[k].said, now[k].error),
+            draw_text(canvas, layout.places[k].at, written(now[k].said, now[k].error, power()),
                       layout.places[k].number);
     }
 }

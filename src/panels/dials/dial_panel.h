@@ -107,6 +107,10 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     const PanelContext& context() const { return context_; }
     const DialScale& scale() const { return scale_; }
 
+    /// The scale in the numbers that are written: without a power of ten that they have in common,
+    /// which the title names.
+    DialScale written_scale() const;
+
     /// The range of one standard error to either side of a mean, as shares of the scale; none for a
     /// single run and if the error is not known.
     std::optional<std::array<double, 2>> error_band(const Reading& reading) const;
@@ -117,6 +121,8 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
   private:
     struct Layout;
     bool is_whole() const;
+    int power() const;
+    std::string written(double value, const std::optional<double>& error, int power) const;
     Layout layout(const DrawContext& dc) const;
     Layout layout_in_grid(const DrawContext& dc, const Rect& area) const;
     void draw_words(Canvas& canvas, const DrawContext& dc, const Layout& layout) const;

@@ -23,7 +23,7 @@ class StopwatchPanel : public DialPanel {
     Width width() const override { return {0.0, 2.0 / watch_shape.depth}; }
     void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
                    const DialSubject::Line&) const override {
-        RoundDial(dc, face, watch_shape).draw_face(canvas, scale(), context().language());
+        RoundDial(dc, face, watch_shape).draw_face(canvas, written_scale(), context().language());
     }
     void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
                     const Reading& reading) const override {

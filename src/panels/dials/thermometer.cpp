@@ -60,7 +60,8 @@ ThermometerPanel::Glass ThermometerPanel::glass(const DrawContext& dc, const Rec
     glass.top = face.y + 0.4 * u;
     glass.middle = {glass.x, face.bottom() - glass.bulb - 0.05 * u};
     glass.bottom = glass.middle.y - glass.bulb;
-    glass.scale = {scale().low, scale().high, glass.bottom - 0.15 * u, glass.top + glass.tube};
+    const auto [low, high] = written_scale();
+    glass.scale = {low, high, glass.bottom - 0.15 * u, glass.top + glass.tube};
     return glass;
 }
 
@@ -94,7 +95,7 @@ void ThermometerPanel::draw_face(Canvas& canvas, const DrawContext& dc, const Re
     const double height = std::abs(glass.scale.to - glass.scale.from);
     const int most = std::clamp(static_cast<int>(height / (1.3 * u)) + 1, 2, 7);
     const double right = glass.x - glass.tube - ThermometerSize::tick_gap * u;
-    for (const TickMark& mark : ticks(scale().low, scale().high, most)) {
+    for (const TickMark& mark : ticks(glass.scale.low, glass.scale.high, most)) {
         const double y = glass.scale(mark.value);
         canvas.stroke_line({right - ThermometerSize::tick * u, y}, {right, y},
                            ThermometerSize::line_width * u, dc.theme.muted);

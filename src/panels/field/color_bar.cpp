@@ -35,27 +35,12 @@ std::vector<TickMark> marks_with_room(const ColorScale& scale, double height, do
     return marks;
 }
 
-namespace {
-
-// The power of ten that all numbers of a scale have in common if they are written with one; 0: they
-// are not.
-int common_power(const ColorScale& scale) {
-    const auto has_power = [](const TickMark& mark) {
-        return mark.label.find("10") != std::string::npos &&
-               mark.label.find("×") != std::string::npos;
-    };
-    if (std::ranges::none_of(marks_of(scale), has_power)) return 0;
-    return static_cast<int>(std::floor(std::log10(scale.top) + 1e-9));
-}
-
-}  // namespace
-
 void draw_color_bar(Canvas& canvas, const DrawContext& dc, const ColorMap& map,
                     const ColorScale& scale, double opacity) {
     constexpr int steps = 256;
     const double u = dc.unit, line_of_power = 1.35 * u;
     // The numbers share a power of ten, which is written once: there is little room beside the bar.
-    const int power = common_power(scale);
+    const int power = common_power(marks_of(scale), scale.top);
     ColorScale shown = scale;
     shown.top *= std::pow(10.0, -power);
     const double head = 1.8 * u + (power == 0 ? 0.0 : line_of_power);

@@ -176,8 +176,9 @@ double MonitorsPanel::widest_time(double unit) const {
     const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     const double width =
         measure_text(text(Monitor::time, context_.scene.run.until), style).width / unit;
-    if (width < arrow_place - arrow_size) return 0.0;
-    return width + (branch_count(context_.scene.run) > 1 ? arrow_gap + arrow_size : 0.0);
+    const bool turns = branch_count(context_.scene.run) > 1;
+    if (width + (turns ? arrow_gap : 0.0) < arrow_place - (turns ? 0.0 : arrow_size)) return 0.0;
+    return width + (turns ? arrow_gap + arrow_size : 0.0);
 }
 
 // With as many digits as a number gets.
@@ -353,6 +354,17 @@ void MonitorsPanel::draw_slowness(Canvas& canvas, const DrawContext& dc, const R
               localised(context_.language(), slow_words(slow)), style);
 }
 
+// After the time at `at`; where there is no room for it, in the line of the word "time", at the
+// right end.
+Point MonitorsPanel::place_of_arrow(const DrawContext& dc, const Row& rows, const Point& at) const {
+    const double size = rows.size * dc.unit, half = arrow_size * size;
+    const double usual = arrow_place * rows.spacing * dc.unit;
+    const double x = at.x + std::max(usual, widest_time(dc.unit) * size - half);
+    if (rows.shown > 1 || x + half <= rows.area.right())
+        return {x, at.y + rows.baseline() - 0.55 * size};
+    return {rows.area.right() - half, at.y + rows.label_baseline() - 0.55 * half};
+}
+
 void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const auto& now = static_cast<const MonitorsState&>(state);
     const Row rows = row(dc);
@@ -366,12 +378,8 @@ void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState
         if (numbers_[i] != Monitor::time) continue;
         draw_slowness(canvas, dc, rows, now.slow);
         if (branch_count(context_.scene.run) == 1) continue;
-        const double size = rows.size * dc.unit;
-        const double x =
-            std::max(arrow_place * rows.spacing, (widest_time(dc.unit) - arrow_size) * rows.size) *
-            dc.unit;
-        draw_arrow(canvas, {at.x + x, baseline - 0.55 * size}, 0.6 * size, now.arrow,
-                   dc.theme.accent);
+        draw_arrow(canvas, place_of_arrow(dc, rows, at), arrow_size * rows.size * dc.unit,
+                   now.arrow, dc.theme.accent);
     }
 }
 

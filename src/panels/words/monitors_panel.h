@@ -69,6 +69,7 @@ class MonitorsPanel : public Panel {
     Row row(const DrawContext& dc) const;
     Row row_of(const Rect& area, double unit, std::size_t count) const;
     Point place(const Row& row, std::size_t index) const;  // its top left corner
+    Point place_of_arrow(const DrawContext& dc, const Row& rows, const Point& at) const;
     void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
                        const Slowness& slow) const;
     double width(Monitor number, double unit) const;  // of its column

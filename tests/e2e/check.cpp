@@ -150,12 +150,12 @@ TEST_CASE("estimates are plain numbers of two digits") {
         const std::size_t begin = outcome.out.find("collisions");
         return outcome.out.substr(begin, outcome.out.find('\n', begin) - begin);
     };
-    // 1,513 in a time of 300, 2/9 of them for each of nine beads
-    CHECK(collisions("300").find("about 1500 between particles, 340 for each") !=
+    // 1,556 in a time of 300, 2/9 of them for each of nine beads
+    CHECK(collisions("300").find("about 1600 between particles, 350 for each") !=
           std::string::npos);
-    CHECK(collisions("30000").find(", 34\u2009000 for each") != std::string::npos);
-    CHECK(collisions("3").find("about 15 between particles, 3.4 for each") != std::string::npos);
-    CHECK(collisions("0.003").find("0.015 between particles, less than 0.01 for each") !=
+    CHECK(collisions("30000").find(", 35\u2009000 for each") != std::string::npos);
+    CHECK(collisions("3").find("about 16 between particles, 3.5 for each") != std::string::npos);
+    CHECK(collisions("0.003").find("0.016 between particles, less than 0.01 for each") !=
           std::string::npos);
 }
 

@@ -15,6 +15,7 @@
 #include "physics/theory/law.h"
 #include "physics/theory/theory.h"
 #include "support/blocks.h"
+#include "support/equilibrium.h"
 #include "support/relative.h"
 #include "util/random.h"
 
@@ -397,7 +398,7 @@ TEST_CASE("theory that takes a plain box for granted does not answer for others"
     REQUIRE(why_no_law(gas, {}, LawOf::distribution));
     CHECK(why_no_law(gas, {}, LawOf::distribution)->why == NoLaw::Why::gravity);
     CHECK_FALSE(law(BoxedGas(gas.box, {}, particles, start), LawOf::collision_rate));
-    CHECK_FALSE(equilibrium(gas.box, particles, start));
+    CHECK_FALSE(test::equilibrium(gas.box, particles, start));
 }
 
 TEST_CASE("disks are placed clear of every surface") {

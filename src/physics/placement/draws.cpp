@@ -69,28 +69,24 @@ void remove_momentum(const Box& box, const Eigen::ArrayXd& inverse_masses,
                 sum_in_order(masses * velocities.col(axis)) / sum_in_order(masses);
 }
 
-// Whether the momenta of all particles with a `speed` must sum to zero along each axis: where the
-// gas conserves them.
-std::array<bool, 2> balanced_axes(const Gas& gas) {
-    const bool has_infinite = std::ranges::any_of(gas.species, [](const Species& species) {
-        return species.count > 0 && std::holds_alternative<Infinite>(species.mass);
-    });
-    std::array<bool, 2> axes{};
-    for (int axis = 0; axis < gas.box.dimension; ++axis)
-        axes[static_cast<std::size_t>(axis)] =
-            !has_infinite && conserves_momentum(gas.box, Eigen::Index{axis});
-    return axes;
+// The speeds of the particles of a species and, in a plane, the angles of their directions.
+std::pair<Eigen::ArrayXd, Eigen::ArrayXd> draw_speeds(const Gas& gas, std::size_t species,
+                                                      const Quantity& speed, Eigen::Index count) {
+    Random random = stream(gas, species, "velocity");
+    Eigen::ArrayXd speeds(count), angles = Eigen::ArrayXd::Zero(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        speeds[i] = draw_one(speed, i, random);
+        if (gas.box.dimension == 2) angles[i] = random.uniform(0.0, 2.0 * std::numbers::pi);
+    }
+    return {std::move(speeds), std::move(angles)};
 }
 
 Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const Quantity& speed,
                                      Eigen::Index count) {
-    Random random = stream(gas, species, "velocity");
+    const auto [speeds, angles] = draw_speeds(gas, species, speed, count);
     Eigen::ArrayXXd velocities(count, 2);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const double v = draw_one(speed, i, random);
-        const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
-        velocities.row(i) << v * std::cos(angle), v * std::sin(angle);
-    }
+    for (Eigen::Index i = 0; i < count; ++i)
+        velocities.row(i) << speeds[i] * std::cos(angles[i]), speeds[i] * std::sin(angles[i]);
     return velocities;
 }
 
@@ -161,7 +157,7 @@ Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
     return velocities;
 }
 
-// The particles of a gas that have a `speed`, with the same random numbers as before.
+// The particles of a gas that have a `speed`.
 struct SpeedDraws {
     std::vector<Eigen::Index> particles;
     std::vector<double> speed, angle;
@@ -171,13 +167,10 @@ struct SpeedDraws {
         for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
             const auto* rule = std::get_if<Speed>(&gas.species[s].velocity);
             if (rule == nullptr) return;
-            Random random = stream(gas, s, "velocity");
-            for (Eigen::Index i = 0; i < count; ++i) {
-                particles.push_back(first + i);
-                speed.push_back(draw_one(rule->value, i, random));
-                angle.push_back(
-                    gas.box.dimension == 1 ? 0.0 : random.uniform(0.0, 2.0 * std::numbers::pi));
-            }
+            const auto [speeds, angles] = draw_speeds(gas, s, rule->value, count);
+            speed.insert(speed.end(), speeds.begin(), speeds.end());
+            angle.insert(angle.end(), angles.begin(), angles.end());
+            for (Eigen::Index i = 0; i < count; ++i) particles.push_back(first + i);
         });
         momentum.resize(std::ssize(particles));
         for (Eigen::Index k = 0; k < momentum.size(); ++k)
@@ -259,7 +252,9 @@ bool balance_on_ring(const Gas& gas, const SpeedDraws& draws, Sample& start) {
 // Turns the velocities of all particles with a `speed`, of whatever species, so that their momenta
 // sum to zero where momentum is conserved. Throws PlacementError if no directions do that.
 void balance_speeds(const Gas& gas, const Particles& particles, Sample& start) {
-    const std::array<bool, 2> axes = balanced_axes(gas);
+    std::array<bool, 2> axes{};
+    for (int axis = 0; axis < gas.box.dimension; ++axis)
+        axes[static_cast<std::size_t>(axis)] = conserves_momentum(gas.box, particles, axis);
     if (!axes[0] && !axes[1]) return;
     const SpeedDraws draws(gas, particles);
     if (draws.are_at_rest()) return;
@@ -302,6 +297,18 @@ std::optional<Problem> too_many(const Gas& gas) {
         left -= count;
     }
     return std::nullopt;
+}
+
+// Sets the positions of particles if all are listed.
+void set_listed_places(const Gas& gas, Sample& start) {
+    const bool are_listed = std::ranges::all_of(gas.species, [](const Species& species) {
+        return species.count == 0 ||
+               (has_position<Places>(species) && fitting_rules(species).position);
+    });
+    if (!are_listed) return;
+    for_each_listed(gas, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) {
+        start.position.row(i) = place.head(gas.box.dimension).transpose();
+    });
 }
 
 }  // namespace
@@ -375,6 +382,7 @@ std::pair<Particles, Sample> draw_gas(const Gas& gas, std::vector<Problem>& prob
         }
         first += its_count;
     }
+    if (!more) set_listed_places(gas, start);
     if (!problems.empty()) return {std::move(particles), std::move(start)};
     try {
         balance_speeds(gas, particles, start);

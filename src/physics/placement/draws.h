@@ -1,5 +1,5 @@
 // Draws radii, masses and velocities from the rules of the species and the seed of the gas.
-// Positions are not assigned here (placement.h).
+// Positions are drawn elsewhere (placement.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +24,8 @@ FittingRules fitting_rules(const Species& species);
 /// The number of particles of all species together.
 std::int64_t total_count(const Gas& gas);
 
-/// Draws all particles of a gas and their velocities; their positions are zero. Along periodic axes
+/// Draws all particles of a gas and their velocities. Their positions are those that are listed, if
+/// all are, otherwise zero. Along periodic axes
 /// a species with a temperature has no total momentum, unless it has only one particle. Where
 /// momentum is conserved (conserves_momentum()), the momenta of all particles with a speed sum to
 /// zero, while each keeps its speed (directions.h). Throws PlacementError, also if that is

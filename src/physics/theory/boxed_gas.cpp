@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "physics/placement/members.h"
@@ -128,7 +129,7 @@ std::optional<NoLaw> why_not(const BoxedGas& gas) {
     if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
     if (gas.drifts) return NoLaw{Why::drifts};
     if (gas.box.dimension == 1) return why_not_on_line(gas);
-    if (!(gas.particles->radius > 0.0).all()) return NoLaw{Why::points};
+    if (gas.has_points()) return NoLaw{Why::points};
     return std::nullopt;
 }
 
@@ -147,22 +148,55 @@ EquilibriumGas equilibrium_of(const BoxedGas& gas) {
     return all;
 }
 
+bool holds(const BoxedGas& gas, Why reason) {
+    const Influences& all = gas.influences;
+    switch (reason) {
+        case Why::unknown_gas:
+            return gas.particles == nullptr;
+        case Why::bath:
+            return all.bath;
+        case Why::baths_differ:
+            return all.baths_differ();
+        case Why::driven:
+            return all.driven;
+        case Why::piston:
+            return all.piston;
+        case Why::membrane:
+            return all.membrane;
+        case Why::partitions:
+            return all.partitions;
+        case Why::obstacles:
+            return all.obstacles;
+        case Why::gravity:
+            return all.has_gravity();
+        case Why::event:
+            return all.wall_event || all.heat_event;
+        case Why::moving_infinite_mass:
+            return gas.moving_infinite_mass.has_value();
+        case Why::fixed_particles:
+            return gas.fixed > 0.0;
+        case Why::no_finite_mass:
+            return gas.finite == 0.0;
+        default:
+            throw std::logic_error("a reason that influences alone do not decide");
+    }
+}
+
 }  // namespace
 
-std::optional<NoLaw> why_not_isolated(const BoxedGas& gas) {
-    const Influences& all = gas.influences;
-    if (gas.particles == nullptr) return NoLaw{Why::unknown_gas};
-    if (gas.moving_infinite_mass)
-        return NoLaw{Why::moving_infinite_mass, *gas.moving_infinite_mass};
-    if (all.driven) return NoLaw{Why::driven};
-    if (all.bath) return NoLaw{std::isnan(all.temperature) ? Why::baths_differ : Why::bath};
-    if (all.piston) return NoLaw{Why::piston};
-    if (all.membrane) return NoLaw{Why::membrane};
-    if (all.wall_event || all.heat_event) return NoLaw{Why::event};
-    if (all.has_gravity()) return NoLaw{Why::gravity};
-    if (all.partitions) return NoLaw{Why::partitions};
-    if (all.obstacles) return NoLaw{Why::obstacles};
+std::optional<NoLaw> first_of(const BoxedGas& gas, std::initializer_list<Why> reasons) {
+    for (const Why reason : reasons) {
+        if (!holds(gas, reason)) continue;
+        if (reason == Why::moving_infinite_mass) return NoLaw{reason, *gas.moving_infinite_mass};
+        return NoLaw{reason};
+    }
     return std::nullopt;
+}
+
+std::optional<NoLaw> why_not_isolated(const BoxedGas& gas) {
+    return first_of(gas, {Why::unknown_gas, Why::moving_infinite_mass, Why::driven,
+                          Why::baths_differ, Why::bath, Why::piston, Why::membrane, Why::event,
+                          Why::gravity, Why::partitions, Why::obstacles});
 }
 
 BoxedGas::BoxedGas(const Box& its_box, const std::vector<RunEvent>& events,
@@ -195,16 +229,6 @@ BoxedGas::BoxedGas(const Box& its_box, const std::vector<RunEvent>& events,
     if (box.dimension == 1) line = start;
     no_equilibrium = why_not(*this);
     if (!no_equilibrium) equilibrium = equilibrium_of(*this);
-}
-
-std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
-                                          const Sample& sample, const std::vector<int>& species) {
-    const BoxedGas boxed(box, {}, particles, sample);
-    if (!boxed.equilibrium || species.empty()) return boxed.equilibrium;
-    std::vector<Eigen::Index> chosen;
-    for (Eigen::Index i = 0; i < particles.count(); ++i)
-        if (std::ranges::find(species, particles.species[i]) != species.end()) chosen.push_back(i);
-    return among(*boxed.equilibrium, particles, chosen);
 }
 
 std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& particles,

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -29,11 +31,7 @@ struct Influences {
     double temperature = 0.0;  ///< of all baths; NaN if they differ
 
     bool has_gravity() const { return gravity[0] || gravity[1]; }
-    /// Whether energy is conserved and the box is plain: only reflecting or periodic sides.
-    bool is_plain() const {
-        return !bath && !driven && !piston && !membrane && !partitions && !obstacles &&
-               !has_gravity() && !wall_event && !heat_event;
-    }
+    bool baths_differ() const { return bath && std::isnan(temperature); }
 };
 
 /// Made once from the start of a run. Refers to the particles, which must outlive it. Copies are
@@ -69,13 +67,29 @@ struct BoxedGas {
     double freedoms() const { return thermal.degrees_of_freedom; }
     bool conserves_all() const { return conserves[0] && (box.dimension == 1 || conserves[1]); }
     bool conserves_one() const { return box.dimension == 2 && conserves[0] != conserves[1]; }
+    /// The number of axes along which momentum is conserved.
+    double conserved() const { return double(conserves[0]) + double(conserves[1]); }
+    /// Whether a particle has more than walls to collide with.
+    bool has_partner() const { return finite + fixed > 1.0 || influences.obstacles; }
+    bool are_points() const { return (particles->radius == 0.0).all(); }  ///< all of them
+    bool has_points() const { return !(particles->radius > 0.0).all(); }  ///< some of them
     bool is_periodic() const {
         return box.is_periodic(0) && (box.dimension == 1 || box.is_periodic(1));
     }
 };
 
+/// The first of these reasons that holds for a gas, by what acts on it and of what it consists; the
+/// first group of NoLaw::Why, without `reversal`, and `no_finite_mass`. Throws std::logic_error for
+/// other reasons.
+std::optional<NoLaw> first_of(const BoxedGas& gas, std::initializer_list<NoLaw::Why> reasons);
+
 /// Why the energy of the particles is not constant and shared by all in a box with nothing but
 /// reflecting or periodic sides; nothing if it is.
 std::optional<NoLaw> why_not_isolated(const BoxedGas& gas);
+
+/// An equilibrium for only those of its particles that are listed by number; nothing if none of
+/// these has a finite mass.
+std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& particles,
+                                    const std::vector<Eigen::Index>& chosen);
 
 }  // namespace carom

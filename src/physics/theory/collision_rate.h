@@ -9,8 +9,8 @@
 namespace carom {
 
 /// Expected number of particle-particle collisions of the whole gas per unit of time, 1/time, where
-/// law() has one (LawOf::collision_rate, which is per particle). Uses the velocities but not the
-/// positions.
+/// law() has one (LawOf::collision_rate, which is per particle). Uses the velocities, and on a line
+/// the order of beads whose masses differ.
 ///
 /// In a plane this is Enskog's rate, the sum of 2 s chi g / A over all pairs of disks, where s is
 /// the contact distance, g = sqrt(pi T / (2 mu)) the mean relative speed at the temperature T given
@@ -21,8 +21,9 @@ namespace carom {
 ///
 /// On a line beads move like points on the length that they leave free, L. Equal masses only
 /// exchange velocities: each pair meets max(|v|, |w|) / L times per unit of time between walls and
-/// |v - w| / L times on a ring, which is exact over long times. For other masses the rate is the
-/// sum of g / L over all pairs with g = sqrt(2 T / (pi mu)).
+/// |v - w| / L times on a ring, which is exact over long times. Other masses only meet their
+/// neighbours, each pair n g / (2 L) times, where g = sqrt(2 T / (pi mu)) and n is the number of
+/// beads, or one less on a ring: exact for beads that come near all states of their energy.
 ///
 /// In both, g includes the exact factor of finite numbers, mean_speed_factor().
 double collisions_per_time(const BoxedGas& gas);

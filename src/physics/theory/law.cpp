@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "physics/placement/draws.h"
-#include "physics/placement/members.h"
 #include "physics/theory/laws/laws.h"
 
 namespace carom {
@@ -24,16 +23,6 @@ constexpr std::array<LawFunction, laws_count> functions{
     laws::gap_flux,         laws::side_count,       laws::side_energy,
     laws::side_temperature, laws::piston,           laws::isotherm,
     laws::heights,          laws::error_growth};
-
-// Sets the positions of listed particles. Returns whether all are known.
-bool set_known_places(const Gas& gas, Sample& sample) {
-    for_each_listed(gas, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) {
-        sample.position.row(i) = place.head(gas.box.dimension).transpose();
-    });
-    return std::ranges::all_of(gas.species, [](const Species& species) {
-        return species.count == 0 || has_position<Places>(species);
-    });
-}
 
 }  // namespace
 
@@ -56,11 +45,12 @@ Law law(const BoxedGas& gas, LawOf quantity, const Asked& asked) {
 
 std::optional<NoLaw> why_no_law(const Gas& gas, const Run& run, LawOf quantity,
                                 const Asked& asked) {
-    auto drawn = try_draw_gas(gas);
+    const auto drawn = try_draw_gas(gas);
     if (!drawn) return std::nullopt;
-    auto& [particles, sample] = *drawn;
-    if (!set_known_places(gas, sample)) sample.position.setZero();
-    return law(BoxedGas(gas.box, run.events, particles, sample), quantity, asked).none;
+    const auto& [particles, sample] = *drawn;
+    const Law found = law(BoxedGas(gas.box, run.events, particles, sample), quantity, asked);
+    const bool is_only_unplaced = found.none && found.none->why == NoLaw::Why::unknown_order;
+    return is_only_unplaced ? std::nullopt : found.none;
 }
 
 }  // namespace carom

@@ -83,8 +83,8 @@ struct Law {
 Law law(const BoxedGas& gas, LawOf quantity, const Asked& asked = {});
 
 /// The same before the particles of a gas are placed, for all of them: the reason why there will be
-/// no law. Positions that are not listed are assumed to allow one. Returns nothing if there is a
-/// law, or if the gas cannot be drawn.
+/// no law. Positions of which not all are listed are assumed to allow one. Returns nothing if there
+/// is a law, or if the gas cannot be drawn.
 std::optional<NoLaw> why_no_law(const Gas& gas, const Run& run, LawOf quantity,
                                 const Asked& asked = {});
 

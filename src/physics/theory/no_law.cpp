@@ -5,7 +5,7 @@
 namespace carom {
 namespace {
 
-// In the order of NoLaw::Why; that with a name is completed by to_text().
+// In the order of NoLaw::Why.
 constexpr std::array words{
     Phrase{"there is no gas"},
     Phrase{"a heat bath exchanges energy with the gas"},
@@ -18,7 +18,7 @@ constexpr std::array words{
     Phrase{"gravity acts on it"},
     Phrase{"events change the walls, the energy or the velocities"},
     Phrase{"events change the velocities"},
-    Phrase{"`{}` has infinite mass and moves, so that energy is not conserved"},
+    Phrase{"a particle of infinite mass moves, so that energy is not conserved"},
     Phrase{"particles of infinite mass stand in the way"},
     Phrase{"no particle has a finite mass"},
     Phrase{"a single particle has nothing to share its energy with"},
@@ -38,6 +38,7 @@ constexpr std::array words{
     Phrase{"on a ring fewer than four beads need not be ergodic"},
     Phrase{"beads that never move separate those that do"},
     Phrase{"beads on a wire keep their order, so that none can go far from the others"},
+    Phrase{"the order of the beads on the wire is not known before they are placed"},
     Phrase{"on a wire it is known for points only"},
     Phrase{"the particles leave no room"},
     Phrase{"momentum is conserved along one axis only"},
@@ -70,12 +71,11 @@ static_assert(words.size() == reasons_count);
 }  // namespace
 
 std::string to_text(Language language, const NoLaw& reason, const std::vector<Species>& species) {
-    if (reason.why != NoLaw::Why::moving_infinite_mass)
-        return say(language, words.at(static_cast<std::size_t>(reason.why)));
     const std::string name = reason.species < species.size() ? species[reason.species].name : "";
-    if (name.empty())
-        return say(language, "a particle of infinite mass moves, so that energy is not conserved");
-    return say(language, "`{}` has infinite mass and moves, so that energy is not conserved", name);
+    if (reason.why == NoLaw::Why::moving_infinite_mass && !name.empty())
+        return say(language, "`{}` has infinite mass and moves, so that energy is not conserved",
+                   name);
+    return say(language, words.at(static_cast<std::size_t>(reason.why)));
 }
 
 }  // namespace carom

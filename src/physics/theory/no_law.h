@@ -48,6 +48,7 @@ struct NoLaw {
                            ///< near all its states
         parted,            ///< on a line, beads that never move separate those that do
         keeps_order,       ///< on a line, beads cannot pass one another
+        unknown_order,     ///< on a line, the order of beads that are not placed yet
         rods,              ///< the law is for points on a line
         no_room,           ///< beads that fill their line, or disks that fill their box
         // A formula that holds for other boxes or particles only.

@@ -117,12 +117,6 @@ double velocity_density(const EquilibriumGas& gas, double v, std::optional<int> 
     });
 }
 
-double velocity_deviation(const EquilibriumGas& gas, std::optional<int> axis) {
-    return std::sqrt(average_along(gas, axis, [&](double mass, double share) {
-        return 2.0 * share * gas.energy / (mass * freedoms(gas));
-    }));
-}
-
 double mean_speed_along(const EquilibriumGas& gas, int axis) {
     const double mean_root = std::exp(log_beta(1.0, gas.alpha + gas.beta - 0.5) -
                                       log_beta(0.5, gas.alpha + gas.beta - 0.5));
@@ -134,12 +128,6 @@ double mean_speed_along(const EquilibriumGas& gas, int axis) {
 double mean_speed_factor(double freedoms) {
     const double half = 0.5 * freedoms;
     return std::sqrt(half) * std::exp(std::lgamma(half) - std::lgamma(half + 0.5));
-}
-
-double mean_energy(const EquilibriumGas& gas) {
-    return average(gas, [&](double, double share) {
-        return share * gas.energy * gas.alpha / (gas.alpha + gas.beta);
-    });
 }
 
 // The mean of sqrt(x) for x ~ Beta(alpha, beta) is B(alpha + 1/2, beta) / B(alpha, beta).

@@ -5,13 +5,9 @@
 // thread.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <vector>
-
-#include "physics/gas.h"
-#include "physics/particles.h"
 
 namespace carom {
 
@@ -41,18 +37,6 @@ struct EquilibriumGas {
     void archive(auto& archive) { archive(energy, alpha, beta, groups); }
 };
 
-/// The equilibrium that the gas approaches if it has one, by why_no_equilibrium() (equilibrium.h).
-/// `species` selects the particles whose distribution is requested; empty: all particles of finite
-/// mass.
-std::optional<EquilibriumGas> equilibrium(const Box& box, const Particles& particles,
-                                          const Sample& sample,
-                                          const std::vector<int>& species = {});
-
-/// The same equilibrium for only those of its particles that are listed by number; nothing if none
-/// of these has a finite mass.
-std::optional<EquilibriumGas> among(const EquilibriumGas& gas, const Particles& particles,
-                                    const std::vector<Eigen::Index>& chosen);
-
 /// Probability density of a particle's kinetic energy at e, averaged over the groups; 1/energy.
 /// Infinite at 0 in one dimension.
 double energy_density(const EquilibriumGas& gas, double e);
@@ -70,9 +54,6 @@ double speed_density(const EquilibriumGas& gas, double v);
 /// 3)/2) / B(1/2, (D - 1)/2).
 double velocity_density(const EquilibriumGas& gas, double v, std::optional<int> axis = {});
 
-/// Standard deviation of that component, whose mean is 0; length/time.
-double velocity_deviation(const EquilibriumGas& gas, std::optional<int> axis = {});
-
 /// The mean of |v| along an axis, averaged over the groups.
 double mean_speed_along(const EquilibriumGas& gas, int axis);
 
@@ -83,9 +64,6 @@ inline double freedoms(const EquilibriumGas& gas) { return 2.0 * (gas.alpha + ga
 /// divided by that for very many degrees of freedom at the same temperature: sqrt(D/2) Gamma(D/2) /
 /// Gamma(D/2 + 1/2), above 1. Relative speeds, too, have this factor.
 double mean_speed_factor(double freedoms);
-
-/// Mean kinetic energy of a particle, averaged over the groups.
-double mean_energy(const EquilibriumGas& gas);
 
 /// Mean speed of a particle, averaged over the groups.
 double mean_speed(const EquilibriumGas& gas);

@@ -7,6 +7,7 @@
 
 #include "physics/simulation.h"
 #include "physics/theory/law.h"
+#include "support/equilibrium.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -23,7 +24,7 @@ bool has_equilibrium(const Gas& gas) {
     Run run;
     run.until = 1.0;
     Simulation simulation(gas, run);
-    return equilibrium(gas.box, simulation.particles(), simulation.sample()).has_value();
+    return test::equilibrium(gas.box, simulation.particles(), simulation.sample()).has_value();
 }
 
 struct Case {

@@ -17,6 +17,7 @@
 #include "app/film/words/letters.h"
 #include "physics/theory/theory.h"
 #include "scene/load.h"
+#include "support/equilibrium.h"
 #include "support/process.h"
 #include "support/relative.h"
 #include "support/resources.h"
@@ -90,7 +91,8 @@ TEST_CASE("scenes that say they come to equilibrium show the curve") {
         Scene loaded = scene(name);
         loaded.run.bits = bits_of_double;  // the start alone is looked at
         Simulation simulation(loaded.gas, loaded.run);
-        CHECK(equilibrium(loaded.gas.box, simulation.particles(), simulation.sample()).has_value());
+        CHECK(test::equilibrium(loaded.gas.box, simulation.particles(), simulation.sample())
+                  .has_value());
     }
 }
 

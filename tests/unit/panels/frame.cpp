@@ -11,6 +11,7 @@
 
 #include "panels/registry.h"
 #include "scene/panel_kind.h"
+#include "support/equilibrium.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
@@ -161,7 +162,8 @@ TEST_CASE("a gas at rest, one particle, and infinite masses make a film without 
         CAPTURE(gas);
         const Shot film(scene_of("seconds: 0.5, size: [320, 180]", gas));
         Simulation simulation(film.scene.gas, film.scene.run);
-        CHECK_FALSE(equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample()));
+        CHECK_FALSE(
+            test::equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample()));
         FramePainter painter(*film.panels);
         for (const FrameData& frame : film.frames) painter.paint(frame);
     }

@@ -10,6 +10,7 @@
 #include "panels/line/line_map.h"
 #include "panels/line/line_panel.h"
 #include "panels/plots/histogram_panel.h"
+#include "support/equilibrium.h"
 #include "support/pixels.h"
 #include "support/relative.h"
 #include "support/scene_text.h"
@@ -203,7 +204,8 @@ TEST_CASE("the curve of energies is that of bars, where their density has no val
                              "seconds: 1, size: [640, 360], panels: [{kind: energy-histogram, "
                              "bins: 4, range: [0, 4]}]"));
     Simulation simulation(film.scene.gas, film.scene.run);
-    const auto gas = equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample());
+    const auto gas =
+        test::equilibrium(film.scene.gas.box, simulation.particles(), simulation.sample());
     REQUIRE(gas.has_value());
     const double first_bar = 100.0 * energy_probability(*gas, 0.0, 1.0);
     const auto& panel = dynamic_cast<const HistogramPanel&>(*film.panels->panels().back().panel);

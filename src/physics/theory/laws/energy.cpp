@@ -31,13 +31,10 @@ std::optional<NoLaw> why_no_mean(const BoxedGas& gas) {
         case Why::pair:
             return std::nullopt;
         case Why::few:  // two disks, momentum conserved along one axis
-            if ((gas.particles->radius > 0.0).all()) return std::nullopt;
-            return NoLaw{Why::points};
+            return gas.has_points() ? std::optional(NoLaw{Why::points}) : std::nullopt;
         case Why::drifts:
-            if (gas.box.dimension == 2 && !(gas.particles->radius > 0.0).all())
-                return NoLaw{Why::points};
             if (gas.box.dimension == 1) return gas.no_equilibrium;
-            return std::nullopt;
+            return gas.has_points() ? std::optional(NoLaw{Why::points}) : std::nullopt;
         default:
             return gas.no_equilibrium;
     }
@@ -46,12 +43,12 @@ std::optional<NoLaw> why_no_mean(const BoxedGas& gas) {
 }  // namespace
 
 std::optional<double> bath_temperature(const BoxedGas& gas) {
-    const Influences& all = gas.influences;
-    const bool is_other = all.driven || all.piston || all.membrane || all.partitions ||
-                          all.obstacles || all.has_gravity() || all.wall_event || all.heat_event ||
-                          gas.moving_infinite_mass || (gas.box.dimension == 1 && gas.fixed > 0.0);
-    if (is_other || !all.bath || std::isnan(all.temperature)) return std::nullopt;
-    return all.temperature;
+    const bool is_parted = gas.box.dimension == 1 && gas.fixed > 0.0;
+    const auto other =
+        first_of(gas, {Why::driven, Why::baths_differ, Why::piston, Why::membrane, Why::partitions,
+                       Why::obstacles, Why::gravity, Why::event, Why::moving_infinite_mass});
+    if (other || is_parted || !gas.influences.bath) return std::nullopt;
+    return gas.influences.temperature;
 }
 
 Law mean_energy(const BoxedGas& gas, const Asked& asked) {
@@ -60,10 +57,10 @@ Law mean_energy(const BoxedGas& gas, const Asked& asked) {
     const double d = gas.box.dimension;
     if (const auto bath = bath_temperature(gas)) return value(0.5 * d * *bath);
     if (const auto reason = why_no_mean(gas)) return none(*reason);
-    const double conserved = double(gas.conserves[0]) + double(gas.conserves[1]);
     const double half = gas.freedoms() > 0.0 ? 0.5 * gas.thermal.temperature() : 0.0;
     return value(mean_over(gas, list, [&](double mass) {
-        return half * (d - conserved * mass / gas.mass) + 0.5 * mass * gas.drift.square().sum();
+        return half * (d - gas.conserved() * mass / gas.mass) +
+               0.5 * mass * gas.drift.square().sum();
     }));
 }
 
@@ -82,7 +79,7 @@ Law mean_speed(const BoxedGas& gas, const Asked& asked) {
 
 Law bath(const BoxedGas& gas, const Asked&) {
     if (!gas.influences.bath) return none(Why::no_bath);
-    if (std::isnan(gas.influences.temperature)) return none(Why::baths_differ);
+    if (gas.influences.baths_differ()) return none(Why::baths_differ);
     return value(gas.influences.temperature);
 }
 

@@ -15,6 +15,8 @@ inline Law none(Why why) { return {.none = NoLaw{why}}; }
 inline Law none(const NoLaw& reason) { return {.none = reason}; }
 inline Law value(double value) { return {.value = value}; }
 
+inline bool are_equal(const Eigen::ArrayXd& values) { return (values == values[0]).all(); }
+
 /// The particles of finite mass among those asked for.
 std::vector<Eigen::Index> members(const BoxedGas& gas, const Asked& asked);
 

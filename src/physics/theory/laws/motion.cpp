@@ -14,8 +14,6 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-bool are_points(const BoxedGas& gas) { return (gas.particles->radius == 0.0).all(); }
-
 // Whether particles have collided often enough for what only collisions bring about.
 std::optional<NoLaw> why_not_yet(const Asked& asked, double enough) {
     if (!asked.collisions || *asked.collisions >= enough) return std::nullopt;
@@ -28,19 +26,12 @@ bool moves_by_itself(const Behaviour& behaviour) {
     return piston != nullptr && (piston->force != 0.0 || piston->velocity != 0.0);
 }
 
-// The length that centres of this radius can reach along an axis.
-double reach(const Box& box, Eigen::Index axis, double radius) {
-    return box.size[axis] - (box.is_periodic(axis) ? 0.0 : 2.0 * radius);
-}
-
-// The mean squared displacement of independent places, of which each is anywhere between the walls:
-// twice the variance of a place, along each axis with walls.
+// The mean squared displacement of independent places, of which each is anywhere between walls:
+// twice the variance of a place along each axis.
 double plateau_in_plane(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
     double sum = 0.0;
     for (const Eigen::Index i : list)
-        for (Eigen::Index axis = 0; axis < 2; ++axis)
-            if (!gas.box.is_periodic(axis))
-                sum += std::pow(reach(gas.box, axis, gas.particles->radius[i]), 2) / 6.0;
+        sum += (gas.box.size - 2.0 * gas.particles->radius[i]).square().sum() / 6.0;
     return sum / static_cast<double>(list.size());
 }
 
@@ -58,18 +49,20 @@ double plateau_on_line(const BoxedGas& gas, const std::vector<Eigen::Index>& lis
     return sum / static_cast<double>(list.size());
 }
 
+// Displacements level off where walls bound them along all axes, and the particles come to be
+// anywhere between: one that is alone only goes to and fro.
 Law bounded(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
-    const Influences& all = gas.influences;
     const bool is_line = gas.box.dimension == 1;
-    const bool has_two = !gas.box.is_periodic(0) && (is_line || !gas.box.is_periodic(1));
-    Law law = none(is_line ? Why::keeps_order : has_two ? Why::bounded : Why::bounded_once);
-    const bool is_even = !all.driven && !all.piston && !all.has_gravity() && !all.partitions &&
-                         !all.obstacles && !all.wall_event && gas.fixed == 0.0 &&
-                         !gas.moving_infinite_mass;
-    if (!is_even) return law;
+    if (!is_line && (gas.box.is_periodic(0) || gas.box.is_periodic(1)))
+        return none(Why::bounded_once);
+    Law law = none(is_line ? Why::keeps_order : Why::bounded);
+    const auto uneven = first_of(
+        gas, {Why::moving_infinite_mass, Why::driven, Why::baths_differ, Why::piston, Why::membrane,
+              Why::gravity, Why::partitions, Why::obstacles, Why::fixed_particles});
+    if (uneven || gas.influences.wall_event || !gas.has_partner()) return law;
     if (!is_line)
         law.value = plateau_in_plane(gas, list);
-    else if (!gas.box.is_periodic(0) && gas.is_placed)
+    else if (gas.is_placed)
         law.value = plateau_on_line(gas, list);
     return law;
 }
@@ -92,6 +85,8 @@ Law collision_rate(const BoxedGas& gas, const Asked&) {
     if (gas.box.dimension == 1 && gas.fixed > 0.0) return none(Why::parted);
     if (packing_fraction(gas.box, particles) >= 1.0 - rounding) return none(Why::no_room);
     if (!(gas.thermal.energy > 0.0)) return value(0.0);
+    if (gas.box.dimension == 1 && !gas.is_placed && !are_equal(particles.inverse_mass))
+        return none(Why::unknown_order);
     return value(2.0 * collisions_per_time(gas) / static_cast<double>(particles.count()));
 }
 
@@ -105,21 +100,16 @@ Law mean_free_path(const BoxedGas& gas, const Asked& asked) {
 }
 
 Law displacement(const BoxedGas& gas, const Asked& asked) {
-    const Influences& all = gas.influences;
     const std::vector<Eigen::Index> list = members(gas, asked);
-    const bool is_line = gas.box.dimension == 1;
     if (list.empty()) return none(Why::no_finite_mass);
-    if (gas.moving_infinite_mass)
-        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
+    if (const auto reason = first_of(gas, {Why::moving_infinite_mass})) return none(*reason);
     if (!moves(gas)) return none(Why::at_rest);
     if (!gas.is_periodic()) return bounded(gas, list);
-    if (all.has_gravity()) return none(Why::gravity);
-    if (all.partitions) return none(Why::partitions);
-    const bool has_partner = gas.finite + gas.fixed > 1.0 || all.obstacles;
-    if (!has_partner) return none(Why::unhindered);
+    if (const auto reason = first_of(gas, {Why::gravity, Why::partitions})) return none(*reason);
+    if (!gas.has_partner()) return none(Why::unhindered);
     if (gas.drifts) return none(Why::drifts);
-    if (is_line) return none(gas.fixed > 0.0 ? Why::parted : Why::keeps_order);
-    if (are_points(gas) && !all.obstacles) return none(Why::points);
+    if (gas.box.dimension == 1) return none(gas.fixed > 0.0 ? Why::parted : Why::keeps_order);
+    if (gas.are_points() && !gas.influences.obstacles) return none(Why::points);
     if (gas.finite == 2.0 && gas.conserves_all()) return none(Why::pair);
     // At least so many that most of a velocity is forgotten.
     if (const auto reason = why_not_yet(asked, 3.0)) return none(*reason);
@@ -139,12 +129,11 @@ Law autocorrelation(const BoxedGas& gas, const Asked& asked) {
     // At least so many that energy is shared.
     if (const auto reason = why_not_yet(asked, 5.0)) return none(*reason);
     const double freedoms = gas.freedoms(), d = gas.box.dimension;
-    const double conserved = double(gas.conserves[0]) + double(gas.conserves[1]);
     double thermal = 0.0, all = 0.0;  // sums of <v^2> in units of T d
     for (const Eigen::Index i : list) {
         const double inverse = gas.particles->inverse_mass[i];
         thermal += inverse;
-        all += inverse - conserved / (d * gas.mass);
+        all += inverse - gas.conserved() / (d * gas.mass);
     }
     return value(thermal / all * freedoms / (freedoms + 1.0));
 }
@@ -156,12 +145,9 @@ Law free_flight(const BoxedGas& gas, const Asked& asked) {
     if (gas.finite != 1.0 || gas.fixed > 0.0) return none(Why::many);
     if (all.velocities || all.wall_event || all.heat_event) return none(Why::event);
     if (!all.obstacles) return none(Why::unhindered);
-    if (all.driven) return none(Why::driven);
-    if (all.bath) return none(Why::bath);
-    if (all.piston) return none(Why::piston);
-    if (all.membrane) return none(Why::membrane);
-    if (all.has_gravity()) return none(Why::gravity);
-    if (all.partitions) return none(Why::partitions);
+    if (const auto reason = first_of(gas, {Why::driven, Why::bath, Why::piston, Why::membrane,
+                                           Why::gravity, Why::partitions}))
+        return none(*reason);
     if (!(gas.energy > 0.0)) return none(Why::at_rest);
     if (has_walls && !asked.ends_at_walls) return none(Why::flies_on);
     const auto path = mean_path_of_billiard(gas.box, gas.particles->radius[0], asked.ends_at_walls);
@@ -171,11 +157,10 @@ Law free_flight(const BoxedGas& gas, const Asked& asked) {
 Law memoryless(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
     if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    const bool has_partner = gas.finite + gas.fixed > 1.0 || all.obstacles;
-    if (!has_partner) return none(Why::unhindered);
+    if (!gas.has_partner()) return none(Why::unhindered);
     if (!moves(gas)) return none(Why::at_rest);
     if (gas.finite + gas.fixed == 2.0 && !all.obstacles) return none(Why::pair_only);
-    if (gas.box.dimension == 2 && are_points(gas) && !all.obstacles) return none(Why::points);
+    if (gas.box.dimension == 2 && gas.are_points() && !all.obstacles) return none(Why::points);
     if (asked.collisions && *asked.collisions == 0.0) return none(Why::no_collisions);
     return {};
 }
@@ -186,14 +171,13 @@ Law error_growth(const BoxedGas& gas, const Asked&) {
     const Particles& particles = *gas.particles;
     if (gas.box.dimension == 1) return none(Why::line);
     if (const auto reason = why_not_isolated(gas)) return none(*reason);
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
+        return none(*reason);
     if (particles.count() < fewest) return none(Why::few);
     if (!(gas.energy > 0.0)) return none(Why::at_rest);
-    if ((particles.inverse_mass != particles.inverse_mass[0]).any())
-        return none(Why::unequal_masses);
-    if ((particles.radius != particles.radius[0]).any()) return none(Why::unequal_radii);
-    if (are_points(gas)) return none(Why::points);
+    if (!are_equal(particles.inverse_mass)) return none(Why::unequal_masses);
+    if (!are_equal(particles.radius)) return none(Why::unequal_radii);
+    if (gas.are_points()) return none(Why::points);
     return value(bits_lost_per_collision(packing_fraction(gas.box, particles)));
 }
 

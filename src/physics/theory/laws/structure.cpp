@@ -20,23 +20,11 @@ bool is_few(double relative_to_ideal, double count) {
 }
 
 std::optional<NoLaw> why_not_still(const BoxedGas& gas) {
-    const Influences& all = gas.influences;
-    if (gas.moving_infinite_mass)
-        return NoLaw{Why::moving_infinite_mass, *gas.moving_infinite_mass};
-    if (all.driven) return NoLaw{Why::driven};
-    if (all.piston) return NoLaw{Why::piston};
-    if (all.membrane) return NoLaw{Why::membrane};
-    if (all.wall_event) return NoLaw{Why::event};
-    if (all.has_gravity()) return NoLaw{Why::gravity};
-    return std::nullopt;
+    if (const auto reason = first_of(gas, {Why::moving_infinite_mass, Why::driven, Why::piston,
+                                           Why::membrane, Why::gravity}))
+        return reason;
+    return gas.influences.wall_event ? std::optional(NoLaw{Why::event}) : std::nullopt;
 }
-
-// Then the gas is denser where it is colder.
-bool has_baths_that_differ(const BoxedGas& gas) {
-    return gas.influences.bath && std::isnan(gas.influences.temperature);
-}
-
-bool are_equal(const Eigen::ArrayXd& values) { return (values == values[0]).all(); }
 
 }  // namespace
 
@@ -46,8 +34,8 @@ bool are_equal(const Eigen::ArrayXd& values) { return (values == values[0]).all(
 Law ideal_pressure(const BoxedGas& gas, const Asked& asked) {
     constexpr double few_along_axis = 50.0;
     if (const auto reason = why_not_isolated(gas)) return none(*reason);
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
+        return none(*reason);
     if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
     if (gas.finite == 1.0 && gas.box.dimension == 2) return none(Why::keeps_axes);
     if (gas.conserves_one() && gas.finite < few_along_axis) return none(Why::one_axis);
@@ -59,7 +47,7 @@ Law ideal_pressure(const BoxedGas& gas, const Asked& asked) {
 Law pressure(const BoxedGas& gas, const Asked& asked) {
     const Law ideal = ideal_pressure(gas, asked);
     const Particles& particles = *gas.particles;
-    if (!ideal || (particles.radius == 0.0).all()) return ideal;
+    if (!ideal || gas.are_points()) return ideal;
     const ThermalMotion thermal = asked.thermal.value_or(gas.thermal);
     if (gas.box.dimension == 1) {
         const auto rods = pressure_of_rods(gas.box, particles, thermal);
@@ -72,21 +60,19 @@ Law pressure(const BoxedGas& gas, const Asked& asked) {
 }
 
 Law contact(const BoxedGas& gas, const Asked&) {
-    constexpr double densest_fluid = 0.69;  // beyond, disks freeze
     const Particles& particles = *gas.particles;
     if (gas.box.dimension == 1) return none(Why::line);
     if (const auto reason = why_not_still(gas)) return none(*reason);
-    if (has_baths_that_differ(gas)) return none(Why::baths_differ);
-    if (gas.influences.partitions) return none(Why::partitions);
-    if (gas.influences.obstacles) return none(Why::obstacles);
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    // With different baths the gas is denser where it is colder.
+    if (const auto reason = first_of(gas, {Why::baths_differ, Why::partitions, Why::obstacles,
+                                           Why::no_finite_mass, Why::fixed_particles}))
+        return none(*reason);
     if (gas.finite == 1.0) return none(Why::unhindered);
     if (!are_equal(particles.inverse_mass)) return none(Why::unequal_masses);
     if (!are_equal(particles.radius)) return none(Why::unequal_radii);
     if (particles.radius[0] == 0.0) return none(Why::points);
     if (!moves(gas)) return none(Why::at_rest);
-    if (packing_fraction(gas.box, particles) >= densest_fluid) return none(Why::freezes);
+    if (packing_fraction(gas.box, particles) > largest_packing_of_fluid) return none(Why::freezes);
     const double radius = particles.radius[0];
     const double chi = contact_correlation(gas.box, particles, radius, radius);
     return is_few(chi, gas.finite) ? none(Why::few) : value(chi);
@@ -94,44 +80,34 @@ Law contact(const BoxedGas& gas, const Asked&) {
 
 // Evenly in the end: nothing holds particles in a part of the box, and what closes a part opens.
 Law position_entropy(const BoxedGas& gas, const Asked& asked) {
-    const Influences& all = gas.influences;
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.moving_infinite_mass)
-        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
-    if (all.driven) return none(Why::driven);
-    if (all.piston) return none(Why::piston);
-    if (all.membrane) return none(Why::membrane);
-    if (all.has_gravity()) return none(Why::gravity);
-    if (has_baths_that_differ(gas)) return none(Why::baths_differ);
-    if (all.divided) return none(Why::partitions);
-    if (all.obstacles) return none(Why::obstacles);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (const auto reason =
+            first_of(gas, {Why::no_finite_mass, Why::moving_infinite_mass, Why::driven, Why::piston,
+                           Why::membrane, Why::gravity, Why::baths_differ}))
+        return none(*reason);
+    if (gas.influences.divided) return none(Why::partitions);
+    if (const auto reason = first_of(gas, {Why::obstacles, Why::fixed_particles}))
+        return none(*reason);
     if (!moves(gas)) return none(Why::at_rest);
     return value(entropy_of_even_spread(gas.finite, double(asked.cells) * asked.cells_up));
 }
 
-// A single disk conserves its energy along each axis, so do points, which never meet, and beads on a
+// A single disk keeps its energy along each axis, as do points, which never meet; and beads on a
 // line keep the order of their masses.
 Law heights(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
     const auto axis = static_cast<std::size_t>(asked.axis);
     if (gas.box.dimension == 1) return none(Why::line);
-    if (gas.moving_infinite_mass)
-        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
-    if (all.driven) return none(Why::driven);
-    if (all.bath) return none(Why::bath);
-    if (all.piston) return none(Why::piston);
-    if (all.membrane) return none(Why::membrane);
-    if (all.wall_event || all.heat_event) return none(Why::event);
-    if (all.partitions) return none(Why::partitions);
-    if (all.obstacles) return none(Why::obstacles);
+    if (const auto reason =
+            first_of(gas, {Why::moving_infinite_mass, Why::driven, Why::bath, Why::piston,
+                           Why::membrane, Why::event, Why::partitions, Why::obstacles}))
+        return none(*reason);
     if (!all.gravity.at(axis)) return none(Why::no_gravity);
     if (all.gravity.at(1 - axis)) return none(Why::gravity);
     if (gas.box.is_periodic(asked.axis)) return none(Why::no_floor);
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
+        return none(*reason);
     if (gas.finite == 1.0) return none(Why::keeps_axes);
-    if (!(gas.particles->radius > 0.0).all()) return none(Why::points);
+    if (gas.has_points()) return none(Why::points);
     if (gas.is_placed && !(gas.thermal.energy + gas.falling_energy > 0.0))
         return none(Why::at_rest);
     if (falling_kinds(gas, asked.axis) > most_falling_kinds) return none(Why::many_kinds);
@@ -144,13 +120,11 @@ namespace {
 // Whether the two sides of a partition are equal by symmetry: it is in the middle, lets all
 // particles through and does nothing else.
 std::optional<NoLaw> why_not_alike(const BoxedGas& gas, const Asked& asked) {
-    const Influences& all = gas.influences;
     if (gas.finite == 0.0) return NoLaw{Why::no_finite_mass};
     if (const auto reason = why_not_still(gas)) return reason;
-    if (all.bath) return NoLaw{Why::bath};
-    if (all.heat_event) return NoLaw{Why::event};
-    if (all.obstacles) return NoLaw{Why::obstacles};
-    if (gas.fixed > 0.0) return NoLaw{Why::fixed_particles};
+    if (const auto reason =
+            first_of(gas, {Why::bath, Why::event, Why::obstacles, Why::fixed_particles}))
+        return reason;
     const Surfaces& surfaces = gas.box.surfaces;
     const double diameter = 2.0 * gas.particles->radius.maxCoeff();
     for (const Partition& line : surfaces.partitions) {
@@ -176,9 +150,8 @@ Law side_count(const BoxedGas& gas, const Asked& asked) {
     const Particles& particles = *gas.particles;
     Law law = value(0.5 * gas.finite);
     const double packing = packing_fraction(gas.box, particles);
-    const bool are_points = (particles.radius == 0.0).all();
-    const bool is_fluid = are_equal(particles.radius) && packing < largest_packing_of_fluid;
-    if (gas.box.dimension == 2 && (are_points || is_fluid))
+    const bool is_fluid = are_equal(particles.radius) && packing <= largest_packing_of_fluid;
+    if (gas.box.dimension == 2 && is_fluid)
         law.deviation = std::sqrt(
             0.25 * gas.finite * relative_compressibility(EquationOfState::kolafa_rottner, packing));
     return law;

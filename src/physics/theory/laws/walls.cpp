@@ -62,17 +62,12 @@ Law flux(const BoxedGas& gas, const Asked& asked) {
 // Whether the flux through gaps follows from the number and the temperature of the gas on each
 // side. Whether it does so at a time also depends on the mean free path on each side.
 Law gap_flux(const BoxedGas& gas, const Asked& asked) {
-    const Influences& all = gas.influences;
     const Partition* partition = gas.box.surfaces.partition(asked.surface);
     if (gas.box.dimension == 1) return none(Why::line);
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
-    if (all.driven) return none(Why::driven);
-    if (all.bath) return none(Why::bath);
-    if (all.piston) return none(Why::piston);
-    if (all.membrane) return none(Why::membrane);
-    if (all.has_gravity()) return none(Why::gravity);
-    if (all.obstacles) return none(Why::obstacles);
+    if (const auto reason =
+            first_of(gas, {Why::no_finite_mass, Why::fixed_particles, Why::driven, Why::bath,
+                           Why::piston, Why::membrane, Why::gravity, Why::obstacles}))
+        return none(*reason);
     if (gas.box.is_periodic(0) || gas.box.is_periodic(1)) return none(Why::no_walls);
     if (partition == nullptr || gas.box.surfaces.partitions.size() > 1)
         return none(Why::partitions);
@@ -88,51 +83,43 @@ Law gap_flux(const BoxedGas& gas, const Asked& asked) {
 // side and walls at rest. All share the energy, which excludes a single disk, points in a plane and
 // a gas whose momentum along the piston is conserved.
 Law piston(const BoxedGas& gas, const Asked& asked) {
-    const Influences& all = gas.influences;
     const Surfaces& surfaces = gas.box.surfaces;
     if (!Surfaces::is_side(asked.surface)) return none(Why::partitions);
     const auto side = static_cast<std::size_t>(asked.surface);
     const auto* free_side = std::get_if<Piston>(&surfaces.sides.at(side));
     if (free_side == nullptr) return none(Why::no_piston);
-    if (gas.moving_infinite_mass)
-        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
-    if (all.driven) return none(Why::driven);
-    if (all.bath) return none(Why::bath);
-    if (all.wall_event || all.heat_event || all.velocities) return none(Why::event);
-    if (all.partitions) return none(Why::partitions);
-    if (all.obstacles) return none(Why::obstacles);
-    if (all.has_gravity()) return none(Why::gravity);
+    if (const auto reason =
+            first_of(gas, {Why::moving_infinite_mass, Why::driven, Why::bath, Why::event,
+                           Why::partitions, Why::obstacles, Why::gravity}))
+        return none(*reason);
+    if (gas.influences.velocities) return none(Why::event);
     for (std::size_t k = 0; k < surfaces.sides.size(); ++k)
         if (k != side && std::holds_alternative<Piston>(surfaces.sides[k]))
             return none(Why::pistons);
     const double inward =
         Surfaces::is_far_side(asked.surface) ? -free_side->force : free_side->force;
     if (!(inward > 0.0)) return none(Why::no_force);
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
+        return none(*reason);
     if (gas.box.dimension == 1) return {};
     if (gas.finite < 2.0) return none(Why::keeps_axes);
     if (gas.conserves.at(static_cast<std::size_t>(1 - surfaces.axis_of(asked.surface))))
         return none(Why::one_axis);
-    return (gas.particles->radius > 0.0).all() ? Law{} : none(Why::points);
+    return gas.has_points() ? none(Why::points) : Law{};
 }
 
 // Through the start, whatever moves the wall: only a gas that fills the area, with energy that its
 // motion along all axes shares.
 Law isotherm(const BoxedGas& gas, const Asked&) {
-    const Influences& all = gas.influences;
-    if (gas.moving_infinite_mass)
-        return none({Why::moving_infinite_mass, *gas.moving_infinite_mass});
-    if (all.partitions) return none(Why::partitions);
-    if (all.obstacles) return none(Why::obstacles);
-    if (all.has_gravity()) return none(Why::gravity);
-    if (gas.finite == 0.0) return none(Why::no_finite_mass);
-    if (gas.fixed > 0.0) return none(Why::fixed_particles);
+    if (const auto reason =
+            first_of(gas, {Why::moving_infinite_mass, Why::partitions, Why::obstacles, Why::gravity,
+                           Why::no_finite_mass, Why::fixed_particles}))
+        return none(*reason);
     if (!(gas.energy > 0.0)) return none(Why::at_rest);
     if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
     if (gas.box.dimension == 1) return {};
     if (gas.finite == 1.0) return none(Why::keeps_axes);
-    return (gas.particles->radius > 0.0).all() ? Law{} : none(Why::points);
+    return gas.has_points() ? none(Why::points) : Law{};
 }
 
 }  // namespace carom::laws

@@ -358,7 +358,7 @@ std::string CurvePanel::remark() const {
 std::optional<std::array<double, 2>> CurvePanel::time_shown(double at) const {
     const auto start = start_of_mean(subject_.over, at);
     if (!start) return {};
-    return {{*start, at}};
+    return {{std::min(at, std::max(*start, subject_.from)), at}};
 }
 
 plot::Plot CurvePanel::plot(const PanelState* state) const {

@@ -76,6 +76,7 @@ struct CurveSubject {
     std::optional<double> top = {};    ///< end of the vertical axis; none: from the data
     std::optional<double> level = {};  ///< horizontal line across the plot
     Over over = {Over::Since::start, 0.0};  ///< the time that is averaged over
+    double from = 0.0;                      ///< the time before which nothing is measured
     double least_top = 0.0;                 ///< lower bound of the vertical axis's end
     bool logarithmic = false;               ///< whether the vertical axis is
     std::function<std::vector<LineLaw>(const CurveValues&)> laws = {};  ///< of this panel's own run

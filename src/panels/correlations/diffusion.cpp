@@ -31,10 +31,6 @@ plot::Line straight_line(const plot::Plot& plot, const LineFit& fit, double from
     return line;
 }
 
-bool has_gravity(const PanelContext& context) {
-    return (context.scene.gas.box.surfaces.gravity != 0.0).any();
-}
-
 std::string named(Language language, const std::string& name, const std::string& words) {
     return name.empty() ? words : say(language, "{}: {}", escape_markup(name), words);
 }
@@ -88,7 +84,9 @@ bool add_ballistic(const PanelContext& context, double from, double square_speed
     constexpr int points = 40;
     const double reach = std::sqrt(plot.y.high / square_speed);
     const double span = plot.x.high - plot.x.low;
-    if (!(square_speed > 0.0) || !(reach > least_seen * span) || has_gravity(context)) return false;
+    if (!(square_speed > 0.0) || !(reach > least_seen * span) ||
+        context.gas.influences.has_gravity())
+        return false;
     std::vector<double> x, y;
     for (int i = 0; i <= points; ++i) {
         const double time = std::min(reach, plot.x.high - from) * i / points;
@@ -112,17 +110,18 @@ plot::KeyEntry ballistic_entry(Language language) {
     return {of_ballistic, {say(language, "without collisions {}", formula), formula}};
 }
 
-void add_plateau(const Finding& finding, const std::string& of, bool is_still, plot::Plot& plot) {
-    if (!finding.has_plateau() || finding.law.value > plot.y.high) return;
+bool add_plateau(const Finding& finding, const std::string& of, plot::Plot& plot) {
+    if (!finding.has_plateau() || finding.law.value > plot.y.high) return false;
     plot::Level level;
     level.part = "plateau";
     level.of = of;
-    level.still = is_still;
+    level.still = true;
     level.x_column = plot.columns[0];
     level.column = plot.columns[1];
     level.value = finding.law.value;
     level.stroke = of_plateau;
     plot.layers.emplace_back(std::move(level));
+    return true;
 }
 
 plot::KeyEntry plateau_entry(Language language, const Finding& finding) {
@@ -131,19 +130,41 @@ plot::KeyEntry plateau_entry(Language language, const Finding& finding) {
                    say(language, "plateau {}", three_digits(language, finding.law.value)))}};
 }
 
+namespace {
+
+plot::KeyEntry entry_without_coefficient(Language language, const std::string& name,
+                                         const std::string& reason) {
+    return {.words = {named(language, name, say(language, "no <i>D</i>: {}", reason))},
+            .breaks = true};
+}
+
+// What may stand in the way of a diffusion coefficient for a while, where there is a law.
+std::vector<std::string> passing_reasons(Language language) {
+    return {to_text(language, {NoLaw::Why::no_collisions}, {}),
+            to_text(language, {NoLaw::Why::few_collisions}, {}),
+            to_text(language, SlopeProblem::few_pieces), to_text(language, SlopeProblem::bends)};
+}
+
+}  // namespace
+
 plot::KeyEntry finding_entry(Language language, const Finding& finding) {
-    if (!finding.is_known()) {
-        const std::string reason = reason_of(language, finding);
-        return {.words = {named(language, finding.name, say(language, "no <i>D</i>: {}", reason)),
-                          named(language, finding.name, say(language, "no <i>D</i>"))}};
-    }
+    const std::string reason = finding.is_known() ? "" : reason_of(language, finding);
+    plot::KeyEntry entry = entry_without_coefficient(language, finding.name, reason);
+    const std::vector<std::string> passing = passing_reasons(language);
+    if (!reason.empty() && std::ranges::find(passing, reason) == passing.end()) return entry;
     const auto words = [&](const std::string& number) {
         return plot::Text(named(language, finding.name, "<i>D</i> = " + number));
     };
+    for (const std::string& one : passing)
+        entry.reserved.push_back(
+            entry_without_coefficient(language, finding.name, one).words.front());
+    entry.reserved.push_back(words("0.0000 ± 0.0000"));
+    entry.keeps_sample_place = !reason.empty();
+    if (!reason.empty()) return entry;
+    entry.sample = of_fit;
     const bool is_known = std::isfinite(finding.diffusion.mean);
-    return {.sample = of_fit,
-            .words = {words(is_known ? with_error(language, finding.diffusion) : "")},
-            .longest = words("0.0000 ± 0.0000")};
+    entry.words = {words(is_known ? with_error(language, finding.diffusion) : "")};
+    return entry;
 }
 
 void add_findings(Language language, double from, const std::vector<Finding>& all,
@@ -172,12 +193,11 @@ void add_findings(Language language, double from, const std::vector<Finding>& al
                            listed(language, values));
     }
     for (const auto& [reason, names] : reasons) {
-        note.entries.push_back(
-            {.words = {named(language, names, say(language, "no <i>D</i>: {}", reason)),
-                       named(language, names, say(language, "no <i>D</i>"))}});
-        const std::string words = say(language, "No diffusion coefficient: {}.", reason);
-        plot.account += (plot.account.empty() ? "" : " ") +
-                        (names.empty() ? words : say(language, "{}: {}", names, words));
+        note.entries.push_back(entry_without_coefficient(language, names, reason));
+        plot.account +=
+            (plot.account.empty() ? "" : " ") +
+            (names.empty() ? say(language, "No diffusion coefficient: {}.", reason)
+                           : say(language, "No diffusion coefficient of {}: {}.", names, reason));
     }
     if (!note.entries.empty()) plot.notes.push_back(std::move(note));
 }

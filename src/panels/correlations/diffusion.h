@@ -61,10 +61,12 @@ std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<doubl
 bool add_ballistic(const PanelContext& context, double from, double square_speed, bool is_still,
                    plot::Plot& plot);
 
-/// Adds the plateau to which walls limit displacements, if it is within the axis.
-void add_plateau(const Finding& finding, const std::string& of, bool is_still, plot::Plot& plot);
+/// Adds the plateau to which walls limit displacements. Returns false if there is none within the
+/// axis.
+bool add_plateau(const Finding& finding, const std::string& of, plot::Plot& plot);
 
-/// The entries of a key. That of a line is its diffusion coefficient, or why it has none.
+/// The entries of a key. That of a line is its diffusion coefficient, or why it has none; it takes
+/// the same room in all frames.
 plot::KeyEntry ballistic_entry(Language language);
 plot::KeyEntry plateau_entry(Language language, const Finding& finding);
 plot::KeyEntry finding_entry(Language language, const Finding& finding);

@@ -63,8 +63,7 @@ void DisplacementMeter::see(const FrameInput& input) {
     LagMeter::see(input);
     speeds_.see(input.sample, input.advanced.collisions);
     collisions_.see(input);
-    // A part also sees the frame in which it ends; until its beginning, only where particles
-    // are.
+    // A part also sees the frame in which it ends; until it begins, only where particles are.
     for (std::size_t k = 0; k < parts_.size(); ++k)
         if (time_ < end_of_part(k)) parts_[k].see(input.sample, input.advanced.collisions);
     time_ = input.tick.time;
@@ -132,7 +131,7 @@ double DisplacementMeter::coefficient(const Eigen::ArrayXd& squares, double from
     return x.size() < 2 ? NAN : fit_line(x, y).slope / (2.0 * dimension_);
 }
 
-// With the errors of D and of its bend after the numbers.
+// Followed by the errors of D and of its bend.
 std::vector<double> DisplacementMeter::numbers_from(
     const Eigen::ArrayXd& mean, const std::vector<Eigen::ArrayXd>& pieces) const {
     const double middle = 0.5 * (fit_from_ + lags_);

@@ -162,13 +162,21 @@ plot::Line law_of(const plot::Plot& plot, double mean) {
 struct FlightNotes {
     PanelContext context;
     std::vector<Chosen> chosen;
-    PanelSpec spec;
     Flown flown;
+    bool has_law = false;  // that of memoryless flights
+    std::optional<double> exact_path = {};
+
+    FlightNotes(const PanelContext& of, const PanelSpec& spec, Flown what)
+        : context(of), chosen(choices(spec)), flown(what) {
+        if (!spec.theory) return;
+        has_law = bool(law(of.gas, LawOf::memoryless));
+        const Law path = law(of.gas, LawOf::free_flight, {.ends_at_walls = spec.ends_at_walls});
+        if (path) exact_path = path.value;
+    }
 
     void operator()(const CurveValues* values, plot::Plot& plot) const {
         const Language language = context.language();
         plot::Note note{.wraps = true, .changes = true};
-        const bool has_law = spec.theory && law(context.gas, LawOf::memoryless);
         for (std::size_t k = 0; k < chosen.size(); ++k) {
             const plot::Stroke stroke = stroke_of_law(context, chosen, k);
             static const std::vector<double> unknown{NAN, NAN, 1.0};
@@ -200,11 +208,8 @@ struct FlightNotes {
         marker.stroke.width = 0.12;
         marker.stroke.role =
             is_one ? plot::Role{plot::Role::Of::ink} : choice_role(context, chosen[k], k);
-        const Law path =
-            law(context.gas, LawOf::free_flight, {.ends_at_walls = spec.ends_at_walls});
-        std::optional<double> exact;
-        if (spec.theory && path)
-            exact = flown == Flown::time ? path.value / numbers.back() : path.value;
+        std::optional<double> exact = exact_path;
+        if (exact && flown == Flown::time) *exact /= numbers.back();
         const auto words = [&](const std::string& number) {
             std::string all = say(language, "mean {}", number);
             if (exact) all = say(language, "{}, exactly {}", all, three_digits(language, *exact));
@@ -214,7 +219,7 @@ struct FlightNotes {
         const bool is_known = std::isfinite(mean);
         note.entries.push_back({.sample = marker.stroke,
                                 .words = {words(is_known ? three_digits(language, mean) : "")},
-                                .longest = words(longest_number)});
+                                .reserved = {words(longest_number)}});
         if (is_known) plot.layers.emplace_back(std::move(marker));
     }
 };
@@ -251,7 +256,7 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
                    ? say(language, "{}: {}", name_of(context.scene, chosen[line]), words)
                    : words;
     };
-    subject.add = FlightNotes{context, chosen, spec, flown};
+    subject.add = FlightNotes(context, spec, flown);
     return std::make_unique<CurvePanel>(context, std::move(subject));
 }
 

@@ -161,11 +161,9 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
         if (compares || chosen.size() != 1) return;
         const SeriesRun& run = record.runs.front();
         plot::Note note{.wraps = true};
-        const bool is_random = starts_anywhere(context);
-        if (is_random && all.front().has_plateau()) {
-            add_plateau(all.front(), column_name_of(context.scene, chosen.front()), true, whole);
+        if (starts_anywhere(context) &&
+            add_plateau(all.front(), column_name_of(context.scene, chosen.front()), whole))
             note.entries.push_back(plateau_entry(context.language(), all.front()));
-        }
         if (add_ballistic(context, from, run.numbers[0][of_square_speed].mean, true, whole))
             note.entries.push_back(ballistic_entry(context.language()));
         if (!note.entries.empty()) whole.notes.push_back(std::move(note));
@@ -197,8 +195,8 @@ class LagTheory {
     void operator()(const CurveValues* values, plot::Plot& plot) const {
         plot::Note note{.wraps = true, .changes = true};
         for (std::size_t k = 0; k < chosen_.size(); ++k) add_line(values, k, note, plot);
-        if (chosen_.size() == 1 && (context_.scene.gas.box.surfaces.gravity == 0.0).all())
-            note.entries.push_back(ballistic_entry(context_.language()));
+        if (chosen_.size() == 1 && !context_.gas.influences.has_gravity())
+            add_parabola(values, note, plot);
         plot.notes.push_back(std::move(note));
     }
 
@@ -219,6 +217,8 @@ class LagTheory {
         const std::string of = column_name_of(context_.scene, chosen_[k]);
         const Finding found = values != nullptr ? finding(*values, k) : before_all(k);
         note.entries.push_back(finding_entry(context_.language(), found));
+        if (chosen_.size() == 1 && add_plateau(found, of, plot))
+            note.entries.push_back(plateau_entry(context_.language(), found));
         if (values == nullptr) return;
         std::vector<double> x;
         for (int i = 0; i < lag_count; ++i) x.push_back(lags_ * i / (lag_count - 1));
@@ -229,12 +229,15 @@ class LagTheory {
             line->of = of;
             plot.layers.emplace_back(std::move(*line));
         }
-        if (chosen_.size() != 1) return;
-        if (found.has_plateau()) {
-            add_plateau(found, of, false, plot);
-            note.entries.push_back(plateau_entry(context_.language(), found));
-        }
-        add_ballistic(context_, 0.0, values->numbers[k][of_square_speed], false, plot);
+    }
+
+    // Its entry keeps its room while the parabola cannot be seen.
+    void add_parabola(const CurveValues* values, plot::Note& note, plot::Plot& plot) const {
+        plot::KeyEntry entry = ballistic_entry(context_.language());
+        entry.is_hidden =
+            values == nullptr ||
+            !add_ballistic(context_, 0.0, values->numbers[0][of_square_speed], false, plot);
+        note.entries.push_back(std::move(entry));
     }
 
     PanelContext context_;
@@ -249,7 +252,7 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     const std::vector<Chosen> chosen = choices(spec);
     const double lags = usual_lags(spec, context.scene.run);
     const double fit_from = spec.fit_from.value_or(0.5 * lags);
-    CurveSubject subject{.points = lag_count};
+    CurveSubject subject{.points = lag_count, .from = spec.from};
     subject.meter = [context, lists = members_that_collide(context, chosen), from = spec.from, lags,
                      fit_from] {
         return std::make_unique<DisplacementMeter>(context, lists, from, lags, fit_from);

@@ -17,10 +17,6 @@ const plot::Stroke of_slope{.role = {.of = plot::Role::Of::accent},
                             .dashes = {0.5, 0.35},
                             .shade = plot::Shade::legible};
 
-// In equilibrium a collision with a mass M removes on average the fraction 4 / d M / (m + M) of the
-// velocity of a particle of mass m, up to a factor near 1 for finite numbers. The initial slope -d
-// C / d t at t = 0 is therefore the sum of this fraction over all collisions per unit time, each
-// with the weight of the particle's mean squared velocity, 1 / m. A wall is an infinite mass.
 class AutocorrelationMeter : public LagMeter {
   public:
     AutocorrelationMeter(const PanelContext& context,
@@ -78,6 +74,11 @@ class AutocorrelationMeter : public LagMeter {
   private:
     double inverse_mass(Eigen::Index i) const { return context_.particles.inverse_mass[i]; }
 
+    // In equilibrium a collision with a mass M removes on average the fraction 4 / d M / (m + M) of
+    // the velocity of a particle of mass m, up to a factor near 1 for finite numbers. The initial
+    // slope -d C / d t at t = 0 is therefore the sum of this fraction over all collisions per unit
+    // time, each with the weight of the particle's mean squared velocity, 1 / m. A wall is an
+    // infinite mass.
     void add(Eigen::Index particle, double others_inverse_mass, bool is_pair) {
         const double sum = inverse_mass(particle) + others_inverse_mass;
         if (!(sum > 0.0)) return;  // two infinite masses
@@ -112,7 +113,7 @@ void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, 
         };
         note.entries.push_back({.sample = stroke,
                                 .words = {words(slope < 0.0 ? three_digits(language, slope) : "")},
-                                .longest = words(longest_number)});
+                                .reserved = {words(longest_number)}});
         if (!(slope < 0.0)) continue;
         const double end = std::min(lags, -1.0 / slope);
         plot::Line line;
@@ -134,7 +135,7 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
     const double lags = usual_lags(spec, context.scene.run);
-    CurveSubject subject{.points = lag_count};
+    CurveSubject subject{.points = lag_count, .from = spec.from};
     subject.meter = [context, lists = members_that_collide(context, chosen), from = spec.from,
                      lags] {
         return std::make_unique<AutocorrelationMeter>(context, lists, from, lags);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace carom::plot {
@@ -17,7 +18,8 @@ constexpr double most_rows = 0.45;  // of the height: limit for a note that may 
 
 // Marks are narrower than other samples.
 double sample_of(const Note& note, const KeyEntry& entry, const DrawContext& dc) {
-    if (entry.sample || !entry.arrows.empty()) return note.sample_width * dc.unit;
+    if (entry.sample || entry.keeps_sample_place || !entry.arrows.empty())
+        return note.sample_width * dc.unit;
     return entry.mark ? 2.5 * entry.mark->radius * dc.unit : 0.0;
 }
 
@@ -29,21 +31,53 @@ const Text& words_of(const KeyEntry& entry, std::size_t length) {
     return entry.words[std::min(length, entry.words.size() - 1)];
 }
 
-// The version of its words that an entry shows, and its place.
+// The words that an entry shows, or one of the rows into which they are broken, and their place.
 struct PlacedEntry {
     const KeyEntry* entry;
-    std::size_t length;
+    Text words;
     Point at;  // of the baseline
     double sample, width;
+    bool is_first = true;  // of its rows: with the sample
 };
+
+double gap_after(double sample, const DrawContext& dc) {
+    return sample > 0.0 ? sample_gap * dc.unit : 0.0;
+}
 
 // Measures an entry, with its sample in the given width or in its own.
 PlacedEntry measured(const Note& note, const KeyEntry& entry, std::size_t length,
                      const DrawContext& dc, std::optional<double> sample_width = {}) {
     const double sample = sample_width.value_or(sample_of(note, entry, dc));
-    const double gap = sample > 0.0 ? sample_gap * dc.unit : 0.0;
-    const Text& words = entry.longest ? *entry.longest : words_of(entry, length);
-    return {&entry, length, {}, sample, sample + gap + width_of(words, dc)};
+    const Text& words = words_of(entry, length);
+    double width = entry.reserved.empty() ? width_of(words, dc) : 0.0;
+    for (const Text& one : entry.reserved) width = std::max(width, width_of(one, dc));
+    return {&entry, words, {}, sample, sample + gap_after(sample, dc) + width};
+}
+
+// The rows into which words are broken at spaces so that each fits into the room, if it can.
+std::vector<Text> rows_of(const Text& words, double room, const DrawContext& dc) {
+    if (words.pieces.size() != 1 || width_of(words, dc) <= room) return {words};
+    std::vector<Text> rows;
+    std::string row;
+    std::istringstream all(words.pieces.front().markup);
+    for (std::string word; std::getline(all, word, ' ');) {
+        std::string longer = row.empty() ? word : row + " " + word;
+        if (!row.empty() && width_of(Text(longer), dc) > room) {
+            rows.emplace_back(std::exchange(row, word));
+            continue;
+        }
+        row = std::move(longer);
+    }
+    rows.emplace_back(row);
+    return rows;
+}
+
+// How many rows an entry takes at most, whatever its words become.
+std::size_t most_rows_of(const PlacedEntry& placed, double room, const DrawContext& dc) {
+    std::size_t most = rows_of(placed.words, room, dc).size();
+    for (const Text& one : placed.entry->reserved)
+        most = std::max(most, rows_of(one, room, dc).size());
+    return most;
 }
 
 // Narrows the widest entries of a row until all fit side by side.
@@ -81,8 +115,26 @@ std::vector<PlacedEntry> places_in_one_row(const Note& note, const DrawContext& 
     return placed;
 }
 
+struct PlacedEntries {
+    std::vector<PlacedEntry> all;
+    double last_row = 0.0;  // below the first, pixels
+};
+
+// Adds the rows of an entry that is too long for one, from a place on.
+void add_rows(const PlacedEntry& one, const DrawContext& dc, Point at, PlacedEntries& placed) {
+    const double indent = one.sample + gap_after(one.sample, dc);
+    for (const Text& row : rows_of(one.words, dc.area.width - indent, dc)) {
+        PlacedEntry part = one;
+        part.words = row;
+        part.at = at;
+        part.is_first = placed.all.empty() || placed.all.back().entry != one.entry;
+        placed.all.push_back(std::move(part));
+        at.y += note_height * dc.unit;
+    }
+}
+
 // Puts entries in rows; `start` is the left end of the baseline of the first row.
-std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc, Point start = {}) {
+PlacedEntries places(const Note& note, const DrawContext& dc, Point start = {}) {
     std::size_t lengths = 1, length = 0;
     for (const KeyEntry& entry : note.entries) lengths = std::max(lengths, entry.words.size());
     const auto whole = [&] {
@@ -92,17 +144,25 @@ std::vector<PlacedEntry> places(const Note& note, const DrawContext& dc, Point s
         return sum;
     };
     while (length + 1 < lengths && whole() > dc.area.width) ++length;
-    std::vector<PlacedEntry> placed;
+    PlacedEntries placed;
     Point at;
     for (const KeyEntry& entry : note.entries) {
         PlacedEntry one = measured(note, entry, length, dc);
+        const bool breaks = note.wraps && entry.breaks && one.width > dc.area.width;
         one.width = std::min(dc.area.width, one.width);
         if (note.wraps && at.x > 0.0 && at.x + one.width > dc.area.width)
             at = {0.0, at.y + note_height * dc.unit};
         if (note.may_be_beside && at.y > most_rows * plot_area(dc).height) break;
         one.at = {start.x + at.x, start.y + at.y};
+        if (breaks) {
+            const double room = dc.area.width - one.sample - gap_after(one.sample, dc);
+            add_rows(one, dc, one.at, placed);
+            at.y += note_height * dc.unit * static_cast<double>(most_rows_of(one, room, dc) - 1);
+        } else {
+            placed.all.push_back(one);
+        }
         at.x += one.width + entry_gap * dc.unit;
-        placed.push_back(one);
+        placed.last_row = at.y;
     }
     return placed;
 }
@@ -137,8 +197,7 @@ std::vector<PlacedEntry> places_beside(const Note& note, const DrawContext& dc, 
 // The height of its rows, units.
 double height_of(const Note& note, const DrawContext& dc) {
     if (note.entries.empty()) return note.changes ? note_height : 0.0;
-    const std::vector<PlacedEntry> placed = places(note, dc);
-    return note_height + (placed.empty() ? 0.0 : placed.back().at.y / dc.unit);
+    return note_height + places(note, dc).last_row / dc.unit;
 }
 
 // Whether the title that is shown is one of the last `count` ones, all others being too long.
@@ -236,13 +295,14 @@ void draw_sample(Canvas& canvas, const DrawContext& dc, const PlacedEntry& place
 void draw_note(Canvas& canvas, const Frame& frame, const std::vector<PlacedEntry>& placed) {
     const DrawContext& dc = frame.dc;
     for (const PlacedEntry& one : placed) {
-        draw_sample(canvas, dc, one);
-        const double words = one.sample > 0.0 ? one.sample + sample_gap * dc.unit : 0.0;
+        if (one.is_first) draw_sample(canvas, dc, one);
+        if (one.entry->is_hidden) continue;
+        const double words =
+            one.entry->keeps_sample_place ? 0.0 : one.sample + gap_after(one.sample, dc);
         TextStyle style = label_style(dc);
         style.max_width =
             std::min(one.width - words + 0.1 * dc.unit, dc.area.right() - one.at.x - words);
-        draw_text(canvas, {one.at.x + words, one.at.y},
-                  markup_of(words_of(*one.entry, one.length), dc.theme), style);
+        draw_text(canvas, {one.at.x + words, one.at.y}, markup_of(one.words, dc.theme), style);
         frame.placer.keep_clear(Rect{one.at.x, one.at.y - 0.9 * dc.unit,
                                      one.width + entry_gap * dc.unit, 1.2 * dc.unit});
     }
@@ -263,7 +323,7 @@ void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part)
                 draw_note(canvas, frame,
                           is_beside             ? places_beside(note, dc, frame.area)
                           : shown.is_in_one_row ? places_in_one_row(note, dc, {dc.area.x, y})
-                                                : places(note, dc, {dc.area.x, y}));
+                                                : places(note, dc, {dc.area.x, y}).all);
         }
         if (!is_beside) y += shown.height * dc.unit;
     }

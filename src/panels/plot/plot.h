@@ -254,13 +254,19 @@ struct BarNotes {
 /// A sample, then words: a part of a key.
 struct KeyEntry {
     std::optional<Stroke> sample = {};
-    std::vector<Text> words;           ///< from the longest on
-    std::optional<Mark> mark = {};     ///< the sample, or in its middle
-    std::vector<Arrow> arrows = {};    ///< over the sample; coordinates are shares of its width
-    std::optional<Text> longest = {};  ///< of changing words: reserves their room
+    std::vector<Text> words;          ///< from the longest on
+    std::optional<Mark> mark = {};    ///< the sample, or in its middle
+    std::vector<Arrow> arrows = {};   ///< over the sample; coordinates are shares of its width
+    std::vector<Text> reserved = {};  ///< all that changing words may become: reserves their room
+    bool keeps_sample_place = false;  ///< the room of a sample that it has in other frames
+    bool is_hidden = false;           ///< in this frame: only its room is kept
+    bool breaks = false;  ///< words that are too long for a row are broken at spaces, in a note
+                          ///< that wraps; only words of one piece
 };
 
-/// Words under the title: entries in a row, each in its longest version with which all fit.
+/// Words under the title: entries in a row, each in its longest version with which all fit. Every
+/// frame must need as many rows as the axes, for which there is no frame: else its data would be
+/// drawn on other scales than those of the axes.
 struct Note {
     std::vector<KeyEntry> entries = {};
     bool wraps = false;         ///< into as many rows as they need

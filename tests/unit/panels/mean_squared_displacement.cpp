@@ -5,7 +5,10 @@
 #include <memory>
 #include <numeric>
 
+#include "draw/disks/disks.h"
+#include "draw/text.h"
 #include "panels/correlations/displacement_meter.h"
+#include "panels/plot/draw_plot.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 
@@ -189,6 +192,74 @@ TEST_CASE("walls give a plateau and no diffusion coefficient, and the account sa
                 CHECK(std::get<plot::Level>(layer).value ==
                       relative((15.2 * 15.2 + 11.2 * 11.2) / 6.0, 1e-12));
         CHECK(has_part(plot, "plateau"));
+    }
+}
+
+namespace {
+
+// The words under the title, as far as they are shown.
+std::string key_of(const plot::Plot& plot) {
+    std::string words;
+    for (const plot::Note& note : plot.notes)
+        for (const plot::KeyEntry& entry : note.entries)
+            if (!entry.is_hidden) words += entry.words.front().pieces.front().markup + "; ";
+    return words;
+}
+
+}  // namespace
+
+TEST_CASE("displacements that are bounded along one axis only do not level off") {
+    const std::string half = "size: [16, 12], walls: {left: periodic, right: periodic}";
+    for (const bool all_origins : {false, true}) {
+        PanelSpec spec = displacement();
+        spec.all_origins = all_origins;
+        const plot::Plot plot =
+            plot_of(scene_with(half, "{name: a, count: 60, radius: 0.4, temperature: 1}", 100.0),
+                    spec, 100.0);
+        CHECK(plot.account.find("along one axis") != std::string::npos);
+        CHECK_FALSE(has_part(plot, "plateau"));
+        CHECK(key_of(plot).find("plateau") == std::string::npos);
+    }
+}
+
+TEST_CASE("the key names a plateau only where its line is drawn") {
+    for (const bool all_origins : {false, true})
+        for (const double until : {2.0, 100.0}) {
+            CAPTURE(until);
+            PanelSpec spec = displacement();
+            spec.all_origins = all_origins;
+            const plot::Plot plot =
+                plot_of(scene_with("size: [16, 12]",
+                                   "{name: a, count: 60, radius: 0.4, temperature: 1}", until),
+                        spec, until);
+            CHECK(has_part(plot, "plateau") == (until > 10.0));
+            CHECK((key_of(plot).find("plateau") != std::string::npos) == (until > 10.0));
+        }
+}
+
+TEST_CASE("the reason why there is no diffusion coefficient is whole in narrow panels") {
+    for (const bool all_origins : {false, true}) {
+        CAPTURE(all_origins);
+        PanelSpec spec = displacement();
+        spec.all_origins = all_origins;
+        const plot::Plot plot =
+            plot_of(scene_with("size: [16, 12]",
+                               "{name: a, count: 60, radius: 0.4, temperature: 1}", 100.0),
+                    spec, 100.0);
+        DiskPainter disks;
+        const DrawContext dc{{0, 0, 280, 400}, 20, theme(ThemeKind::light), disks};
+        Canvas canvas({280, 400});
+        const TextLog log;
+        for (const plot::Part part : {plot::Part::still, plot::Part::changing})
+            plot::draw_plot(canvas, dc, plot, part);
+        std::string words;
+        for (const DrawnLine& line : log.lines) {
+            CAPTURE(line.markup);
+            words += line.markup + " ";
+            CHECK_FALSE(line.is_cut);
+        }
+        CHECK(words.find("no <i>D</i>: the walls limit how far particles can move") !=
+              std::string::npos);
     }
 }
 

@@ -26,14 +26,10 @@ class FluxTheory {
     virtual std::array<FluxRates, 2> at(const FrameInput& input) = 0;
 };
 
-/// Returns the theory for some particles at a line, at which there may be a partition; nullptr if
-/// there is none for the case (LawOf::flux and LawOf::gap_flux). There is one
-/// - for a gas in equilibrium, at a line across the whole box: exact along a periodic axis; between
-///   solid walls, for points on a line and for dilute disks;
-/// - for a partition whose gaps are small compared with it, and a dilute gas on each side: from the
-///   present number and temperature of the gas, while its mean free path is at most the width of
-///   its side and at least twice the width that the widest gap leaves to a particle.
-/// Rates are NaN while the theory does not hold.
+/// Returns the theory for some particles at a line; nullptr if there is none (LawOf::flux). At a
+/// partition it is that of its gaps (LawOf::gap_flux), from the present number and temperature of
+/// the gas on each side, while its mean free path is at most the width of the side and at least
+/// twice the width that the widest gap leaves to a particle; otherwise rates are NaN.
 std::unique_ptr<FluxTheory> flux_theory(const PanelContext& context, const CrossedLine& line,
                                         std::optional<std::int32_t> partition,
                                         const std::vector<Eigen::Index>& members);

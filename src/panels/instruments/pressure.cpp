@@ -76,15 +76,19 @@ ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalM
         return law(context.gas, quantity, {.thermal = thermal, .equation = equation});
     };
     const Law ideal = pressure_by(LawOf::ideal_pressure, {});
-    const Law henderson = pressure_by(LawOf::pressure, EquationOfState::henderson);
-    const Law better = pressure_by(LawOf::pressure, EquationOfState::kolafa_rottner);
     if (!ideal) return {};
     ReferenceLevels all{ReferenceLevel{"ideal gas", ideal.value}};
-    if (!henderson || !better || (context.particles.radius == 0.0).all()) return all;
-    constexpr double alike = 0.01;  // relative difference: one line in a plot
+    if (context.gas.are_points()) return all;
+    const Law better = pressure_by(LawOf::pressure, EquationOfState::kolafa_rottner);
+    if (!better) return all;
     if (context.scene.gas.box.dimension == 1) {
         all.push_back(ReferenceLevel{"hard rods", better.value});
-    } else if (std::abs(henderson.value / better.value - 1.0) < alike) {
+        return all;
+    }
+    const Law henderson = pressure_by(LawOf::pressure, EquationOfState::henderson);
+    if (!henderson) return all;
+    constexpr double alike = 0.01;  // relative difference: one line in a plot
+    if (std::abs(henderson.value / better.value - 1.0) < alike) {
         all.push_back(ReferenceLevel{"hard disks", better.value});
     } else {
         all.push_back(ReferenceLevel{"Henderson", henderson.value});

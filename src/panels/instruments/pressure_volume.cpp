@@ -28,7 +28,8 @@ struct PressureVolumeRun {
     std::vector<double> area = {}, pressure = {};  // of each frame; NaN: none
     double work = 0.0;                             // number of particles times temperature
     double start = 0.0;                            // area at the start
-    void archive(Archive& archive) { archive(name, area, pressure, work, start); }
+    bool has_law = false;                          // that of an ideal gas
+    void archive(Archive& archive) { archive(name, area, pressure, work, start, has_law); }
     bool begins_as(const PressureVolumeRun& other) const {
         return work == other.work && start == other.start;
     }
@@ -114,6 +115,7 @@ void PressureVolumePanel::survey(const FrameInput& input) {
         const auto finite = static_cast<double>((context_.particles.inverse_mass > 0.0).count());
         run.work = finite * thermal_motion(box(), context_.particles, input.sample).temperature();
         run.start = area;
+        run.has_law = bool(law(context_.gas, LawOf::isotherm));
     }
     run.area.push_back(area);
     const double pressure = meter_(input.tick.time, input.advanced).front();
@@ -160,10 +162,10 @@ void PressureVolumePanel::make_axes() {
     std::vector<std::string> names;
     for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);
     if (record_.compares()) plot::name_runs(whole_, std::move(names));
-    const bool begin_alike = std::ranges::all_of(record_.runs, [&](const PressureVolumeRun& run) {
-        return run.begins_as(record_.runs.front());
+    const bool have_one_law = std::ranges::all_of(record_.runs, [&](const PressureVolumeRun& run) {
+        return run.has_law && run.begins_as(record_.runs.front());
     });
-    if (spec_.theory && begin_alike && law(context_.gas, LawOf::isotherm)) add_curves();
+    if (spec_.theory && have_one_law) add_curves();
 }
 
 void PressureVolumePanel::add_curves() {

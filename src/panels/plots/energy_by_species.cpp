@@ -31,7 +31,7 @@ ReferenceLevels levels(const PanelContext& context) {
     for (std::size_t k = 0; k < context.scene.gas.species.size(); ++k) {
         const Law found =
             law(context.gas, LawOf::mean_energy, {.of = members(context, Chosen{.species = k})});
-        if (found) all.push_back({"equipartition", found.value, 0.0, static_cast<std::int64_t>(k)});
+        if (found) all.push_back(ReferenceLevel{"equilibrium", found.value, 0.0, k});
     }
     const bool are_same = std::ranges::all_of(all, [&](const ReferenceLevel& level) {
         return std::abs(level.value - all.front().value) <= rounding * all.front().value;

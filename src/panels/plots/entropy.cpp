@@ -71,14 +71,14 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
     add_titles(context.language(), what, subject);
     subject.references = [context, places, what] {
         ReferenceLevels levels;
-        const Law velocities = law(context.gas, LawOf::velocity_entropy);
-        if (what != EntropyOf::positions && velocities)
-            levels.push_back(ReferenceLevel{"equilibrium", velocities.value});
-        const Law positions =
-            law(context.gas, LawOf::position_entropy,
-                {.cells = places.cells().count[0], .cells_up = places.cells().count[1]});
-        if (what != EntropyOf::velocities && positions)
-            levels.push_back(ReferenceLevel{"evenly spread", positions.value});
+        if (what != EntropyOf::positions)
+            if (const Law velocities = law(context.gas, LawOf::velocity_entropy))
+                levels.push_back(ReferenceLevel{"equilibrium", velocities.value});
+        const auto& cells = places.cells().count;
+        if (what != EntropyOf::velocities)
+            if (const Law positions = law(context.gas, LawOf::position_entropy,
+                                          {.cells = cells[0], .cells_up = cells[1]}))
+                levels.push_back(ReferenceLevel{"evenly spread", positions.value});
         return levels;
     };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));

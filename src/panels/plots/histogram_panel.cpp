@@ -89,7 +89,7 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
                                .particles = static_cast<double>(choice.members.size())};
         if (const Law found = law(context.gas, LawOf::distribution, {.of = choice.members}))
             series.equilibria.push_back(*found.equilibrium);
-        if (spec.test) require_equilibrium(series);
+        if (spec.test) require_equilibrium(choice);
         record_.series.push_back(std::move(series));
     }
     record_.probes.resize(choices_.size());

@@ -118,7 +118,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     bool is_probe(double time, double numbers) const;
     HistogramRules rules() const;
     Expected expected(const HistogramSeries& series) const;
-    void require_equilibrium(const HistogramSeries& series) const;
+    void require_equilibrium(const Choice& choice) const;
     void require_testable(const HistogramSeries& series) const;
     std::optional<ChiSquared> test_of(const HistogramCounts& now, std::size_t series) const;
     std::string test_words(const HistogramCounts& now) const;

@@ -48,16 +48,18 @@ Expected HistogramPanel::expected(const HistogramSeries& series) const {
     return runs.size() == 1 ? std::move(runs.front()) : together(runs);
 }
 
-// With fixed numbers of particles of several masses, counts do not follow one distribution; and
-// particles of infinite mass do not share the energy.
-void HistogramPanel::require_equilibrium(const HistogramSeries& series) const {
-    if (series.equilibria.empty())
-        refuse(spec_.place, "there is no equilibrium that these bars could be tested against",
-               "leave out `test`, or change the gas so that it comes to one");
-    const std::vector<MassGroup>& groups = series.equilibria.front().groups;
-    if (groups.size() > 1 || groups.front().count < series.particles)
+void HistogramPanel::require_equilibrium(const Choice& choice) const {
+    const Law found = law(context_.gas, LawOf::goodness_of_fit, {.of = choice.members});
+    if (found) return;
+    const bool is_mixed = found.none->why == NoLaw::Why::unequal_masses ||
+                          found.none->why == NoLaw::Why::fixed_particles;
+    if (is_mixed)
         refuse(spec_.place, "the test is for particles of one finite mass",
                "choose them in `of`: the name of one species");
+    refuse(spec_.place,
+           "there is no equilibrium that these bars could be tested against: " +
+               to_text(Language::english, *found.none, context_.scene.gas.species),
+           "leave out `test`, or change the gas so that it comes to one");
 }
 
 void HistogramPanel::require_testable(const HistogramSeries& series) const {

@@ -377,13 +377,13 @@ void ProfilePanel::add_errors(plot::Plot& plot, plot::Line& line, const Eigen::A
     line.more = {plot::column(whole_.columns[3], std::move(known))};
 }
 
-// "between 0.02 and 0.11", of all particles or of some.
 std::optional<std::array<double, 2>> ProfilePanel::time_shown(double at) const {
     const auto start = start_of_mean(over_, at);
     if (!start) return {};
     return {{*start, at}};
 }
 
+// "between 0.02 and 0.11", of all particles or of some.
 std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t choice) const {
     const Language language = context_.language();
     const auto known = !values.isNaN();

@@ -175,7 +175,7 @@ plot::Axis SeriesPanel::axis_up() const {
     double reference = 0.0, room = 1.25;  // for words over the lines
     for (std::size_t k = 0; k < common.size(); ++k) {
         reference = std::max(reference, common[k].value + common[k].deviation);
-        if (k > 0) room += room_of_word;
+        if (k > 0 && !common[k].line) room += room_of_word;
     }
     const double most = subject_.spreads ? *std::ranges::max_element(all)
                                          : room * std::max(quantile(all, 0.98), reference);
@@ -321,10 +321,9 @@ plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
     plot::Level level;
     level.part = "reference";
     level.of = of.name;
-    if (of.line >= 0) {
-        const auto line = static_cast<std::size_t>(of.line);
-        level.of += ", " + subject_.lines.at(line).name;
-        level.stroke.role = subject_.lines[line].role;
+    if (of.line) {
+        level.of += ", " + subject_.lines.at(*of.line).name;
+        level.stroke.role = subject_.lines[*of.line].role;
         level.stroke.shade = plot::Shade::legible;
     }
     level.still = true;
@@ -337,7 +336,7 @@ plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
 // Adds the common levels of all runs with their values; if runs differ, the level of each run.
 void SeriesPanel::add_levels() {
     if (const ReferenceLevels common = record_.common_levels(); !common.empty())
-        return add_common_levels(common);
+        return common.front().line ? add_levels_of_lines(common) : add_common_levels(common);
     for (std::size_t k = 0; k < record_.runs.size(); ++k) {
         const ReferenceLevels& own = record_.runs[k].levels;
         if (own.empty() || !std::isfinite(own.back().value)) continue;
@@ -348,18 +347,54 @@ void SeriesPanel::add_levels() {
     }
 }
 
-std::string SeriesPanel::name_of_level(const ReferenceLevel& level) const {
+namespace {
+
+// At the top right, in the row of this number from the top.
+plot::Label label_of_levels(std::vector<plot::Text> words, const plot::Stroke& sample, double row) {
+    constexpr double line_height = 1.4;  // units
+    plot::Label label;
+    label.words = std::move(words);
+    label.anchors = {{.at = {1.0, 0.0},
+                      .x_is_share = true,
+                      .y_is_share = true,
+                      .offset = {-0.5, 0.8 + line_height * row},
+                      .align = Align::right,
+                      .has_sample = true}};
+    label.sample = sample;
+    return label;
+}
+
+}  // namespace
+
+// Levels of single lines have the colours of these and share one label.
+void SeriesPanel::add_levels_of_lines(const ReferenceLevels& levels) {
     const Language language = context_.language();
-    const std::string name = say(language, Phrase{level.name});
-    if (level.line < 0) return name;
-    return say(language, "{}, {}",
-               escape_markup(subject_.names.at(static_cast<std::size_t>(level.line))), name);
+    plot::Text with_names, numbers;
+    for (const ReferenceLevel& level : levels) {
+        const plot::Role role = subject_.lines.at(*level.line).role;
+        const std::string number = three_digits(language, level.value);
+        const std::string comma = numbers.empty() ? "" : ", ";
+        numbers += comma + plot::named(number, role, plot::Sample::line, *level.line);
+        with_names += comma + plot::named(subject_.names.at(*level.line) + " " + number, role,
+                                          plot::Sample::line, *level.line);
+    }
+    const plot::Text name = say(language, Phrase{levels.front().name});
+    const auto after_name = [&](const plot::Text& text) {
+        return plot::text_of(language, Phrase{"{}: {}"}, {name, text});
+    };
+    const plot::Stroke sample{.width = 0.08, .dashes = {0.3}};
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        plot::Level level = level_of(levels[k]);
+        if (k == 0)
+            level.label =
+                label_of_levels({after_name(with_names), after_name(numbers), name}, sample, 0.0);
+        whole_.layers.emplace_back(std::move(level));
+    }
 }
 
 // Levels are distinguished by their dashes; levels whose numbers look the same share one label.
 void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
     static const std::vector<std::vector<double>> dashes{{0.3}, {0.9, 0.3}, {0.9, 0.3, 0.2, 0.3}};
-    constexpr double line_height = 1.4;  // units
     const Language language = context_.language();
     std::string names;
     double row = 0.0;
@@ -368,23 +403,14 @@ void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
         level.stroke.dashes = dashes[k % dashes.size()];
         add_band_about(level, levels[k].deviation);
         const std::string number = three_digits(language, levels[k].value);
-        names += (names.empty() ? "" : ", ") + name_of_level(levels[k]);
+        names += (names.empty() ? "" : ", ") + say(language, Phrase{levels[k].name});
         if (k + 1 == levels.size() || three_digits(language, levels[k + 1].value) != number) {
-            plot::Label label;
-            label.words = {names + " " + number};
+            std::vector<plot::Text> words{names + " " + number};
             if (levels[k].deviation > 0.0)
-                label.words.insert(
-                    label.words.begin(),
-                    names + " " + number + "\u2009\u00B1\u2009" +
-                        localised(language, fmt::format("{:.2g}", levels[k].deviation)));
-            label.anchors = {{.at = {1.0, 0.0},
-                              .x_is_share = true,
-                              .y_is_share = true,
-                              .offset = {-0.5, 0.8 + line_height * row++},
-                              .align = Align::right,
-                              .has_sample = true}};
-            label.sample = level.stroke;
-            level.label = std::move(label);
+                words.insert(words.begin(),
+                             names + " " + number + "\u2009\u00B1\u2009" +
+                                 localised(language, fmt::format("{:.2g}", levels[k].deviation)));
+            level.label = label_of_levels(std::move(words), level.stroke, row++);
             names.clear();
         }
         whole_.layers.emplace_back(std::move(level));

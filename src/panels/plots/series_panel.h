@@ -89,8 +89,8 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     void add_run(std::size_t run);
     plot::Level level_of(const ReferenceLevel& of) const;
     void add_levels();
-    std::string name_of_level(const ReferenceLevel& level) const;
     void add_common_levels(const ReferenceLevels& levels);
+    void add_levels_of_lines(const ReferenceLevels& levels);
     void add_band_about(const plot::Level& level, double deviation);
     void add_turns();
     void add_events();

@@ -84,9 +84,9 @@ SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::s
         if (!run.laws.empty()) run.laws = {std::move(run.laws[all.compared])};
         run.name = names[k];
         std::erase_if(run.levels, [&](const ReferenceLevel& level) {
-            return level.line >= 0 && static_cast<std::size_t>(level.line) != all.compared;
+            return level.line.value_or(all.compared) != all.compared;
         });
-        for (ReferenceLevel& level : run.levels) level.line = -1;
+        for (ReferenceLevel& level : run.levels) level.line.reset();
     }
     return all;
 }

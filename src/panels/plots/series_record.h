@@ -2,7 +2,7 @@
 // comparisons of runs are made.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,7 +18,7 @@ struct ReferenceLevel {
     std::string name;  ///< in English
     double value = 0.0;
     double deviation = 0.0;  ///< standard deviation of lines from it; 0: unknown, or none
-    std::int64_t line = -1;  ///< index of the only line that it is for; -1: for all lines
+    std::optional<std::size_t> line = {};  ///< the only line that it is for; none: for all lines
     void archive(Archive& archive) { archive(name, value, deviation, line); }
 };
 

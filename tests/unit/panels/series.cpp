@@ -5,9 +5,12 @@
 #include <memory>
 #include <numeric>
 
+#include "draw/disks/disks.h"
 #include "draw/palette.h"
+#include "draw/text.h"
 #include "panels/frame.h"
 #include "panels/gas/gas_colors.h"
+#include "panels/plot/draw_plot.h"
 #include "panels/plots/points_panel.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
@@ -324,10 +327,42 @@ TEST_CASE("in a periodic box each species has its own mean energy, and tends to 
     const std::array<double, 2> masses{1.0, 20.0};
     for (std::size_t k = 0; k < 2; ++k) {
         CAPTURE(k);
-        CHECK(run.levels[k].line == std::int64_t(k));
+        CHECK(run.levels[k].line == k);
+        CHECK(run.levels[k].name == "equilibrium");  // no equipartition: they differ
         CHECK(run.levels[k].value == relative(temperature * (1.0 - masses[k] / 30.0), 1e-9));
         const MeanError measured = mean_over_time(run.lines[k]);
         CHECK(std::abs(measured.mean - run.levels[k].value) < 4.0 * measured.error);
+    }
+}
+
+TEST_CASE("the levels of several species share one label, in small panels a short one") {
+    const test::SeenPanel seen(
+        test::scene_from(
+            "title: T\nbox: {size: [60, 40], walls: periodic}\ngas:\n"
+            "  - {name: light, count: 200, radius: 0.3, temperature: 4}\n"
+            "  - {name: middle, count: 60, radius: 0.3, mass: 4, temperature: 1}\n"
+            "  - {name: heavy, count: 20, radius: 0.6, mass: 20, temperature: 1}\n"
+            "  - {name: heaviest, count: 20, radius: 0.6, mass: 40, temperature: 1}\n"
+            "run: {until: 80}\nfilm: {seconds: 2, panels: [energy-by-species]}\n"),
+        80);
+    const plot::Plot plot = seen.plot();
+    for (const double width : {10.0, 14.0, 40.0}) {
+        CAPTURE(width);
+        DiskPainter disks;
+        const DrawContext dc{{0, 0, 20.0 * width, 180.0}, 20.0, theme(ThemeKind::light), disks};
+        Canvas canvas(PixelSize{static_cast<int>(20.0 * width), 180});
+        const TextLog log;
+        plot::draw_plot(canvas, dc, plot, plot::Part::still);
+        int labels = 0;
+        for (const DrawnLine& line : log.lines) {
+            const bool is_label = line.markup.find("quilibrium") != std::string::npos;
+            if (!is_label) continue;
+            ++labels;
+            CHECK_FALSE(line.is_cut);
+            CHECK((line.markup.find("heaviest") != std::string::npos) == (width > 30.0));
+        }
+        CHECK(labels == 1);
+        CHECK(log.left_out.empty());
     }
 }
 

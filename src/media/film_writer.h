@@ -38,19 +38,20 @@ struct FilmChapter {
 };
 
 struct VideoSettings {
-    int width = 1920, height = 1080;  ///< size of the drawn frames; odd sizes are padded to even
-                                      ///< ones by repeating the last row and column
+    /// Of the drawn frames; odd sizes are padded to even ones by repeating the last row and column.
+    int width = 1920, height = 1080;
     int fps = 30;
     Quality quality = Quality::standard;
     Motion motion = Motion::usual;
     bool transparent = false;  ///< frames have alpha, and so has the film: VP9 only
     std::uint32_t behind = 0;  ///< background 0xffRRGGBB for players without transparency
-    std::vector<std::pair<std::string, std::string>>
-        metadata;  ///< title, description, comment, ... as libav names them
+    /// Title, description, comment, ... as libav names them.
+    std::vector<std::pair<std::string, std::string>> metadata;
     std::vector<FilmChapter> chapters = {};  ///< in order; none: the film has no chapters
-    bool has_sound = false;   ///< the film has sound, given by add_sound(); not in every format
-    bool is_scratch = false;  ///< its file is temporary, to be read by FilmWriter::copy(): it is
-                              ///< not committed, and its path is not used
+    bool has_sound = false;  ///< the film has sound, given by add_sound(); not in every format
+    /// Its file is temporary, to be read by FilmWriter::copy(): it is not committed, and its path
+    /// is not used.
+    bool is_scratch = false;
 };
 
 /// The largest number of bytes of encoded frames that a segment keeps in memory; any more go to a

@@ -15,7 +15,6 @@
 #include "media/libav.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"
-#include "util/files/atomic_file.h"
 #include "util/files/spool.h"
 
 namespace carom {
@@ -112,10 +111,10 @@ Owned<AVCodecContext> open_encoder(const VideoSettings& settings) {
     return context;
 }
 
-class GifFilm : public FilmWriter {
+class GifFilm : public FilmInFile {
   public:
     GifFilm(const std::filesystem::path& path, VideoSettings settings)
-        : settings_(std::move(settings)), file_(file_of_film(path, settings_)) {
+        : FilmInFile(path, std::move(settings)) {
         assert(settings_.fps <= most_gif_frames_per_second);
     }
 
@@ -132,28 +131,12 @@ class GifFilm : public FilmWriter {
     // After use_colors(): segments share the palette.
     std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
 
-    void settle() override {
-        if (bytes_ > 0) return;
+  private:
+    void write_end() override {
         constexpr std::string_view end = ";";
         file_.write(end);
-        bytes_ = file_.size();
-        file_.settle();
     }
 
-    void commit() override {
-        settle();
-        file_.commit();
-    }
-
-    std::string name() const override { return file_.name(); }
-
-    std::int64_t bytes() const override { return bytes_; }
-
-    void copy(const std::function<void(std::string_view)>& take) const override {
-        copy_file(file_, take);
-    }
-
-  private:
     // Each frame is stored as the part that differs from the previous frame; the first one is
     // stored whole.
     class Segment : public FilmSegment {
@@ -206,11 +189,8 @@ class GifFilm : public FilmWriter {
         file_.write(image);
     }
 
-    VideoSettings settings_;
-    AtomicFile file_;
     GifPalette palette_{};
     int frames_ = 0;
-    std::int64_t bytes_ = 0;
 };
 
 }  // namespace

@@ -60,10 +60,12 @@ void* find(void* library, const char* name) {
 // libgcrypt, which libavformat depends on, terminates the program if it cannot open a file.
 void require_descriptor() {
     const int descriptor = open("/dev/null", O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
+    if (descriptor < 0) {
+        const int error = errno;
         throw_system_error(fmt::format("cannot encode films: /dev/null cannot be opened: {}",
-                                       std::generic_category().message(errno)),
-                           errno);
+                                       std::generic_category().message(error)),
+                           error);
+    }
     close(descriptor);
 }
 

@@ -22,7 +22,6 @@
 #include "sound/rate.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"
-#include "util/files/atomic_file.h"
 #include "util/files/spool.h"
 
 namespace carom {
@@ -160,23 +159,16 @@ Owned<AVPacket> packet_of(std::string bytes) {
     return packet;
 }
 
-class VideoFilm : public FilmWriter {
+class VideoFilm : public FilmInFile {
   public:
     VideoFilm(const std::filesystem::path& path, VideoSettings settings, const Codec& codec)
-        : settings_(std::move(settings)), codec_(codec), file_(file_of_film(path, settings_)) {
+        : FilmInFile(path, std::move(settings)), codec_(codec) {
         libav::listen();
         if (settings_.has_sound) sound_.emplace(codec_.sound);
     }
 
     void add_sound(std::int64_t first, std::span<const std::int16_t> samples) override;
     std::unique_ptr<FilmSegment> segment(int) override { return std::make_unique<Segment>(*this); }
-    void settle() override;
-    void commit() override;
-    std::string name() const override { return file_.name(); }
-    std::int64_t bytes() const override { return bytes_; }
-    void copy(const std::function<void(std::string_view)>& take) const override {
-        copy_file(file_, take);
-    }
 
   private:
     class Segment : public FilmSegment {
@@ -204,6 +196,7 @@ class VideoFilm : public FilmWriter {
         int reordering_ = 0;  ///< number of frames by which decoding runs ahead of showing
     };
 
+    void write_end() override;
     void start(const Segment& segment);
     void append(Segment& segment);
     void start_sound();
@@ -219,15 +212,12 @@ class VideoFilm : public FilmWriter {
     };
     std::optional<Template> template_;
 
-    VideoSettings settings_;
     const Codec& codec_;
     std::optional<SoundEncoder> sound_;
-    AtomicFile file_;
     std::optional<FilmIo> io_;
     Owned<AVFormatContext> format_;
     Owned<AVCodecParameters> parameters_;  ///< of the first segment
     std::int64_t frames_ = 0;
-    std::int64_t bytes_ = 0;
 };
 
 VideoFilm::Segment::Segment(VideoFilm& film) : film_(film) { libav::listen(); }
@@ -397,9 +387,8 @@ void VideoFilm::write_sound_until(std::int64_t frame) {
     }
 }
 
-void VideoFilm::settle() {
+void VideoFilm::write_end() {
     assert(frames_ > 0);
-    if (bytes_ > 0) return;
     if (sound_) {
         sound_->fill(samples_before(frames_, settings_.fps));
         sound_->finish();
@@ -408,13 +397,6 @@ void VideoFilm::settle() {
     check(api().av_write_trailer(format_.get()));
     io_->flush();
     check(0);
-    bytes_ = file_.size();
-    file_.settle();
-}
-
-void VideoFilm::commit() {
-    settle();
-    file_.commit();
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "panels/correlations/curve_panel.h"
+#include "panels/plots/series_panel.h"
 #include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "scene/describe.h"
@@ -29,7 +31,7 @@ std::string kind_words(const Scene& scene, const FigureSpec& spec) {
 
 ShownTimes times_of(const Figure& figure) {
     const FigureSpec& spec = *figure.spec;
-    const auto measured = figure.panel ? figure.panel->time_shown(spec.times.back()) : std::nullopt;
+    const auto measured = figure.panel->time_shown(spec.times.back());
     if (!measured) return times_of(spec);
     const auto [from, until] = *measured;
     if (from == until) return {.times = {until}, .are_of_collisions = until != spec.times.back()};
@@ -135,6 +137,12 @@ std::string alt_of_runs(const Scene& scene, const Figure& figure) {
                fmt::format("{}", fmt::join(runs, "; ")));
 }
 
+// Whether the account of a panel is a result of the run so far, without its time and its numbers.
+bool is_result_of_run(const Panel& panel) {
+    return dynamic_cast<const SeriesPanel*>(&panel) != nullptr ||
+           dynamic_cast<const CurvePanel*>(&panel) != nullptr;
+}
+
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
     if (!figure.sides.empty()) return caption_of_runs(scene, figure);
     const Language language = scene.film.language;
@@ -150,12 +158,12 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
                 kind_and_time(scene, figure), figure.spec->panel.seeds, count);
         return fmt::format("{} {}{}{}", title, caption, account.empty() ? "" : " ", account);
     }
-    if (!account.empty())
+    if (!account.empty() && !is_result_of_run(*figure.panel))
         return fmt::format("{} {} {}", title, sentence(kind_words(scene, *figure.spec)), account);
-    return fmt::format(
-        "{} {}", title,
+    const std::string facts =
         say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, figure), count,
-            collisions_counted(language, figure.moments.back().collisions.particle)));
+            collisions_counted(language, figure.moments.back().collisions.particle));
+    return fmt::format("{} {}{}{}", title, facts, account.empty() ? "" : " ", account);
 }
 
 std::string account_of(const Figure& figure) {

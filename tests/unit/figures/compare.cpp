@@ -470,6 +470,27 @@ TEST_CASE("pressure and area of two runs are two paths, with theory where they b
     }
 }
 
+TEST_CASE("the isotherm of two runs is drawn only if it holds for both") {
+    const std::string falls = "gravity=[0, -0.2]";
+    for (const std::string& order :
+         {"{label: one}, {label: other, set: \"" + falls + "\"}",
+          "{label: one, set: \"" + falls + "\"}, {label: other}",
+          std::string("{label: one}, {label: other, set: box.walls.top.velocity=-0.1}")}) {
+        CAPTURE(order);
+        const FigureRun run = run_of(
+            test::scene_from("title: T\nbox: {size: [10, 14], walls: {top: {velocity: -0.5}}}\n"
+                             "gas: [{name: a, count: 20, radius: 0.1, temperature: {exact: 2}}]\n"
+                             "run: {until: 8}\nfilm: {seconds: 2}\n"
+                             "figures: [{name: f, kind: pressure-volume, at: 8, compare: [" +
+                             order + "]}]\n"));
+        const Table table = table_of(run.figures()[0]);
+        const bool has_theory = std::ranges::any_of(rows_of(table, "one"), [](const auto& row) {
+            return std::get<std::string>(row[0]) == "theory";
+        });
+        CHECK(has_theory == order.ends_with("-0.1}"));
+    }
+}
+
 TEST_CASE("mean squared displacements side by side have a law each, that of their own walls") {
     const std::string periodic = "box.walls=periodic", walls = "box.walls=solid";
     for (const bool are_walls_first : {false, true})
@@ -499,7 +520,7 @@ TEST_CASE("mean squared displacements side by side have a law each, that of thei
                 continue;
             }
             CHECK(account.find("has D = " + free + " ") != std::string::npos);
-            CHECK(account.find(bounded + ": No diffusion coefficient: the walls limit") !=
+            CHECK(account.find("No diffusion coefficient of " + bounded + ": the walls limit") !=
                   std::string::npos);
             const Table table = table_of(figure);
             const auto has_fit = [&](const std::string& name) {

@@ -1,6 +1,7 @@
 // The times that captions and alternative texts give: those of what the picture shows.
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <cmath>
 #include <string>
 
@@ -77,6 +78,41 @@ TEST_CASE("means are of the time that is averaged over, also by default") {
         words_of_manual("pair-correlation").alt.starts_with("Pair correlation from time 0 to 10."));
     CHECK(words_of_manual("profile").alt.starts_with("Profile from time 50 to 200."));
     CHECK(words_of_manual("speed-histogram").alt.starts_with("Speed histogram from time 100 to "));
+}
+
+TEST_CASE("curves against a time lag are of the time from which they are measured") {
+    for (const std::string kind : {"velocity-autocorrelation", "mean-squared-displacement"}) {
+        CAPTURE(kind);
+        const FigureRun run = run_of(test::scene_from(
+            "title: A gas\nbox: {size: [20, 20]}\ngas: [{count: 60, radius: 0.5, temperature: 4}]\n"
+            "run: {until: 20}\nfigures: [{name: f, kind: " +
+            kind + ", from: 5, lags: 4" +
+            (kind == "mean-squared-displacement" ? ", origins: all" : "") + "}]\n"));
+        const FigureWords words = words_of(run, run.figures().front());
+        CHECK(has(words.alt, " from time 5 to 20. "));
+        REQUIRE(words.shown.over);
+        CHECK((*words.shown.over)[0] == 5.0);
+    }
+}
+
+TEST_CASE("the caption of a result of a run gives its time and numbers, also if there is none") {
+    for (const std::string of : {"", ", of: [a, b]"})
+        for (const std::string origins : {"", ", origins: all, lags: 4"}) {
+            const FigureRun run = run_of(test::scene_from(
+                "title: A gas\nbox: {size: [20, 20]}\n"
+                "gas: [{name: a, count: 50, radius: 0.5, temperature: 4}, {name: b, count: 10, "
+                "radius: 0.5, temperature: 4}]\nrun: {until: 20}\n"
+                "figures: [{name: f, kind: mean-squared-displacement" +
+                of + origins + "}]\n"));
+            const std::string caption = words_of(run, run.figures().front()).caption;
+            CAPTURE(caption);
+            CHECK(caption.starts_with("A gas. Mean squared displacement "));
+            CHECK(has(caption, "20: 60 disks, "));
+            CHECK(has(caption, " collisions between them by then; reduced units. "));
+            CHECK(has(caption, "o diffusion coefficient"));
+            const std::size_t account = caption.find("units. ") + 7;
+            CHECK(std::isupper(static_cast<unsigned char>(caption[account])) != 0);
+        }
 }
 
 TEST_CASE("a curve against time is not of the window of its last point alone") {

@@ -33,6 +33,19 @@ void add_compared(const FigureSpec& figure, std::vector<FigureRuns>& runs) {
                         counts_of(*run.scene)});
 }
 
+// The moments of a run that its figures see: the samples of those that measure, and the frames of
+// those that are drawn as in a film.
+double moments_seen(const FigureRuns& runs) {
+    const auto is_drawn = [](const SeeingPanel& one) {
+        return one.panel.kind == "gas" || one.panel.kind == "phase" ||
+               one.panel.kind == "positions";
+    };
+    const bool draws = std::ranges::any_of(runs.panels, is_drawn);
+    const bool measures = !std::ranges::all_of(runs.panels, is_drawn);
+    return (draws ? frame_count(runs.scene->film) : 0.0) +
+           (measures ? samples_of(runs.scene->run) : 0.0);
+}
+
 double points_drawn(const Scene& scene, const FigureSpec& figure) {
     return figure.panel.kind == "gas" ? count_of(scene) * static_cast<double>(figure.times.size())
                                       : 0.0;
@@ -105,7 +118,7 @@ Work work_of_figures(const Scene& scene, std::span<const std::string> names,
               .reduces_memory = "the particles, or the `seeds` of a figure",
               .reduces_bytes = "`figures` or the particles"};
     for (const FigureRuns& runs : runs_of(scene, figures, counts)) {
-        const double frames = frame_count(runs.scene->film);
+        const double frames = moments_seen(runs);
         const bool is_kept =
             Recording::fits(static_cast<std::size_t>(frames), total_count(runs.scene->gas),
                             runs.scene->gas.box.dimension);

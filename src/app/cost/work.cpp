@@ -64,9 +64,9 @@ double loading(const Scene& scene) {
     return of_run + of_byte * static_cast<double>(scene.source.text.size());
 }
 
-double samples_of(const Run& run) { return 1.0 + std::ceil(run.until / run.sample_every); }
-
 }  // namespace
+
+double samples_of(const Run& run) { return 1.0 + std::ceil(run.until / run.sample_every); }
 
 double seconds_of_look(int bits) {
     return bits > bits_of_double ? 0.4e-6 * (1.0 + bits / 600.0) : 0.0;

@@ -19,6 +19,9 @@ inline double collisions_of(const RunCounts& counts) {
     return counts.collisions.value_or(counts.events);
 }
 
+/// The samples of a run, that of its start included.
+double samples_of(const Run& run);
+
 /// CPU seconds in which the state of a particle is rounded to doubles, beyond what doubles take.
 double seconds_of_look(int bits);
 

@@ -247,8 +247,8 @@ Note CollisionMapPanel::key_of_walk(std::size_t steps) const {
              {.sample = of_energy, .words = {energy_words()}},
              {.sample = of_steps,
               .words = {with_each_other(counts)},
-              .reserved = {with_each_other(all)}},
-             {.sample = of_walls, .words = {with_a_wall(counts)}, .reserved = {with_a_wall(all)}},
+              .reserved = {{with_each_other(all)}}},
+             {.sample = of_walls, .words = {with_a_wall(counts)}, .reserved = {{with_a_wall(all)}}},
              {.sample = of_equal, .words = {subscripted("v", 0) + " = " + subscripted("v", 1)}}},
         .changes = true};
 }

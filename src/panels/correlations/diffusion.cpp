@@ -132,17 +132,31 @@ plot::KeyEntry plateau_entry(Language language, const Finding& finding) {
 
 namespace {
 
-plot::KeyEntry entry_without_coefficient(Language language, const std::string& name,
-                                         const std::string& reason) {
-    return {.words = {named(language, name, say(language, "no <i>D</i>: {}", reason))},
-            .breaks = true};
-}
+struct PassingReason {
+    std::string words;        // as the end of a sentence
+    std::string short_words;  // in a key
+};
 
 // What may stand in the way of a diffusion coefficient for a while, where there is a law.
-std::vector<std::string> passing_reasons(Language language) {
-    return {to_text(language, {NoLaw::Why::no_collisions}, {}),
-            to_text(language, {NoLaw::Why::few_collisions}, {}),
-            to_text(language, SlopeProblem::few_pieces), to_text(language, SlopeProblem::bends)};
+std::vector<PassingReason> passing_reasons(Language language) {
+    return {
+        {to_text(language, {NoLaw::Why::no_collisions}, {}), say(language, "no collisions yet")},
+        {to_text(language, {NoLaw::Why::few_collisions}, {}), say(language, "too few collisions")},
+        {to_text(language, SlopeProblem::few_pieces), say(language, "too few data")},
+        {to_text(language, SlopeProblem::bends), say(language, "not straight yet")}};
+}
+
+plot::Text words_without_coefficient(Language language, const std::string& name,
+                                     const std::string& reason) {
+    return named(language, name, say(language, "no <i>D</i>: {}", reason));
+}
+
+plot::KeyEntry entry_without_coefficient(Language language, const std::string& name,
+                                         const std::string& reason) {
+    const std::vector<PassingReason> passing = passing_reasons(language);
+    const auto found = std::ranges::find(passing, reason, &PassingReason::words);
+    const std::string& shown = found == passing.end() ? reason : found->short_words;
+    return {.words = {words_without_coefficient(language, name, shown)}, .breaks = true};
 }
 
 }  // namespace
@@ -150,16 +164,17 @@ std::vector<std::string> passing_reasons(Language language) {
 plot::KeyEntry finding_entry(Language language, const Finding& finding) {
     const std::string reason = finding.is_known() ? "" : reason_of(language, finding);
     plot::KeyEntry entry = entry_without_coefficient(language, finding.name, reason);
-    const std::vector<std::string> passing = passing_reasons(language);
-    if (!reason.empty() && std::ranges::find(passing, reason) == passing.end()) return entry;
+    const std::vector<PassingReason> passing = passing_reasons(language);
+    const bool passes = reason.empty() ||
+                        std::ranges::find(passing, reason, &PassingReason::words) != passing.end();
+    if (!passes) return entry;
     const auto words = [&](const std::string& number) {
         return plot::Text(named(language, finding.name, "<i>D</i> = " + number));
     };
-    for (const std::string& one : passing)
+    for (const PassingReason& one : passing)
         entry.reserved.push_back(
-            entry_without_coefficient(language, finding.name, one).words.front());
-    entry.reserved.push_back(words("0.0000 ± 0.0000"));
-    entry.keeps_sample_place = !reason.empty();
+            {words_without_coefficient(language, finding.name, one.short_words), false});
+    entry.reserved.push_back({words("0.0000 ± 0.0000")});
     if (!reason.empty()) return entry;
     entry.sample = of_fit;
     const bool is_known = std::isfinite(finding.diffusion.mean);

@@ -219,7 +219,7 @@ struct FlightNotes {
         const bool is_known = std::isfinite(mean);
         note.entries.push_back({.sample = marker.stroke,
                                 .words = {words(is_known ? three_digits(language, mean) : "")},
-                                .reserved = {words(longest_number)}});
+                                .reserved = {{words(longest_number)}}});
         if (is_known) plot.layers.emplace_back(std::move(marker));
     }
 };

@@ -113,7 +113,7 @@ void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, 
         };
         note.entries.push_back({.sample = stroke,
                                 .words = {words(slope < 0.0 ? three_digits(language, slope) : "")},
-                                .reserved = {words(longest_number)}});
+                                .reserved = {{words(longest_number)}}});
         if (!(slope < 0.0)) continue;
         const double end = std::min(lags, -1.0 / slope);
         plot::Line line;

@@ -29,13 +29,13 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
     std::vector<Point> path;
     std::optional<Point> last;
     for (std::size_t i = line.shown.first; i < end_of(line); ++i) {
-        if (!std::isfinite(line.y[i])) continue;
-        const bool ends = piece_ends(line, i);
-        last = {frame.x(line.x[i]), frame.y(line.y[i], line.beyond)};
-        if (ends || path.empty() || !line.is_thinned ||
-            is_apart(path.back(), *last, frame.pixels(detail)))
+        const bool is_known = std::isfinite(line.y[i]);
+        if (is_known) last = {frame.x(line.x[i]), frame.y(line.y[i], line.beyond)};
+        if (is_known && (path.empty() || !line.is_thinned ||
+                         is_apart(path.back(), *last, frame.pixels(detail))))
             path.push_back(*last);
-        if (!ends) continue;
+        if (!piece_ends(line, i) || path.empty()) continue;
+        if (is_apart(path.back(), *last, 0.0)) path.push_back(*last);
         if (is_cut)
             draw_stroke(canvas, frame.dc, path, line.stroke);
         else

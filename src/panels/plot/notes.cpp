@@ -18,8 +18,7 @@ constexpr double most_rows = 0.45;  // of the height: limit for a note that may 
 
 // Marks are narrower than other samples.
 double sample_of(const Note& note, const KeyEntry& entry, const DrawContext& dc) {
-    if (entry.sample || entry.keeps_sample_place || !entry.arrows.empty())
-        return note.sample_width * dc.unit;
+    if (entry.sample || !entry.arrows.empty()) return note.sample_width * dc.unit;
     return entry.mark ? 2.5 * entry.mark->radius * dc.unit : 0.0;
 }
 
@@ -40,8 +39,13 @@ struct PlacedEntry {
     bool is_first = true;  // of its rows: with the sample
 };
 
-double gap_after(double sample, const DrawContext& dc) {
-    return sample > 0.0 ? sample_gap * dc.unit : 0.0;
+// The width of a sample and the gap after it.
+double width_with_gap(double sample, const DrawContext& dc) {
+    return sample > 0.0 ? sample + sample_gap * dc.unit : 0.0;
+}
+
+double width_before(const Note& note, const KeyEntry::Reserved& reserved, const DrawContext& dc) {
+    return width_with_gap(reserved.has_sample ? note.sample_width * dc.unit : 0.0, dc);
 }
 
 // Measures an entry, with its sample in the given width or in its own.
@@ -49,9 +53,10 @@ PlacedEntry measured(const Note& note, const KeyEntry& entry, std::size_t length
                      const DrawContext& dc, std::optional<double> sample_width = {}) {
     const double sample = sample_width.value_or(sample_of(note, entry, dc));
     const Text& words = words_of(entry, length);
-    double width = entry.reserved.empty() ? width_of(words, dc) : 0.0;
-    for (const Text& one : entry.reserved) width = std::max(width, width_of(one, dc));
-    return {&entry, words, {}, sample, sample + gap_after(sample, dc) + width};
+    double width = entry.reserved.empty() ? width_with_gap(sample, dc) + width_of(words, dc) : 0.0;
+    for (const KeyEntry::Reserved& one : entry.reserved)
+        width = std::max(width, width_before(note, one, dc) + width_of(one.words, dc));
+    return {&entry, words, {}, sample, width};
 }
 
 // The rows into which words are broken at spaces so that each fits into the room, if it can.
@@ -73,10 +78,12 @@ std::vector<Text> rows_of(const Text& words, double room, const DrawContext& dc)
 }
 
 // How many rows an entry takes at most, whatever its words become.
-std::size_t most_rows_of(const PlacedEntry& placed, double room, const DrawContext& dc) {
-    std::size_t most = rows_of(placed.words, room, dc).size();
-    for (const Text& one : placed.entry->reserved)
-        most = std::max(most, rows_of(one, room, dc).size());
+std::size_t most_rows_of(const Note& note, const PlacedEntry& placed, const DrawContext& dc) {
+    const double own = dc.area.width - width_with_gap(placed.sample, dc);
+    std::size_t most = rows_of(placed.words, own, dc).size();
+    for (const KeyEntry::Reserved& one : placed.entry->reserved)
+        most = std::max(most,
+                        rows_of(one.words, dc.area.width - width_before(note, one, dc), dc).size());
     return most;
 }
 
@@ -122,8 +129,8 @@ struct PlacedEntries {
 
 // Adds the rows of an entry that is too long for one, from a place on.
 void add_rows(const PlacedEntry& one, const DrawContext& dc, Point at, PlacedEntries& placed) {
-    const double indent = one.sample + gap_after(one.sample, dc);
-    for (const Text& row : rows_of(one.words, dc.area.width - indent, dc)) {
+    const double room = dc.area.width - width_with_gap(one.sample, dc);
+    for (const Text& row : rows_of(one.words, room, dc)) {
         PlacedEntry part = one;
         part.words = row;
         part.at = at;
@@ -155,9 +162,8 @@ PlacedEntries places(const Note& note, const DrawContext& dc, Point start = {}) 
         if (note.may_be_beside && at.y > most_rows * plot_area(dc).height) break;
         one.at = {start.x + at.x, start.y + at.y};
         if (breaks) {
-            const double room = dc.area.width - one.sample - gap_after(one.sample, dc);
             add_rows(one, dc, one.at, placed);
-            at.y += note_height * dc.unit * static_cast<double>(most_rows_of(one, room, dc) - 1);
+            at.y += note_height * dc.unit * static_cast<double>(most_rows_of(note, one, dc) - 1);
         } else {
             placed.all.push_back(one);
         }
@@ -297,8 +303,7 @@ void draw_note(Canvas& canvas, const Frame& frame, const std::vector<PlacedEntry
     for (const PlacedEntry& one : placed) {
         if (one.is_first) draw_sample(canvas, dc, one);
         if (one.entry->is_hidden) continue;
-        const double words =
-            one.entry->keeps_sample_place ? 0.0 : one.sample + gap_after(one.sample, dc);
+        const double words = width_with_gap(one.sample, dc);
         TextStyle style = label_style(dc);
         style.max_width =
             std::min(one.width - words + 0.1 * dc.unit, dc.area.right() - one.at.x - words);

@@ -254,14 +254,18 @@ struct BarNotes {
 /// A sample, then words: a part of a key.
 struct KeyEntry {
     std::optional<Stroke> sample = {};
-    std::vector<Text> words;          ///< from the longest on
-    std::optional<Mark> mark = {};    ///< the sample, or in its middle
-    std::vector<Arrow> arrows = {};   ///< over the sample; coordinates are shares of its width
-    std::vector<Text> reserved = {};  ///< all that changing words may become: reserves their room
-    bool keeps_sample_place = false;  ///< the room of a sample that it has in other frames
-    bool is_hidden = false;           ///< in this frame: only its room is kept
-    bool breaks = false;  ///< words that are too long for a row are broken at spaces, in a note
-                          ///< that wraps; only words of one piece
+    std::vector<Text> words;         ///< from the longest on
+    std::optional<Mark> mark = {};   ///< the sample, or in its middle
+    std::vector<Arrow> arrows = {};  ///< over the sample; coordinates are shares of its width
+    /// All that changing words may become: reserves their room.
+    struct Reserved {
+        Text words;
+        bool has_sample = true;  ///< whether the entry then has its sample, too
+    };
+    std::vector<Reserved> reserved = {};
+    bool is_hidden = false;  ///< in this frame: only its room is kept
+    bool breaks = false;     ///< words that are too long for a row are broken at spaces, in a note
+                             ///< that wraps; only words of one piece
 };
 
 /// Words under the title: entries in a row, each in its longest version with which all fit. Every

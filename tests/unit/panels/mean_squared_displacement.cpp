@@ -9,6 +9,7 @@
 #include "draw/text.h"
 #include "panels/correlations/displacement_meter.h"
 #include "panels/plot/draw_plot.h"
+#include "panels/plot/layers.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 
@@ -305,6 +306,54 @@ TEST_CASE(
         CHECK(plot.account.find("iffusion coefficient: " + one.reason) != std::string::npos);
         CHECK_FALSE(has_part(plot, "fit"));
     }
+}
+
+TEST_CASE("reasons that may pass are short in the key, whose rows they keep") {
+    PanelSpec spec = displacement();
+    spec.all_origins = true;
+    spec.lags = 8.0;
+    spec.of = {{.particle = 3}};
+    const plot::Plot plot =
+        plot_of(scene_with("size: [20, 20], walls: periodic",
+                           "{name: a, count: 60, radius: 0.5, temperature: 4}", 20.0),
+                spec, 20.0);
+    CHECK(plot.account.find("too few measurements are independent of each other") !=
+          std::string::npos);
+    CHECK(key_of(plot).find("no <i>D</i>: too few data") != std::string::npos);
+    DiskPainter disks;
+    const DrawContext dc{{0, 0, 440, 280}, 20, theme(ThemeKind::light), disks};
+    plot::LabelPlacer placer({});
+    CHECK(plot::frame_of(plot, dc, placer).area.height >= plot_area(dc).height - 2.0 * 1.5 * 20.0);
+}
+
+TEST_CASE("a curve is drawn as far as it is known") {
+    PanelSpec spec = displacement();
+    spec.all_origins = true;
+    spec.lags = 15.0;
+    plot::Plot plot = plot_of(scene_with("size: [20, 20], walls: periodic",
+                                         "{name: a, count: 60, radius: 0.5, temperature: 4}", 10.0),
+                              spec, 10.0);
+    plot.notes.clear();
+    std::erase_if(plot.layers,
+                  [](const plot::AnyLayer& layer) { return plot::common(layer).part != "curve"; });
+    REQUIRE(plot.layers.size() == 1);
+    CHECK(std::isnan(std::get<plot::Line>(plot.layers.front()).y[lag_count - 1]));
+    DiskPainter disks;
+    const DrawContext dc{{0, 0, 440, 280}, 20, theme(ThemeKind::light), disks};
+    Canvas canvas({440, 280});
+    canvas.fill_all(dc.theme.page);
+    plot::draw_plot(canvas, dc, plot, plot::Part::changing);
+    const PixelView view = canvas.pixels();
+    int columns = 0;  // that the curve crosses
+    for (int x = 0; x < view.width; ++x) {
+        bool is_crossed = false;
+        for (int y = 0; y < view.height; ++y)
+            is_crossed = is_crossed || view.data[y * view.stride + x] != view.data[0];
+        columns += is_crossed;
+    }
+    const double share = columns / plot_area(dc).width;
+    CHECK(share > 0.6);
+    CHECK(share < 0.72);  // 10 of 15
 }
 
 TEST_CASE("the error of D of a single disk is how D scatters between runs") {

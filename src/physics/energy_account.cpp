@@ -10,7 +10,7 @@ EnergyAccount energies(const Box& box, const Particles& particles, const Sample&
     const Eigen::Array2d& gravity = box.surfaces.gravity;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         if (particles.inverse_mass[i] == 0.0) {
-            if ((gravity != 0.0).any() || (sample.velocity.row(i) != 0.0).any())
+            if (box.surfaces.has_gravity() || (sample.velocity.row(i) != 0.0).any())
                 account.relative_error.reset();
             continue;
         }

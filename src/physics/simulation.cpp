@@ -60,7 +60,7 @@ struct Simulation::Implementation {
             its.forget();
         });
         present.time = 0.0;
-        const bool falls = (box.surfaces.gravity != 0.0).any();
+        const bool falls = box.surfaces.has_gravity();
         if (falls) with_loop([&](const auto& its) { its.sample(0.0, present); });
         sampled = falls;
         at_start = energies(box, particles, falls ? present : with_loop([&](const auto& its) {

@@ -149,9 +149,10 @@ struct Surfaces {
         return std::ranges::all_of(
             sides, [](const Behaviour& side) { return std::holds_alternative<Reflecting>(side); });
     }
+    bool has_gravity() const { return (gravity != 0.0).any(); }
     /// Whether the box has only reflecting sides: no partitions, no obstacles and no gravity.
     bool are_plain() const {
-        return sides_reflect() && partitions.empty() && obstacles.empty() && (gravity == 0.0).all();
+        return sides_reflect() && partitions.empty() && obstacles.empty() && !has_gravity();
     }
 };
 

@@ -196,7 +196,7 @@ std::vector<std::string> words_of_surfaces(Language language, const Gas& gas) {
         sentences.push_back(
             words_of(language, one, name_of_surface(language, surface++, gas), gas));
     if (!surfaces.obstacles.empty()) sentences.push_back(words_of(language, surfaces.obstacles));
-    if ((surfaces.gravity != 0.0).any())
+    if (surfaces.has_gravity())
         sentences.push_back(words_of_gravity(language, surfaces.gravity, gas.box.dimension));
     return sentences;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 
 #include "util/text.h"
@@ -26,9 +25,7 @@ constexpr auto in_order = [] {
 
 // The Spanish "y" (and) becomes "e" before the sound of i.
 bool begins_with_i(std::string_view word) {
-    std::string letters;
-    for (const char c : word.substr(0, 3))
-        letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string letters = lower(std::string(word.substr(0, 3)));
     return letters.starts_with("i") || letters.starts_with("í") ||
            (letters.starts_with("hi") && !letters.starts_with("hie"));
 }

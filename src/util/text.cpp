@@ -215,6 +215,12 @@ std::string capitalised(std::string words) {
     return words;
 }
 
+std::string lower(std::string words) {
+    for (char& c : words)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return words;
+}
+
 double off_the_tie(double value) { return value * (1.0 + 1e-9); }
 
 std::string three_digits(double value) {

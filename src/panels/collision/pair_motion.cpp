@@ -21,7 +21,7 @@ bool keeps_energy(const Scene& scene) {
         return std::holds_alternative<Reflecting>(one.behaviour);
     };
     return surfaces.sides_reflect() && std::ranges::all_of(surfaces.partitions, reflects) &&
-           (surfaces.gravity == 0.0).all() && !acts_on_box(scene.run.events);
+           !surfaces.has_gravity() && !acts_on_box(scene.run.events);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::vector<Part> parts_of(const PanelContext& context) {
         if (const auto* change = std::get_if<ChangeSurface>(&event.action))
             has_pistons = has_pistons || is_piston(change->behaviour);
     std::vector<Part> parts{{Phrase{"kinetic"}, {.of = plot::Role::Of::bar}}};
-    if (has_pistons || (surfaces.gravity != 0.0).any())
+    if (has_pistons || surfaces.has_gravity())
         parts.push_back({Phrase{"potential"}, {.of = plot::Role::Of::accent}});
     if (has_pistons) parts.push_back({Phrase{"pistons"}, {.of = plot::Role::Of::highlight}});
     return parts;

@@ -98,7 +98,7 @@ SurfaceView::Margins SurfaceView::margins_of() const {
     for (std::size_t side = 0; side < 4; ++side)
         if (blocks[side] > 0.0)
             depth[side] = std::max(depth[side], thickness_of(side) + blocks[side]);
-    const bool falls = (gas.box.surfaces.gravity != 0.0).any();
+    const bool falls = gas.box.surfaces.has_gravity();
     return {depth[0] + (falls ? SurfaceSize::gravity : 0.0), depth[1], depth[2], depth[3] + names};
 }
 

@@ -47,7 +47,7 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
       clearance_(std::max(std::ldexp(8.0 * box.size.maxCoeff(), -bits), least_clearance)),
       size_of_box_(box.size.maxCoeff()),
       totals_(behaviours_.size()),
-      has_gravity_((box.surfaces.gravity != 0.0).any()) {
+      has_gravity_(box.surfaces.has_gravity()) {
     for (std::size_t k = 0; k < barriers_.size(); ++k)
         if (barriers_[k].is_endless()) floors_.push_back(static_cast<std::int32_t>(k));
 }
@@ -156,12 +156,11 @@ void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
 // velocity is normally distributed.
 template <typename Scalar>
 void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double temperature,
-                                    std::int64_t hit, const Scalar& now) {
+                                    std::int64_t hit, const Vector& from) {
     Random random(box_.surfaces.seed, fmt::format("hit {} of surface {}", hit, barrier.surface));
     const double thermal = std::sqrt(temperature * body.inverse_mass);
     const double away = thermal * std::sqrt(-2.0 * std::log1p(-random.uniform()));
     const double across = box_.dimension == 2 ? thermal * random.normal() : 0.0;
-    const Vector from = motion_of(body, barrier, now).x;
     std::array<double, 2> normal = barrier.normal;
     double side = barrier.side_of(dot(normal, from));
     if (barrier.kind == Barrier::Kind::circle) {  // a corner: the normal points away from it
@@ -174,8 +173,8 @@ void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double t
 }
 
 template <typename Scalar>
-void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scalar& now) {
-    const BarrierMotion<Scalar> m = motion_of(body, barrier, now);
+void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const BarrierMotion<Scalar>& m,
+                                 const Scalar& now) {
     const Vector normal = barrier.kind == Barrier::Kind::line
                               ? Vector{as_precise_as(m.x[0], barrier.normal[0]),
                                        as_precise_as(m.x[0], barrier.normal[1])}
@@ -204,24 +203,23 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Scala
 // its velocity, because its distance from the line is lost in round-off.
 template <typename Scalar>
 double SurfaceSet<Scalar>::side_of_origin(const Body& body, const Barrier& line,
-                                          const Scalar& now) const {
-    const BarrierMotion<Scalar> m = motion_of(body, line, now);
+                                          const BarrierMotion<Scalar>& m) const {
     if (line.is_wall() || !is_point(body)) return line.side_of(dot(line.normal, m.x));
     return dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
 }
 
 // Puts a point that touches a line clear of it on one side. Walls act from one side only: a point
-// may lie exactly on them, but not beyond.
+// may lie exactly on them, but not beyond. Returns whether it was moved.
 template <typename Scalar>
-void SurfaceSet<Scalar>::put_on_side(Body& body, const Barrier& line, double side,
-                                     const Scalar& now) const {
-    if (!is_point(body)) return;
+bool SurfaceSet<Scalar>::put_on_side(Body& body, const Barrier& line, double side,
+                                     const BarrierMotion<Scalar>& m) const {
+    if (!is_point(body)) return false;
     const double least = line.is_wall() ? 0.0 : std::max(body.radius, clearance_);
-    const BarrierMotion<Scalar> m = motion_of(body, line, now);
     const double distance = side * static_cast<double>(dot(line.normal, m.x));
-    if (distance >= 0.5 * least) return;
+    if (distance >= 0.5 * least) return false;
     for (std::size_t k = 0; k < 2; ++k)
         body.x[k] += Scalar(side * (least - distance) * line.normal[k]);
+    return true;
 }
 
 template <typename Scalar>
@@ -229,9 +227,9 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
     const Barrier& its = this->barrier(k);
     const Behaviour& behaviour = at(behaviours_, its.surface);
     const bool is_line = its.kind == Barrier::Kind::line;
-    const double side = is_line ? side_of_origin(body, its, now) : 1.0;
-    if (is_line) put_on_side(body, its, side, now);
-    const BarrierMotion<Scalar> m = motion_of(body, its, now);
+    BarrierMotion<Scalar> m = motion_of(body, its, now);
+    const double side = is_line ? side_of_origin(body, its, m) : 1.0;
+    if (is_line && put_on_side(body, its, side, m)) m = motion_of(body, its, now);
     const Scalar approach = is_line ? Scalar(side * dot(its.normal, m.v)) : dot(m.x, m.v);
     if (!(approach < 0.0)) return false;
     if (const auto* membrane = std::get_if<Membrane>(&behaviour)) {
@@ -239,7 +237,7 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
             body.v[at(movers_, its.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
             body.passing |= bit_of(its.surface);
-            if (is_line) put_on_side(body, its, -side, now);
+            if (is_line) put_on_side(body, its, -side, m);
             return false;
         }
     }
@@ -247,9 +245,9 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
     const std::int64_t number = ++at(totals_, its.surface).hits;
     const auto* bath = std::get_if<Bath>(&behaviour);
     if (bath != nullptr && body.inverse_mass > 0.0)
-        leave_bath(body, its, bath->temperature, number, now);
+        leave_bath(body, its, bath->temperature, number, m.x);
     else
-        reflect(body, its, now);
+        reflect(body, its, m, now);
     body.passing &= ~bit_of(its.surface);
     path_has_changed(body);
     if (body.inverse_mass > 0.0) account_for_hit(body, before, its);
@@ -276,7 +274,7 @@ auto SurfaceSet<Scalar>::touch(const Body& body, std::int32_t k, const Scalar& n
     if (its.kind == Barrier::Kind::line) {
         const Scalar share = m.x[0] * its.normal[1] - m.x[1] * its.normal[0];
         if (!its.is_endless() && !(share >= 0.0 && share <= its.length)) return std::nullopt;
-        const double side = side_of_origin(body, its, now);
+        const double side = side_of_origin(body, its, m);
         return Touch{side * dot(its.normal, m.x) - m.radius,
                      {as_precise_as(m.x[0], -side * its.normal[0]),
                       as_precise_as(m.x[0], -side * its.normal[1])}};

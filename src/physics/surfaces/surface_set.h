@@ -101,11 +101,14 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     BarrierMotion<Scalar> motion_of(const Body& body, const Barrier& barrier,
                                     const Scalar& now) const;
     bool is_point(const Body& body) const { return body.radius < slack_; }
-    double side_of_origin(const Body& body, const Barrier& line, const Scalar& now) const;
-    void put_on_side(Body& body, const Barrier& line, double side, const Scalar& now) const;
-    void reflect(Body& body, const Barrier& barrier, const Scalar& now);
+    double side_of_origin(const Body& body, const Barrier& line,
+                          const BarrierMotion<Scalar>& m) const;
+    bool put_on_side(Body& body, const Barrier& line, double side,
+                     const BarrierMotion<Scalar>& m) const;
+    void reflect(Body& body, const Barrier& barrier, const BarrierMotion<Scalar>& m,
+                 const Scalar& now);
     void leave_bath(Body& body, const Barrier& barrier, double temperature, std::int64_t hit,
-                    const Scalar& now);
+                    const Vector& from);
     void account_for_hit(const Body& body, const Vector& before, const Barrier& barrier);
     double energy_of(const LargeVector<Body>& bodies) const;
 

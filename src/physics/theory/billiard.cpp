@@ -33,7 +33,7 @@ std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool 
     const Surfaces& surfaces = box.surfaces;
     const bool has_walls = !box.is_periodic(0) || !box.is_periodic(1);
     if (box.dimension != 2 || !surfaces.sides_reflect() || !surfaces.partitions.empty() ||
-        (surfaces.gravity != 0.0).any() || (has_walls && !ends_at_walls))
+        surfaces.has_gravity() || (has_walls && !ends_at_walls))
         return {};
     std::vector<Obstacle::Disk> disks;
     for (const Obstacle& obstacle : surfaces.obstacles) {

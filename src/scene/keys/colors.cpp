@@ -25,10 +25,9 @@ std::string hex_text(std::uint32_t color) { return fmt::format("#{:06x}", color)
 // Returns the words of a text in lower case: "light" and "blue" for "Light-Blue".
 std::vector<std::string> small_words(const std::string& text) {
     std::vector<std::string> words(1);
-    for (const char c : text) {
-        const auto letter = static_cast<unsigned char>(c);
-        if (std::isalpha(letter) != 0)
-            words.back() += static_cast<char>(std::tolower(letter));
+    for (const char c : lower(text)) {
+        if (c >= 'a' && c <= 'z')
+            words.back() += c;
         else if (!words.back().empty())
             words.emplace_back();
     }

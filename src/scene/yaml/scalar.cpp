@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "util/text.h"
+
 namespace carom {
 namespace {
 
@@ -33,12 +35,6 @@ bool is_decimal(std::string_view text) {
     ++i;
     if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
     return i < text.size() && skip_digits(text, i) == text.size();
-}
-
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
 }
 
 bool is_one_of(std::string_view text, std::initializer_list<std::string_view> words) {

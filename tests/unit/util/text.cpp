@@ -181,3 +181,8 @@ TEST_CASE("words begin with a large letter, also one with an accent") {
     CHECK(capitalised("÷ 2") == "÷ 2");
     CHECK(capitalised("x") == "X");
 }
+
+TEST_CASE("only ASCII letters become small") {
+    CHECK(lower("Off, ON and É") == "off, on and É");
+    CHECK(lower("").empty());
+}

@@ -7,10 +7,9 @@
 #include "figures/sweep_figure.h"
 #include "panels/frame.h"
 #include "panels/plots/points_panel.h"
+#include "panels/recording.h"
 #include "panels/shared_panel.h"
 #include "panels/sweep/sweep_panel.h"
-#include "physics/reversal/mirrored_events.h"
-#include "physics/sample_times.h"
 #include "util/threads/on_threads.h"
 
 namespace carom {
@@ -38,11 +37,8 @@ std::vector<Tick> ticks_of_film(const Scene& scene) {
 // The samples of the run and its events, for what is measured: it does not depend on the film.
 std::vector<Tick> ticks_of_run(const Run& run) {
     std::vector<Tick> ticks;
-    for (std::int64_t k = 0; k < sample_count(run); ++k)
-        ticks.push_back({.frame = static_cast<int>(k), .time = sample_time(run, k)});
-    for (const RunEvent& event : run.events)
-        if (event.at <= run.until) add_tick(ticks, event.at);
-    for (const MirroredEvent& mirrored : mirrored_events(run)) add_tick(ticks, mirrored.at);
+    for (const double time : measured_times(run))
+        ticks.push_back({.frame = static_cast<int>(ticks.size()), .time = time});
     return ticks;
 }
 

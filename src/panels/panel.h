@@ -34,7 +34,8 @@ struct PanelContext {
     Language language() const { return scene.film.language; }  ///< of the program's texts
 };
 
-/// The gas at one frame, and what happened since the frame before.
+/// The gas at one moment, and what happened since the moment before: a frame or, in the first pass,
+/// what SurveyedAt says.
 struct FrameInput {
     const Tick& tick;
     const Sample& sample;
@@ -43,7 +44,13 @@ struct FrameInput {
     const AdvanceResult& advanced;
     bool refreshes_readouts = true;  ///< false: numbers in texts keep their values
     bool is_still = false;           ///< true: what is fading in or out is shown at full opacity
+    bool is_frame = true;            ///< in the first pass: whether this moment is shown
+    bool is_sample = true;           ///< in the first pass: whether it is a sample of the run
 };
+
+/// What a panel sees in the first pass. What is drawn belongs to the frames; what is measured
+/// belongs to the samples of the run, which do not depend on the frames of a film.
+enum class SurveyedAt { frames, samples, both };
 
 /// What one panel shows in one frame: complete and immutable.
 struct PanelState {
@@ -64,8 +71,9 @@ class Panel {
   public:
     virtual ~Panel() = default;
 
-    /// First pass, every frame in order.
+    /// First pass, in order of time: at every moment that surveyed_at() names.
     virtual void survey(const FrameInput&) {}
+    virtual SurveyedAt surveyed_at() const { return SurveyedAt::frames; }
 
     /// Between the passes: fixes axes and scales.
     virtual void fix_axes() {}
@@ -114,7 +122,7 @@ class Panel {
     /// Whether state() needs the collisions between frames.
     virtual bool wants_collisions() const { return false; }
 
-    /// Whether survey() needs the collisions between frames.
+    /// Whether survey() needs the collisions between its moments.
     virtual bool surveys_collisions() const { return false; }
 
     /// Whether survey() uses positions. If no panel does, the samples of the first pass have none.

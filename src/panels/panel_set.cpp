@@ -173,7 +173,7 @@ bool PanelSet::wants_return_distances() const {
 }
 
 void PanelSet::survey_run(Simulation simulation, const std::vector<Tick>& ticks, int last_whole,
-                          const Recording::Viewer& see) {
+                          const Recording::Viewer& see, bool only_frames) {
     bool are_positions_wanted = false;
     for_each_panel([&](const Panel& panel, std::size_t its) {
         are_positions_wanted = are_positions_wanted || (its == own && panel.surveys_positions());
@@ -182,20 +182,39 @@ void PanelSet::survey_run(Simulation simulation, const std::vector<Tick>& ticks,
         simulation.record_collisions(wants_collisions());
         simulation.measure_return(return_times(own, ticks));
         VelocitySamples velocities;
-        for (const Tick& tick : ticks) {
+        JoinedCollisions since_frame;
+        for (const SeenMoment& moment : only_frames ? moments_of(ticks) : moments(own, ticks)) {
             throw_if_interrupted();
-            const AdvanceResult advanced = simulation.advance_to(tick.time);
-            const bool is_whole = are_positions_wanted || tick.frame <= last_whole;
+            const Tick& tick = moment.tick;
+            AdvanceResult advanced = simulation.advance_to(tick.time);
+            const bool is_whole =
+                are_positions_wanted || (moment.is_frame && tick.frame <= last_whole);
             if (is_whole)
                 velocities.skip();
             else
                 simulation.forget_sample();
             const Sample& sample =
                 is_whole ? simulation.sample() : velocities.after(simulation, tick.time, advanced);
-            survey(own, tick, sample, advanced);
+            if (!moment.is_frame) {
+                survey(own, moment, sample, advanced, {});
+                since_frame.add(advanced.collisions);
+                continue;
+            }
+            const std::span<const Collision> since = since_frame.take(advanced.collisions);
+            survey(own, moment, sample, advanced, since);
+            advanced.collisions = since;
             see(tick, sample, advanced);
         }
     });
+}
+
+// The samples of the run are moments only if a panel measures.
+std::vector<SeenMoment> PanelSet::moments(std::size_t run, const std::vector<Tick>& ticks) const {
+    bool any = false;
+    for_each_panel([&](const Panel& panel, std::size_t its) {
+        any = any || (its == run && panel.surveyed_at() != SurveyedAt::frames);
+    });
+    return any ? moments_of(ticks, runs_[run]->scene.run) : moments_of(ticks);
 }
 
 std::vector<double> PanelSet::return_times(std::size_t run, const std::vector<Tick>& ticks) const {
@@ -207,12 +226,33 @@ std::vector<double> PanelSet::return_times(std::size_t run, const std::vector<Ti
     return carom::return_times(runs_[run]->scene, runs_[run]->particles.count(), ticks);
 }
 
-void PanelSet::survey(std::size_t run, const Tick& tick, const Sample& sample,
-                      const AdvanceResult& advanced) {
-    if (is_card(tick.phase)) return;
-    const FrameInput now = runs_[run]->input(tick, sample, advanced);
+void PanelSet::survey(std::size_t run, const SeenMoment& moment, const Sample& sample,
+                      const AdvanceResult& advanced, std::span<const Collision> since_frame) {
+    if (is_card(moment.tick.phase)) return;
+    FrameInput now = runs_[run]->input(moment.tick, sample, advanced);
+    now.is_frame = moment.is_frame;
+    now.is_sample = moment.is_sample;
+    AdvanceResult of_frame = advanced, of_sample = advanced;
+    of_frame.collisions = since_frame;
+    JoinedCollisions& since_sample = runs_[run]->since_sample;
+    if (!moment.is_sample)
+        since_sample.add(advanced.collisions);
+    else
+        of_sample.collisions = since_sample.take(advanced.collisions);
+    const auto with = [&](const AdvanceResult& its) {
+        return FrameInput{now.tick,     now.sample,   now.speed,
+                          now.energy,   its,          now.refreshes_readouts,
+                          now.is_still, now.is_frame, now.is_sample};
+    };
     for_each_panel([&](Panel& panel, std::size_t its) {
-        if (its == run) panel.survey(now);
+        if (its != run) return;
+        const SurveyedAt at = panel.surveyed_at();
+        if (at == SurveyedAt::both)
+            panel.survey(now);
+        else if (at == SurveyedAt::samples && moment.is_sample)
+            panel.survey(with(of_sample));
+        else if (at == SurveyedAt::frames && moment.is_frame)
+            panel.survey(with(of_frame));
     });
 }
 
@@ -241,7 +281,7 @@ void PanelSet::fix_axes_of_both() {
     share_ranges_of_lines();
 }
 
-Recording PanelSet::record(std::size_t run, Simulation start, std::vector<Tick> ticks,
+Recording PanelSet::record(std::size_t run, Simulation start, const std::vector<Tick>& ticks,
                            const Recording::Viewer& see, const Recording::Room& room,
                            Recording::Wanted wanted) {
     wanted.collisions = wants_collisions();
@@ -249,12 +289,17 @@ Recording PanelSet::record(std::size_t run, Simulation start, std::vector<Tick> 
     Recording recording;
     with_places_of_errors(runs_[run]->scene, [&] {
         recording = Recording(
-            std::move(start), std::move(ticks), wanted,
-            [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+            std::move(start), moments(run, ticks), wanted,
+            [&](const SeenMoment& moment, const Sample& sample, const AdvanceResult& advanced,
+                std::span<const Collision> since_frame) {
                 AdvanceResult surveyed = advanced;
                 if (!wanted.collisions) surveyed.collisions = {};  // as in the second pass
-                survey(run, tick, sample, surveyed);
-                see(tick, sample, advanced);
+                survey(run, moment, sample, surveyed,
+                       wanted.collisions ? since_frame : std::span<const Collision>{});
+                if (!moment.is_frame) return;
+                AdvanceResult whole = advanced;
+                whole.collisions = since_frame;
+                see(moment.tick, sample, whole);
             },
             room);
     });

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,36 +53,39 @@ class PanelSet {
     PanelSet(const PanelSet&) = delete;  // its panels refer to its particles
     PanelSet& operator=(const PanelSet&) = delete;
 
-    /// First pass, every frame in order. Title and end cards show nothing of the gas, so panels do
-    /// not see them.
+    /// First pass, every frame in order, each of which also counts as a sample. Title and end cards
+    /// show nothing of the gas, so panels do not see them.
     void survey(const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-        survey(own, tick, sample, advanced);
+        survey(own, {tick}, sample, advanced, advanced.collisions);
     }
     void fix_axes();
 
-    /// Makes the first pass over a whole run, from a simulation at time 0; `see` is called for each
-    /// frame after the panels. Errors are reported with their places in the scene file. `room`
-    /// limits the bytes that the recording keeps. With `aside`, panels and `see` run on a separate
-    /// thread while the run is simulated. With `all_collisions`, `see` gets the collisions even if
-    /// no panel needs them. Throws SceneError, Interrupted.
-    Recording record(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
+    /// Makes the first pass over a whole run, from a simulation at time 0, at its samples and at
+    /// the frames of `ticks`; `see` is called for each frame after the panels. Errors are reported
+    /// with their places in the scene file. `room` limits the bytes that the recording keeps. With
+    /// `aside`, panels and `see` run on a separate thread while the run is simulated. With
+    /// `all_collisions`, `see` gets the collisions even if no panel needs them. Throws SceneError,
+    /// Interrupted.
+    Recording record(Simulation start, const std::vector<Tick>& ticks, const Recording::Viewer& see,
                      const Recording::Room& room = {}, bool aside = false,
                      bool all_collisions = false) {
-        return record(own, std::move(start), std::move(ticks), see, room,
+        return record(own, std::move(start), ticks, see, room,
                       {.first_collisions = all_collisions, .aside = aside});
     }
 
     /// The same for the other run.
-    Recording record_beside(Simulation start, std::vector<Tick> ticks, const Recording::Viewer& see,
-                            const Recording::Room& room = {}, bool aside = false) {
-        return record(other, std::move(start), std::move(ticks), see, room, {.aside = aside});
+    Recording record_beside(Simulation start, const std::vector<Tick>& ticks,
+                            const Recording::Viewer& see, const Recording::Room& room = {},
+                            bool aside = false) {
+        return record(other, std::move(start), ticks, see, room, {.aside = aside});
     }
 
     /// Makes the first pass without keeping a recording; there must be no other run. `see` is
     /// called for each frame after the panels; samples have positions up to the frame `last_whole`,
-    /// and beyond it only if the panels need them. Throws SceneError, Interrupted.
+    /// and beyond it only if the panels need them. With `only_frames`, what is measured is measured
+    /// at the frames, for a quick still. Throws SceneError, Interrupted.
     void survey_run(Simulation start, const std::vector<Tick>& ticks, int last_whole,
-                    const Recording::Viewer& see);
+                    const Recording::Viewer& see, bool only_frames = false);
 
     /// Sets the recording from which the second pass takes the frames of the other run, one for
     /// each frame_data(). `recording` must outlive the second pass.
@@ -153,6 +157,7 @@ class PanelSet {
         Particles particles;
         BoxedGas gas;                            ///< refers to the particles
         Eigen::ArrayXd speed = {}, energy = {};  ///< of the present frame
+        JoinedCollisions since_sample = {};      ///< in the first pass
         FrameInput input(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
     };
 
@@ -163,9 +168,10 @@ class PanelSet {
     void share_ranges_of_lines();
     template <typename Function>
     void for_each_panel(Function&& f) const;
-    void survey(std::size_t run, const Tick& tick, const Sample& sample,
-                const AdvanceResult& advanced);
-    Recording record(std::size_t run, Simulation start, std::vector<Tick> ticks,
+    void survey(std::size_t run, const SeenMoment& moment, const Sample& sample,
+                const AdvanceResult& advanced, std::span<const Collision> since_frame);
+    std::vector<SeenMoment> moments(std::size_t run, const std::vector<Tick>& ticks) const;
+    Recording record(std::size_t run, Simulation start, const std::vector<Tick>& ticks,
                      const Recording::Viewer& see, const Recording::Room& room,
                      Recording::Wanted wanted);
     std::vector<double> return_times(std::size_t run, const std::vector<Tick>& ticks) const;

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "panels/archived.h"
+#include "physics/reversal/mirrored_events.h"
+#include "physics/sample_times.h"
 #include "scene/limits.h"
 #include "util/interrupt.h"
 #include "util/threads/relay.h"
@@ -32,60 +34,116 @@ std::span<std::byte> room_of(Value* values, std::size_t count) {
     return std::as_writable_bytes(std::span(values, count));
 }
 
-// A frame that is passed from the simulating thread to the observing thread.
-struct SentFrame {
-    Tick tick;
+// A moment that is passed from the simulating thread to the observing thread.
+struct SentMoment {
+    SeenMoment moment;
     std::shared_ptr<const Sample> sample;
     AdvanceResult advanced;
     std::vector<Collision> collisions;
 };
 
-// Calls `see` on a separate thread for the frames that `simulate` produces meanwhile. An exception
-// of `see` takes precedence over one of the simulation, as it belongs to an earlier frame.
-void see_aside(const std::function<void(const Recording::Viewer&)>& simulate,
-               const Recording::Viewer& see) {
-    Relay<SentFrame> relay([&](SentFrame frame) {
-        frame.advanced.collisions = frame.collisions;
-        see(frame.tick, *frame.sample, frame.advanced);
+}  // namespace
+
+std::vector<double> measured_times(const Run& run) {
+    std::vector<double> times;
+    for (std::int64_t k = 0; k < sample_count(run); ++k) times.push_back(sample_time(run, k));
+    for (const RunEvent& event : run.events)
+        if (event.at <= run.until) times.push_back(event.at);
+    for (const MirroredEvent& mirrored : mirrored_events(run)) times.push_back(mirrored.at);
+    std::ranges::sort(times);
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    return times;
+}
+
+std::vector<SeenMoment> moments_of(const std::vector<Tick>& ticks, const Run& run) {
+    std::vector<SeenMoment> all;
+    const std::vector<double> times = measured_times(run);
+    auto next = times.begin();
+    for (const Tick& tick : ticks) {
+        for (; next != times.end() && *next < tick.time; ++next) {
+            Tick between = all.empty() ? tick : all.back().tick;
+            between.time = *next;
+            between.phase = Phase::moving;
+            all.push_back({between, false, true});
+        }
+        const bool is_measured = next != times.end() && *next == tick.time && !is_card(tick.phase);
+        all.push_back({tick, true, is_measured});
+        if (is_measured) ++next;
+    }
+    return all;
+}
+
+std::vector<SeenMoment> moments_of(const std::vector<Tick>& ticks) {
+    std::vector<SeenMoment> all;
+    for (const Tick& tick : ticks) all.push_back({tick});
+    return all;
+}
+
+Recording::Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted,
+                     const Viewer& see, const Room& room)
+    : Recording(
+          std::move(start), moments_of(ticks), wanted,
+          [&](const SeenMoment& moment, const Sample& sample, const AdvanceResult& advanced,
+              std::span<const Collision>) { see(moment.tick, sample, advanced); },
+          room) {}
+
+Recording::Recording(Simulation start, const std::vector<SeenMoment>& moments, const Wanted& wanted,
+                     const FirstViewer& see, const Room& room)
+    : with_collisions_(wanted.collisions), start_(std::move(start)) {
+    for (const SeenMoment& moment : moments)
+        if (moment.is_frame) ticks_.push_back(moment.tick);
+    bool kept = true;
+    JoinedCollisions since_frame;
+    const auto see_and_keep = [&](const SeenMoment& moment, const Sample& sample,
+                                  const AdvanceResult& advanced) {
+        if (!moment.is_frame) {
+            since_frame.add(advanced.collisions);
+            return see(moment, sample, advanced, {});
+        }
+        AdvanceResult whole = advanced;
+        whole.collisions = since_frame.take(advanced.collisions);
+        if (kept && !keep(sample, whole, room)) {
+            kept = false;
+            forget();
+        }
+        collision_count_ = static_cast<double>(advanced.counts.particle + advanced.counts.wall);
+        see(moment, sample, advanced, whole.collisions);
+    };
+    Simulation first = *start_;
+    first.measure_return(wanted.return_times);
+    const bool with_collisions = wanted.collisions || wanted.first_collisions;
+    if (wanted.aside)
+        see_aside(
+            [&](const Advances& send) {
+                simulate(std::move(first), moments, with_collisions, send);
+            },
+            see_and_keep);
+    else
+        simulate(std::move(first), moments, with_collisions, see_and_keep);
+    if (kept) start_.reset();
+}
+
+// Calls `see` on a separate thread for the moments that `simulate` produces meanwhile. An exception
+// of `see` takes precedence over one of the simulation, as it belongs to an earlier moment.
+void Recording::see_aside(const std::function<void(const Advances&)>& simulate,
+                          const Advances& see) {
+    Relay<SentMoment> relay([&](SentMoment sent) {
+        sent.advanced.collisions = sent.collisions;
+        see(sent.moment, *sent.sample, sent.advanced);
     });
     std::shared_ptr<const Sample> last;
     try {
-        simulate([&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
+        simulate([&](const SeenMoment& moment, const Sample& sample,
+                     const AdvanceResult& advanced) {
             if (!last || last->time != sample.time) last = std::make_shared<const Sample>(sample);
             relay.send(
-                {tick, last, advanced, {advanced.collisions.begin(), advanced.collisions.end()}});
+                {moment, last, advanced, {advanced.collisions.begin(), advanced.collisions.end()}});
         });
     } catch (...) {
         relay.finish();
         throw;
     }
     relay.finish();
-}
-
-}  // namespace
-
-Recording::Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted,
-                     const Viewer& see, const Room& room)
-    : ticks_(std::move(ticks)), with_collisions_(wanted.collisions), start_(std::move(start)) {
-    bool kept = true;
-    const auto see_and_keep = [&](const Tick& tick, const Sample& sample,
-                                  const AdvanceResult& advanced) {
-        if (kept && !keep(sample, advanced, room)) {
-            kept = false;
-            forget();
-        }
-        collision_count_ = static_cast<double>(advanced.counts.particle + advanced.counts.wall);
-        see(tick, sample, advanced);
-    };
-    Simulation first = *start_;
-    first.measure_return(wanted.return_times);
-    const bool with_collisions = wanted.collisions || wanted.first_collisions;
-    if (wanted.aside)
-        see_aside([&](const Viewer& send) { simulate(std::move(first), with_collisions, send); },
-                  see_and_keep);
-    else
-        simulate(std::move(first), with_collisions, see_and_keep);
-    if (kept) start_.reset();
 }
 
 void Recording::forget() {
@@ -159,12 +217,13 @@ void Recording::read_sample(std::size_t number, Sample& to) const {
                 room_of(to.velocity.data(), count));
 }
 
-void Recording::simulate(Simulation simulation, bool with_collisions, const Viewer& see) const {
+void Recording::simulate(Simulation simulation, const std::vector<SeenMoment>& moments,
+                         bool with_collisions, const Advances& see) {
     simulation.record_collisions(with_collisions);
-    for (const Tick& tick : ticks_) {
+    for (const SeenMoment& moment : moments) {
         throw_if_interrupted();
-        const AdvanceResult advanced = simulation.advance_to(tick.time);
-        see(tick, simulation.sample(), advanced);
+        const AdvanceResult advanced = simulation.advance_to(moment.tick.time);
+        see(moment, simulation.sample(), advanced);
     }
 }
 

@@ -1,6 +1,8 @@
-// The run of a film, frame by frame: simulated once, and replayed any number of times. It is kept
-// in memory, and what exceeds that in a temporary file; a run that is too large for both is
-// replayed by simulating it again from its start.
+// The moments of the first pass over a run: the frames of a film, or the times that figures show,
+// and the samples of the run, which belong to its statistics whatever is shown. And the run of a
+// film, frame by frame: simulated once, and replayed any number of times. It is kept in memory, and
+// what exceeds that in a temporary file; a run that is too large for both is replayed by simulating
+// it again from its start.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/run.h"
 #include "physics/simulation.h"
 #include "scene/time/timeline.h"
 #include "util/files/scratch_file.h"
@@ -18,6 +21,42 @@
 namespace carom {
 
 class Archive;
+
+/// A moment of the first pass.
+struct SeenMoment {
+    Tick tick;
+    bool is_frame = true, is_sample = true;  ///< or both
+};
+
+/// The times at which statistics are taken, in order: the samples of the run, and its events.
+std::vector<double> measured_times(const Run& run);
+
+/// The frames, and the measured times of the run up to the last frame. A measured time that frames
+/// show is the first of these frames that is no card.
+std::vector<SeenMoment> moments_of(const std::vector<Tick>& ticks, const Run& run);
+
+/// The frames alone, each of which also counts as a sample.
+std::vector<SeenMoment> moments_of(const std::vector<Tick>& ticks);
+
+/// Joins the collisions of several advances.
+class JoinedCollisions {
+  public:
+    void add(std::span<const Collision> collisions) {
+        before_.insert(before_.end(), collisions.begin(), collisions.end());
+    }
+
+    /// Gives all that were added, followed by `last`, and starts again; valid until the next call.
+    std::span<const Collision> take(std::span<const Collision> last) {
+        if (before_.empty()) return last;
+        add(last);
+        taken_.swap(before_);
+        before_.clear();
+        return taken_;
+    }
+
+  private:
+    std::vector<Collision> before_, taken_;
+};
 
 /// The limits of what is kept of a run, in bytes: in memory, and of the rest in a temporary file.
 struct RecordingRoom {
@@ -31,6 +70,11 @@ class Recording {
     /// Receives a frame: the state of the gas, and what happened since the frame before. The
     /// arguments are valid during the call only.
     using Viewer = std::function<void(const Tick&, const Sample&, const AdvanceResult&)>;
+
+    /// Receives a moment of the first pass: the state of the gas, what happened since the moment
+    /// before and, at a frame, the collisions since the frame before. Valid during the call only.
+    using FirstViewer = std::function<void(const SeenMoment&, const Sample&, const AdvanceResult&,
+                                           std::span<const Collision> since_frame)>;
 
     using Room = RecordingRoom;
     static constexpr std::size_t most_bytes = Room::most_memory;
@@ -51,6 +95,11 @@ class Recording {
     /// simulation throw.
     Recording(Simulation start, std::vector<Tick> ticks, const Wanted& wanted, const Viewer& see,
               const Room& room = {});
+
+    /// The same for moments of which only the frames are kept and replayed; `see` is called for
+    /// each moment.
+    Recording(Simulation start, const std::vector<SeenMoment>& moments, const Wanted& wanted,
+              const FirstViewer& see, const Room& room = {});
 
     /// Replays the frames in order, bit for bit the same. Holds a reference to the recording.
     /// Thread safety: any number of players may replay one recording at the same time, each on its
@@ -147,7 +196,11 @@ class Recording {
     double time_of_last_sample() const;
     void read_sample(std::size_t number, Sample& to) const;
     void forget();
-    void simulate(Simulation simulation, bool with_collisions, const Viewer& see) const;
+    using Advances = std::function<void(const SeenMoment&, const Sample&, const AdvanceResult&)>;
+    static void simulate(Simulation simulation, const std::vector<SeenMoment>& moments,
+                         bool with_collisions, const Advances& see);
+    static void see_aside(const std::function<void(const Advances&)>& simulate,
+                          const Advances& see);
     void keep_part(const Recording& whole, std::size_t first, std::size_t end);
     Recording in_memory() const;
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -13,8 +14,10 @@
 
 #include "panels/precision.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/reversal/mirrored_events.h"
 #include "physics/sample_times.h"
 #include "physics/ways_back.h"
+#include "stats/paths/time_averages.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
@@ -172,6 +175,8 @@ class Course {
           simulation_(std::move(started.simulation)),
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(started.scene.gas.species.size()), sample_count(run_)),
+          averages_(simulation_.box(), simulation_.particles(),
+                    static_cast<int>(started.scene.gas.species.size()), velocity_changes(run_)),
           reversals_(run_, simulation_),
           surfaces_(simulation_.box()),
           take_(take),
@@ -182,11 +187,15 @@ class Course {
         if (take_.aside && simulation_.particles().count() >= enough)
             aside_.emplace([](const Work& work) { work(); });
         advanced_.surfaces = simulation_.surfaces();
+        for (const RunEvent& event : run_.events) events_.push_back(event.at);
+        for (const MirroredEvent& mirrored : mirrored_events(run_)) events_.push_back(mirrored.at);
+        std::ranges::sort(events_);
+        while (!events_.empty() && events_.front() <= 0.0) events_.pop_front();
+        events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
+        averages_.see(simulation_.sample(), {});
         if (!take_.sample) simulation_.forget_sample();
-        if (take_.collisions) {
-            simulation_.record_collisions(true);
-            step_.begin(first_step * run_.until);
-        }
+        simulation_.record_collisions(true);
+        step_.begin(first_step * run_.until);
         seconds_.prepare = watch.wall();
         if (on_progress_.started) on_progress_.started();
     }
@@ -203,7 +212,7 @@ class Course {
         RunReport report{simulation_.particles().count(),
                          simulation_.bits(),
                          samples,
-                         statistics_.summary(advanced_),
+                         summary(),
                          advanced_.counts,
                          reversals_.reports(),
                          seconds_,
@@ -221,6 +230,19 @@ class Course {
 
   private:
     using Work = std::function<void()>;
+
+    // Means that are known exactly take the place of those over samples.
+    RunSummary summary() const {
+        RunSummary summary = statistics_.summary(advanced_);
+        const TimeAverages::Means means = averages_.means();
+        for (std::size_t k = 0; k < summary.species.size(); ++k) {
+            SpeciesMeans& its = summary.species[k];
+            if (its.energy) its.energy = means.energy[k];
+            if (its.speed) its.speed = means.speed[k];
+        }
+        if (summary.temperature) summary.temperature = means.temperature;
+        return summary;
+    }
 
     static constexpr double first_step = 1e-6;  // fraction of the run, while the rate is unknown
 
@@ -307,33 +329,51 @@ class Course {
             throw_if_interrupted();
             const Stopwatch watch;
             const double before = now_;
-            now_ = step_.next(before, std::min(time, reversals_.next_time()));
+            now_ = step_.next(before, std::min({time, reversals_.next_time(), next_event()}));
             advanced_ = simulation_.advance_to(now_, [this](double now) { reach(now); });
             seconds_.simulate += watch.wall();
             reach(now_);
-            if (take_.collisions) hand_on(now_ - before);
+            hand_on(now_ - before);
             if (now_ == reversals_.next_time()) reversals_.look(advanced_);
+            if (now_ == next_event()) see_event();
         }
+    }
+
+    double next_event() const {
+        return events_.empty() ? std::numeric_limits<double>::infinity() : events_.front();
+    }
+
+    // The gas may have a single pressure from an event on.
+    void see_event() {
+        events_.pop_front();
+        give([this, now = now_, advanced = lasting()] { statistics_.see_event(now, advanced); });
     }
 
     // Passes on the collisions of a step of this length.
     void hand_on(double length) {
         const std::span<const Collision> collisions = advanced_.collisions;
         step_.see(length, collisions.size());
-        if (collisions.empty()) return;
-        if (!aside_) return give([&] { take_.collisions(simulation_.particles(), collisions); });
-        give([this, all = std::vector(collisions.begin(), collisions.end())] {
-            take_.collisions(simulation_.particles(), all);
-        });
+        const auto take = [this](const Sample& sample, std::span<const Collision> its) {
+            averages_.see(sample, its);
+            if (take_.collisions && !its.empty()) take_.collisions(simulation_.particles(), its);
+        };
+        Sample sample;
+        sample.time = now_;
+        if (averages_.needs_samples()) sample = simulation_.sample();
+        if (!aside_) return give([&] { take(sample, collisions); });
+        give([take, sample = std::move(sample),
+              all = std::vector(collisions.begin(), collisions.end())] { take(sample, all); });
     }
 
     RunSeconds seconds_;
     Run run_;
     Simulation simulation_;
     RunStatistics statistics_;
+    TimeAverages averages_;
     ReversalWatch reversals_;
     SurfaceWatch surfaces_;
     StepLength step_;
+    std::deque<double> events_;  ///< times still to come
     const RunTakers& take_;
     VelocityFollowing following_;
     const RunCallbacks& on_progress_;

@@ -19,7 +19,7 @@
 
 namespace carom {
 
-/// Means over the particles of one species and the samples.
+/// Means over the particles of one species and the samples; of a run, over time.
 struct SpeciesMeans {
     std::int64_t count = 0;
     std::optional<double> energy;  ///< none with an infinite mass that moves
@@ -71,6 +71,11 @@ class RunStatistics {
     /// of the kinetic energy to be subtracted accurately.
     bool see_changes(double time, std::span<const VelocityChange> changes,
                      const AdvanceResult& advanced);
+
+    /// Takes an event of the run between samples, at which partitions may open.
+    void see_event(double time, const AdvanceResult& advanced) {
+        pressure_.see(time, advanced.impulses, advanced.surfaces);
+    }
 
     /// The statistics of all samples seen. Requires at least one sample; the last one must be at
     /// the end of `advanced`, which gives the impulses since time 0.

@@ -39,6 +39,7 @@ struct SeenPanel {
           gas(scene.gas.box, scene.run.events, particles,
               Simulation(scene.gas, scene.run).sample()),
           panel(make_panel({scene, particles, static_cast<int>(times.size()), gas}, spec)) {
+        if (times.size() > 1) scene.run.sample_every = times[1] - times[0];  // its samples
         run(panel->surveys_collisions(), [&](const FrameInput& input, Simulation& simulation) {
             panel->survey(input);
             accounts.push_back(simulation.energy_account());

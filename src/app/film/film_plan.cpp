@@ -238,7 +238,7 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
             [&](const Tick&, const Sample&, const AdvanceResult&) { progress.advance(); }, room,
             aside);
     plan.run = panels.record(
-        std::move(start), std::move(ticks),
+        std::move(start), ticks,
         [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
             if (text) text->see(tick, sample, advanced);
             if (sound) sound->see(tick, advanced);

@@ -110,9 +110,10 @@ std::vector<Tick> some_of(const std::vector<Tick>& ticks, int still) {
     return some;
 }
 
-// Surveys the run at these times, and returns the frames that the still needs.
+// Surveys the run at these times and, unless `only_frames`, at its samples, and returns the frames
+// that the still needs.
 std::vector<KeptFrame> survey(PanelSet& panels, Simulation start, const std::vector<Tick>& ticks,
-                              int still, bool are_kept, Progress& progress) {
+                              int still, bool are_kept, bool only_frames, Progress& progress) {
     progress.begin("simulating", static_cast<double>(ticks.size()));
     std::vector<KeptFrame> kept;
     panels.survey_run(
@@ -124,7 +125,8 @@ std::vector<KeptFrame> survey(PanelSet& panels, Simulation start, const std::vec
                                 advanced,
                                 {advanced.collisions.begin(), advanced.collisions.end()}});
             progress.advance();
-        });
+        },
+        only_frames);
     return kept;
 }
 
@@ -315,7 +317,7 @@ Still draw_still_alone(const Scene& asked, double at, bool is_quick,
             plan.start = {};  // not needed: the first frame shows it as well
         else
             again = start;
-        kept = survey(*first_pass, std::move(start), ticks, still, are_kept, progress);
+        kept = survey(*first_pass, std::move(start), ticks, still, are_kept, sees_some, progress);
         settled = SettledAxes{bits_of(plan.scene), fixed_axes(*first_pass)};
         first_pass.reset();
         if (are_kept) plan.start = kept.front().sample;

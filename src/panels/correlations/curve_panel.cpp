@@ -9,14 +9,15 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/plots/window.h"
+#include "physics/sample_times.h"
 #include "stats/mean_error.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
-constexpr int probes = 40;              // frames that decide the height of the axis
-constexpr double settled = 0.3;         // share of the film before which probes are not taken
+constexpr int probes = 40;              // samples that decide the height of the axis
+constexpr double settled = 0.3;         // share of the run before which probes are not taken
 constexpr double alpha_of_steps = 0.3;  // of the area under steps
 constexpr int depth_of_curves = 2;
 
@@ -139,10 +140,11 @@ void CurvePanel::take_in(const CurveValues& values) {
 
 void CurvePanel::survey(const FrameInput& input) {
     surveyed_->see(input);
-    const bool is_probe = frames_seen_ >= settled * context_.frames &&
-                          frames_seen_ % std::max(1, context_.frames / probes) == 0;
+    const auto samples = static_cast<int>(sample_count(context_.scene.run));
+    const bool is_probe =
+        samples_seen_ >= settled * samples && samples_seen_ % std::max(1, samples / probes) == 0;
     if (is_probe && subject_.reach) take_in(surveyed_->values());
-    ++frames_seen_;
+    ++samples_seen_;
 }
 
 void CurvePanel::finish_record() {

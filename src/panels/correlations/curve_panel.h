@@ -134,6 +134,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     CurvePanel(const PanelContext& context, CurveSubject subject);
 
     void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override { return SurveyedAt::samples; }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void see(const FrameInput& input) override { shown_->see(input); }
@@ -165,7 +166,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     PanelContext context_;
     CurveSubject subject_;
     std::unique_ptr<CurveMeter> surveyed_, shown_;
-    int frames_seen_ = 0;
+    int samples_seen_ = 0;
     std::shared_ptr<const CurveValues> readouts_;
     plot::Plot whole_;
     double shown_start_ = 0.0, shown_reach_ = 1.0;  ///< of this panel's own run

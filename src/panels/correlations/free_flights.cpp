@@ -43,25 +43,21 @@ class FlightMeter : public CurveMeter {
     }
 
     void see(const FrameInput& input) override {
-        const double now = input.sample.time;
-        for (const FreeFlight& flight : flights_.see(input.sample, input.advanced.collisions)) {
+        const auto take = [this](const PathPiece& piece, bool ends_flight) {
+            for (const std::size_t k : lists_of_[static_cast<std::size_t>(piece.particle)])
+                add_piece(sums_[k], piece, ends_flight);
+        };
+        for (const FreeFlight& flight :
+             flights_.see(input.sample, input.advanced.collisions, take)) {
             const double value = flown_ == Flown::path ? flight.length : flight.duration;
             for (const std::size_t k : lists_of_[static_cast<std::size_t>(flight.particle)]) {
                 if (!reach_)
                     keep(k, value);
                 else
-                    add(k, value, now);
+                    add(k, value, flight.ended);
             }
         }
-        for (std::size_t k = 0; k < lists_.size(); ++k) {
-            Eigen::ArrayXd& sums = sums_[k].at(now);
-            for (const Eigen::Index i : lists_[k]) {
-                const FlightTotals& one = flights_.totals()[static_cast<std::size_t>(i)];
-                sums[flight_bins + 1] += one.collisions;
-                sums[flight_bins + 2] += one.way;
-                sums[flight_bins + 3] += one.time;
-            }
-        }
+        for (SlidingSum& one : sums_) one.at(input.sample.time);  // forgets what is too old
     }
 
     double reach() const override {
@@ -110,6 +106,20 @@ class FlightMeter : public CurveMeter {
             for (std::size_t i = 0; 2 * i < values.size(); ++i) values[i] = values[2 * i];
             values.resize((values.size() + 1) / 2);
         }
+    }
+
+    // Each part of the window has the way and the time that belong to it.
+    static void add_piece(SlidingSum& to, const PathPiece& piece, bool ends_flight) {
+        for (double from = piece.from; from < piece.to;) {
+            const double until = std::min(piece.to, to.end_of_slice(from));
+            const double middle = 0.5 * (from + until), span = until - from;
+            Eigen::ArrayXd& sums = to.at(middle);
+            sums[flight_bins + 2] +=
+                length_of_way(piece.velocity_after(middle - piece.from), piece.acceleration, span);
+            sums[flight_bins + 3] += span;
+            from = until;
+        }
+        if (ends_flight) to.at(piece.to)[flight_bins + 1] += 1.0;
     }
 
     // Flights beyond the reach are counted in bin number flight_bins.

@@ -71,7 +71,7 @@ struct Followed {
             for (const std::vector<Eigen::Index>& list : lists)
                 square_speeds.push_back(input.speed(list).square().mean());
         for (SlopesOfParticles* each : {&slopes, &first, &second})
-            each->add(input.tick.time, square);
+            if (input.is_sample) each->add(input.tick.time, square);
         collisions.see(input);
         return now;
     }

@@ -135,19 +135,21 @@ DialPanel::DialPanel(const PanelContext& context, const PanelSpec& spec, DialSub
 
 void DialPanel::survey(const FrameInput& input) {
     const std::vector<double> now = subject_.measure(input);
-    std::vector<std::vector<double>>& lines = record_.runs.front().lines;
-    lines.resize(now.size());
-    for (std::size_t k = 0; k < now.size(); ++k) lines[k].push_back(now[k]);
+    const auto add_to = [&](std::vector<std::vector<double>>& lines) {
+        lines.resize(now.size());
+        for (std::size_t k = 0; k < now.size(); ++k) lines[k].push_back(now[k]);
+    };
+    if (input.is_frame) add_to(record_.runs.front().lines);
+    if (input.is_sample) add_to(record_.runs.front().sampled);
 }
 
 void DialPanel::make_axes() {
     std::vector<std::vector<double>> all;
     for (const DialRun& run : record_.runs) {
-        all.insert(all.end(), run.lines.begin(), run.lines.end());
-        for (std::size_t i = 0; i < run.errors.size(); ++i) {
-            std::vector<double>& ends = all.emplace_back(run.lines[i]);
-            for (std::size_t frame = 0; frame < ends.size(); ++frame)
-                ends[frame] += run.errors[i][frame];
+        all.insert(all.end(), run.sampled.begin(), run.sampled.end());
+        for (std::size_t i = 0; i < run.sampled_errors.size(); ++i) {
+            std::vector<double>& ends = all.emplace_back(run.sampled[i]);
+            for (std::size_t k = 0; k < ends.size(); ++k) ends[k] += run.sampled_errors[i][k];
         }
     }
     scale_ = scale_of_readings(all);

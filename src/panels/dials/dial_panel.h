@@ -25,7 +25,8 @@ struct DialSubject {
         plot::Role role = {.of = plot::Role::Of::bar};
     };
     std::function<std::vector<double>(const FrameInput&)> measure =
-        {};  ///< one number for each line, every frame of the first pass in order; NaN: none
+        {};  ///< one number for each line, at every sample and every frame of the first pass in
+             ///< order; NaN: none
     std::vector<Line> lines = {};
     std::string title = {};  ///< plain words
     std::string note = {};   ///< plain words on what the numbers are
@@ -55,6 +56,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     DialPanel(const PanelContext& context, const PanelSpec& spec, DialSubject subject);
 
     void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
     bool surveys_collisions() const override { return subject_.needs_collisions; }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;

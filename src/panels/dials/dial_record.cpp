@@ -8,16 +8,21 @@ DialRecord mean_of(const std::vector<DialRecord>& records) {
     DialRecord mean = records.front();
     mean.runs_in_mean = static_cast<int>(records.size());
     DialRun& run = mean.runs.front();
-    run.errors = run.lines;
+    using Lines = std::vector<std::vector<double>>;
     std::vector<double> of_each(records.size());
-    for (std::size_t k = 0; k < run.lines.size(); ++k)
-        for (std::size_t i = 0; i < run.lines[k].size(); ++i) {
-            for (std::size_t r = 0; r < records.size(); ++r)
-                of_each[r] = records[r].runs.front().lines[k][i];
-            const MeanError all = mean_error(of_each);
-            run.lines[k][i] = all.mean;
-            run.errors[k][i] = all.error;
-        }
+    const auto average = [&](Lines DialRun::*lines, Lines DialRun::*errors) {
+        run.*errors = run.*lines;
+        for (std::size_t k = 0; k < (run.*lines).size(); ++k)
+            for (std::size_t i = 0; i < (run.*lines)[k].size(); ++i) {
+                for (std::size_t r = 0; r < records.size(); ++r)
+                    of_each[r] = (records[r].runs.front().*lines)[k][i];
+                const MeanError all = mean_error(of_each);
+                (run.*lines)[k][i] = all.mean;
+                (run.*errors)[k][i] = all.error;
+            }
+    };
+    average(&DialRun::lines, &DialRun::errors);
+    average(&DialRun::sampled, &DialRun::sampled_errors);
     return mean;
 }
 

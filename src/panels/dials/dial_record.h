@@ -1,5 +1,5 @@
-// What a panel of dials records of a run: numbers of each frame, from which means over runs and
-// comparisons of runs are made.
+// What a panel of dials records of a run: numbers of each frame and sample, from which means over
+// runs and comparisons of runs are made.
 #pragma once
 
 #include <string>
@@ -15,8 +15,10 @@ struct DialRun {
     std::vector<std::vector<double>> lines = {};  ///< reading x frame; NaN: none
     /// Standard errors of the lines, if they are means over runs; otherwise empty.
     std::vector<std::vector<double>> errors = {};
+    /// The readings at the samples of the run, which determine the scale, and their errors.
+    std::vector<std::vector<double>> sampled = {}, sampled_errors = {};
 
-    void archive(Archive& archive) { archive(name, lines, errors); }
+    void archive(Archive& archive) { archive(name, lines, errors, sampled, sampled_errors); }
 };
 
 struct DialRecord {

@@ -142,7 +142,7 @@ class TemperatureMeter {
           is_of_moment_(over.since == Over::Since::now) {}
 
     std::vector<double> operator()(const FrameInput& o) {
-        accounts_.add({o.tick.time, times_.see(o.sample, o.advanced.collisions)});
+        accounts_.add({o.tick.time, times_.see(o.sample, o.advanced.collisions)}, o.is_sample);
         const Account &from = accounts_.from(), &to = accounts_.to();
         if (is_of_moment_ || !(to.time > from.time))
             return temperatures({}, times_.moment(o.sample));

@@ -53,7 +53,7 @@ class FluxMeter {
             now.measured.at(way) = {static_cast<double>(totals.count.at(way)),
                                     totals.energy.at(way)};
         if (theory_) add_theory(o, now);
-        accounts_.add(now);
+        accounts_.add(now, o.is_sample);
         const FluxAccount &from = accounts_.from(), &to = accounts_.to();
         const double time = to.time - from.time;
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -72,11 +72,11 @@ class FluxMeter {
 
   private:
     // Integrates the rates of the theory by the trapezoidal rule: they change little between
-    // frames.
+    // samples.
     void add_theory(const FrameInput& o, FluxAccount& now) {
         const std::array<FluxRates, 2> rates = theory_->at(o);
         if (!accounts_.empty()) {
-            const FluxAccount& last = accounts_.to();
+            const FluxAccount& last = accounts_.last();
             const double step = 0.5 * (now.time - last.time);
             for (std::size_t way = 0; way < 2; ++way) {
                 const FluxRates &a = last_rates_.at(way), &b = rates.at(way);
@@ -89,7 +89,7 @@ class FluxMeter {
                 now.expected.at(way).energy += step * sum.energy;
             }
         }
-        last_rates_ = rates;
+        if (o.is_sample) last_rates_ = rates;
     }
 
     LineCrossings crossings_;
@@ -151,7 +151,7 @@ std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& s
     title_with_names(subject, language, say(language, flux_title(spec.carried)));
     subject.compared_title =
         say(language, "{} {}", say(language, flux_title(spec.carried)), say(language, ways[0]));
-    const std::string window = words_of_window(language, over, Phrase{"from frame to frame"});
+    const std::string window = words_of_window(language, over, Phrase{"from sample to sample"});
     subject.notes = {window};
     if (theory) {
         for (std::size_t way = 0; way < 2; ++way)

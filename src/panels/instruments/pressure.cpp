@@ -19,7 +19,7 @@
 namespace carom {
 namespace {
 
-// The pressures over the time that the scene asks for, frame by frame.
+// The pressures over the time that the scene asks for.
 class Gauge {
   public:
     Gauge(const PanelContext& context, Over over)
@@ -28,13 +28,13 @@ class Gauge {
     std::vector<double> operator()(const FrameInput& o) {
         const Box& box = context_.scene.gas.box;
         const bool plain = o.advanced.surfaces.empty();
-        watch_.see(o.tick.time, o.advanced.impulses, o.advanced.surfaces);
+        if (o.is_sample) watch_.see(o.tick.time, o.advanced.impulses, o.advanced.surfaces);
         if (!watch_.start()) {
             accounts_.clear();
             return {nan_, nan_};
         }
-        if (accounts_.empty()) accounts_.add(*watch_.start());
-        accounts_.add({o.tick.time, o.advanced.impulses});
+        if (accounts_.empty()) accounts_.add(*watch_.start(), true);
+        accounts_.add({o.tick.time, o.advanced.impulses}, o.is_sample);
         const PressureStart& from = accounts_.from();
         const PressureStart& to = accounts_.to();
         if (!(to.time > from.time)) return {nan_, nan_};
@@ -66,7 +66,7 @@ std::string time_words(Language language, const Over& over, const Box& box) {
     const bool is_parted = !std::ranges::all_of(box.surfaces.partitions, &Partition::is_open);
     return over.since == Over::Since::start && is_parted
                ? say(language, "mean since the last partition opened")
-               : words_of_window(language, over, Phrase{"from frame to frame"});
+               : words_of_window(language, over, Phrase{"from sample to sample"});
 }
 
 // The pressure of an ideal gas with the energy of this one, and of hard disks or rods.

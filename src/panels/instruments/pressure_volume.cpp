@@ -24,12 +24,16 @@ const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::highlight}, .dashes
 
 // The path of a run, and where an ideal gas would start.
 struct PressureVolumeRun {
-    std::string name = {};                         // among compared runs
-    std::vector<double> area = {}, pressure = {};  // of each frame; NaN: none
-    double work = 0.0;                             // number of particles times temperature
-    double start = 0.0;                            // area at the start
-    bool has_law = false;                          // that of an ideal gas
-    void archive(Archive& archive) { archive(name, area, pressure, work, start, has_law); }
+    std::string name = {};                                    // among compared runs
+    std::vector<double> time = {}, area = {}, pressure = {};  // at samples; NaN: none
+    std::vector<double> frame_time = {}, frame_area = {}, frame_pressure = {};  // at frames
+    double work = 0.0;     // number of particles times temperature
+    double start = 0.0;    // area at the start
+    bool has_law = false;  // that of an ideal gas
+    void archive(Archive& archive) {
+        archive(name, time, area, pressure, frame_time, frame_area, frame_pressure, work, start,
+                has_law);
+    }
     bool begins_as(const PressureVolumeRun& other) const {
         return work == other.work && start == other.start;
     }
@@ -81,6 +85,7 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
           meter_(context.scene.gas.box, {spec.surfaces.front()}, over()) {}
 
     void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
@@ -99,7 +104,7 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
     }
     void make_axes() override;
     void add_curves();
-    plot::Line path_of(std::size_t run) const;
+    plot::Line path_of(std::size_t run, std::size_t shown) const;
 
     PanelContext context_;
     PanelSpec spec_;
@@ -111,16 +116,23 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
 void PressureVolumePanel::survey(const FrameInput& input) {
     PressureVolumeRun& run = record_.runs.front();
     const double area = enclosed_area(box(), input.advanced.surfaces);
-    if (run.area.empty()) {
+    if (run.frame_area.empty() && run.area.empty()) {
         const auto finite = static_cast<double>((context_.particles.inverse_mass > 0.0).count());
         run.work = finite * thermal_motion(box(), context_.particles, input.sample).temperature();
         run.start = area;
         run.has_law = bool(law(context_.gas, LawOf::isotherm));
     }
-    run.area.push_back(area);
-    const double pressure = meter_(input.tick.time, input.advanced).front();
-    run.pressure.push_back(is_measured(input.tick.time) ? pressure
-                                                        : std::numeric_limits<double>::quiet_NaN());
+    double pressure = meter_(input).front();
+    if (!is_measured(input.tick.time)) pressure = std::numeric_limits<double>::quiet_NaN();
+    if (input.is_sample) {
+        run.time.push_back(input.tick.time);
+        run.area.push_back(area);
+        run.pressure.push_back(pressure);
+    }
+    if (!input.is_frame) return;
+    run.frame_time.push_back(input.tick.time);
+    run.frame_area.push_back(area);
+    run.frame_pressure.push_back(pressure);
 }
 
 std::shared_ptr<const PanelState> PressureVolumePanel::state(const FrameInput&) {
@@ -185,13 +197,25 @@ void PressureVolumePanel::add_curves() {
                             .wraps = true});
 }
 
-plot::Line PressureVolumePanel::path_of(std::size_t run) const {
+// The samples up to a frame, and the frame itself.
+plot::Line PressureVolumePanel::path_of(std::size_t run, std::size_t shown) const {
     const PressureVolumeRun& its = record_.runs[run];
+    const std::size_t frame = std::min(shown, its.frame_time.size()) - 1;
+    const double now = its.frame_time.at(frame);
+    const std::ptrdiff_t end = std::ranges::upper_bound(its.time, now) - its.time.begin();
+    std::vector<double> area(its.area.begin(), its.area.begin() + end);
+    std::vector<double> pressure(its.pressure.begin(), its.pressure.begin() + end);
+    if (end == 0 || its.time[static_cast<std::size_t>(end) - 1] < now) {
+        area.push_back(its.frame_area[frame]);
+        pressure.push_back(its.frame_pressure[frame]);
+    }
     plot::Line line;
     line.part = "path";
     line.depth = 1;
-    line.x = plot::column(whole_.columns[0], its.area);
-    line.y = plot::column(whole_.columns[1], its.pressure);
+    line.shown.end = area.size();
+    line.shown.first = line.shown.end - std::min(line.shown.end, longest_path);
+    line.x = plot::column(whole_.columns[0], std::move(area));
+    line.y = plot::column(whole_.columns[1], std::move(pressure));
     line.is_thinned = false;
     line.beyond = plot::Beyond::drawn;
     line.stroke = {
@@ -210,13 +234,10 @@ plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
     if (state == nullptr) return now;
     const auto& shown = dynamic_cast<const ShownState&>(*state);
     for (std::size_t run = 0; run < record_.runs.size(); ++run) {
-        plot::Line line = path_of(run);
-        line.shown.end = std::min(shown.shown.at(run), record_.runs[run].area.size());
-        line.shown.first = line.shown.end - std::min(line.shown.end, longest_path);
-        now.layers.emplace_back(std::move(line));
+        now.layers.emplace_back(path_of(run, shown.shown.at(run)));
         if (!record_.compares()) continue;
         now.accounts_of_runs.push_back(account_of_last(context_.language(), Phrase{"pressure"},
-                                                       record_.runs[run].pressure,
+                                                       record_.runs[run].frame_pressure,
                                                        shown.shown.at(run)));
     }
     return now;

@@ -14,20 +14,23 @@ namespace carom {
 SurfacePressures::SurfacePressures(const Box& box, std::vector<std::int32_t> surfaces, Over over)
     : box_(box), surfaces_(std::move(surfaces)), received_(over) {}
 
-std::vector<double> SurfacePressures::operator()(double time, const AdvanceResult& advanced) {
-    if (!received_.empty() && time < received_.to().time) received_.clear();
+std::vector<double> SurfacePressures::operator()(const FrameInput& input) {
+    const double time = input.tick.time;
+    const AdvanceResult& advanced = input.advanced;
+    if (!received_.empty() && time < received_.last().time) received_.clear();
     const bool is_first = received_.empty();
     Received now{.time = time};
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const double length = length_of_surface(box_, advanced.surfaces, surfaces_[i]);
-        const double before = is_first ? 0.0 : received_.to().reach[i];
-        const double step = is_first ? 0.0 : time - received_.to().time;
+        const double before = is_first ? 0.0 : received_.last().reach[i];
+        const double step = is_first ? 0.0 : time - received_.last().time;
         now.push.push_back(push_on_surface(advanced, box_, surfaces_[i]));
         now.reach.push_back(before + 0.5 * step * (length + (is_first ? length : last_length_[i])));
         last_length_.resize(surfaces_.size());
-        last_length_[i] = length;
+        if (input.is_sample) last_length_[i] = length;
     }
-    received_.add(std::move(now));
+    received_.add(std::move(now), input.is_sample);
+
     const Received &from = received_.from(), &to = received_.to();
     std::vector<double> pressures;
     for (std::size_t i = 0; i < surfaces_.size(); ++i)
@@ -55,12 +58,11 @@ std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const 
     const Box& box = context.scene.gas.box;
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     SeriesSubject subject{.quantity = Phrase{"pressure"}, .unit = unit_of_pressure(box)};
-    subject.measure = [meter = SurfacePressures(box, spec.surfaces, over)](
-                          const FrameInput& o) mutable { return meter(o.tick.time, o.advanced); };
+    subject.measure = SurfacePressures(box, spec.surfaces, over);
     name_surfaces(subject, language, box, spec.surfaces, say(language, "Pressure"));
     subject.is_signed = !std::ranges::all_of(
         spec.surfaces, [](std::int32_t surface) { return Surfaces::is_side(surface); });
-    subject.notes = {words_of_window(language, over, Phrase{"from frame to frame"})};
+    subject.notes = {words_of_window(language, over, Phrase{"from sample to sample"})};
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }
 

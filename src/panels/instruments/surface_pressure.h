@@ -20,7 +20,7 @@ class SurfacePressures {
 
     /// Returns the pressure on each surface; NaN while no time has passed. To be called in order of
     /// time; a time before the last one restarts the measurement.
-    std::vector<double> operator()(double time, const AdvanceResult& advanced);
+    std::vector<double> operator()(const FrameInput& input);
 
     /// The pressure on all surfaces together, at the last time.
     double of_all() const;

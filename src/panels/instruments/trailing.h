@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <utility>
 
 #include "scene/scene.h"
@@ -12,26 +13,46 @@ namespace carom {
 inline Over usual_window(const Run& run) { return {Over::Since::window, 0.05 * run.until}; }
 
 /// Accumulated sums of a run, each with its `time`; kept as far back as the difference of two of
-/// them over the window needs.
+/// them over the window needs. Windows begin at samples of the run, so that they do not depend on
+/// what is shown in between.
 template <class Account>
 class Trailing {
   public:
     explicit Trailing(Over over) : over_(over) {}
 
-    void clear() { all_.clear(); }
+    void clear() {
+        all_.clear();
+        between_.reset();
+    }
 
-    /// Adds sums in order of time; sums of the same time as the last are ignored.
-    void add(Account account) {
-        if (all_.empty() || account.time > all_.back().time) all_.push_back(std::move(account));
-        drop_old();
+    /// Adds sums in order of time, of a sample or of a moment between samples; sums of the same
+    /// time as the last sample are ignored. From sample to sample, moments in between do not count.
+    void add(Account account, bool is_sample) {
+        between_.reset();
+        const bool is_new = all_.empty() || account.time > all_.back().time;
+        if (is_sample && is_new) {
+            all_.push_back(std::move(account));
+            drop_old();
+        } else if (is_new && over_.since != Over::Since::now) {
+            between_ = std::move(account);
+        }
     }
     bool empty() const { return all_.empty(); }
 
-    /// to() gives the present sums; from() gives the last ones that are at least one window old
-    /// (for Since::now the previous ones, for Since::start the first). Both are the same while no
-    /// time has passed.
-    const Account& from() const { return all_.front(); }
-    const Account& to() const { return all_.back(); }
+    /// The sums of the last sample.
+    const Account& last() const { return all_.back(); }
+
+    /// to() gives the present sums; from() gives those of the last sample that is at least one
+    /// window old (for Since::now the previous one, for Since::start the first). Both are the same
+    /// while no time has passed.
+    const Account& from() const {
+        std::size_t first = 0;
+        while (between_ && over_.since == Over::Since::window && first + 1 < all_.size() &&
+               all_[first + 1].time <= between_->time - over_.window)
+            ++first;
+        return all_[first];
+    }
+    const Account& to() const { return between_ ? *between_ : all_.back(); }
 
   private:
     void drop_old() {
@@ -46,7 +67,8 @@ class Trailing {
     }
 
     Over over_;
-    std::deque<Account> all_;
+    std::deque<Account> all_;         ///< of samples
+    std::optional<Account> between_;  ///< of the present, if that is no sample
 };
 
 }  // namespace carom

@@ -108,8 +108,7 @@ std::optional<double> HistogramPanel::window() const {
 }
 
 double HistogramPanel::samples() const {
-    return context_.in_film ? context_.frames
-                            : static_cast<double>(sample_count(context_.scene.run));
+    return static_cast<double>(sample_count(context_.scene.run));
 }
 
 bool HistogramPanel::shows_one_mean() const { return spec_.at && window() != 0.0; }
@@ -131,7 +130,7 @@ bool HistogramPanel::is_probe(double time, double numbers) const {
 }
 
 void HistogramPanel::survey(const FrameInput& input) {
-    const bool is_sample = context_.in_film || is_sample_time(context_.scene.run, input.tick.time);
+    const bool is_sample = input.is_sample;
     if (!is_sample && !(shows_one_mean() && input.tick.time == *spec_.at)) return;
     const ValuesOfInput all = subject_.values(input);
     Eigen::ArrayXXd place;

@@ -67,6 +67,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     HistogramPanel(const PanelContext& context, const PanelSpec& spec, HistogramSubject subject);
 
     void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
     bool wants_collisions() const override { return window() != 0.0; }
     void see(const FrameInput& input) override;
     bool surveys_positions() const override { return subject_.position_axis.has_value(); }
@@ -113,7 +114,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::vector<bool> broken_bars(const MeanHistogram& now, int frame, std::size_t k);
     std::optional<double> window() const;
     void add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars) const;
-    double samples() const;       ///< number that is surveyed: of a film, its frames
+    double samples() const;       ///< number that is surveyed
     bool shows_one_mean() const;  ///< over a window that ends at a figure's time
     bool is_probe(double time, double numbers) const;
     HistogramRules rules() const;

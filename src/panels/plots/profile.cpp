@@ -13,6 +13,7 @@
 #include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "panels/thinning.h"
+#include "physics/sample_times.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
 #include "util/text.h"
@@ -93,6 +94,7 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
     ProfilePanel(const PanelContext& context, const PanelSpec& spec);
 
     void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override { return SurveyedAt::samples; }
     void archive(Archive& archive) override;
     std::optional<std::array<double, 2>> time_shown(double at) const override;
     bool surveys_collisions() const override { return window_of(over_) != 0.0; }
@@ -176,7 +178,7 @@ void ProfilePanel::survey(const FrameInput& input) {
         one.see(input);
         const Eigen::ArrayXd values = values_of(one);
         for_each_kept(values.size(), slabs * static_cast<double>(surveyed_.size()), frames_seen_,
-                      context_.frames, [&](Eigen::Index k) {
+                      static_cast<int>(sample_count(context_.scene.run)), [&](Eigen::Index k) {
                           if (!std::isnan(values[k])) pool_.push_back(std::abs(values[k]));
                       });
     }

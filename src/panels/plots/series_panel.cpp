@@ -111,9 +111,13 @@ SeriesPanel::SeriesPanel(const PanelContext& context, const PanelSpec& spec, Ser
 void SeriesPanel::survey(const FrameInput& input) {
     const std::vector<double> now = subject_.measure(input);
     SeriesRun& run = record_.runs.front();
-    run.time.push_back(input.tick.time);
-    run.lines.resize(now.size());
-    for (std::size_t k = 0; k < now.size(); ++k) run.lines[k].push_back(now[k]);
+    const auto add_to = [&](SeriesPoints& points) {
+        points.time.push_back(input.tick.time);
+        points.lines.resize(now.size());
+        for (std::size_t k = 0; k < now.size(); ++k) points.lines[k].push_back(now[k]);
+    };
+    if (input.is_sample) add_to(run);
+    if (input.is_frame) add_to(run.frames);
 }
 
 void SeriesPanel::finish_record() {
@@ -216,6 +220,7 @@ void SeriesPanel::make_axes() {
 }
 
 void SeriesPanel::make_plot() {
+    growing_.clear();
     const bool compares = record_.compares();
     const std::string column = column_name(std::string(subject_.quantity.english), subject_.unit);
     whole_.titles = subject_.titles;
@@ -313,6 +318,7 @@ void SeriesPanel::add_run(std::size_t k) {
             line.more = {band.error};
             whole_.layers.emplace_back(std::move(band));
         }
+        growing_.push_back({whole_.layers.size(), k, i});
         whole_.layers.emplace_back(std::move(line));
     }
 }
@@ -487,8 +493,34 @@ std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) co
     std::vector<std::string> accounts;
     for (std::size_t k = 0; k < record_.runs.size(); ++k)
         accounts.push_back(account_of_last(context_.language(), subject_.quantity,
-                                           record_.runs[k].lines.front(), now.shown.at(k)));
+                                           record_.runs[k].frames.lines.front(), now.shown.at(k)));
     return accounts;
+}
+
+// The number of samples up to the frame that is the last of so many.
+std::size_t SeriesPanel::samples_until(std::size_t run, std::size_t shown) const {
+    const SeriesRun& its = record_.runs.at(run);
+    if (shown == 0 || its.frames.time.empty()) return 0;
+    const double now = its.frames.time[std::min(shown, its.frames.time.size()) - 1];
+    return static_cast<std::size_t>(std::ranges::upper_bound(its.time, now) - its.time.begin());
+}
+
+// The points of a line are those of samples and, at its end, the present.
+void SeriesPanel::end_at_present(plot::Line& line, const Growing& of, std::size_t shown) const {
+    const SeriesRun& run = record_.runs.at(of.run);
+    const std::size_t samples = line.shown.end, frame = std::min(shown, run.frames.time.size()) - 1;
+    if (samples == 0 || !(run.frames.time[frame] > run.time[samples - 1])) return;
+    const auto extended = [&](const plot::Column& of_samples, double present) {
+        std::vector<double> values(of_samples.values->begin(),
+                                   of_samples.values->begin() + std::ptrdiff_t(samples));
+        values.push_back(present);
+        return plot::column(of_samples.name, std::move(values));
+    };
+    line.x = extended(line.x, run.frames.time[frame]);
+    line.y = extended(line.y, run.frames.lines[of.line][frame]);
+    if (!run.frames.errors.empty())
+        line.more = {extended(line.more.front(), run.frames.errors[of.line][frame])};
+    ++line.shown.end;
 }
 
 plot::Plot SeriesPanel::plot(const PanelState* state) const {
@@ -496,10 +528,15 @@ plot::Plot SeriesPanel::plot(const PanelState* state) const {
     if (state == nullptr) return now;
     const auto& shown = dynamic_cast<const ShownState&>(*state);
     for (plot::AnyLayer& layer : now.layers) {
-        if (auto* line = std::get_if<plot::Line>(&layer))
-            line->shown.end = shown.shown.at(line->run.value_or(0));
-        if (auto* band = std::get_if<plot::Band>(&layer)) band->shown.end = shown.shown.front();
+        if (auto* line = std::get_if<plot::Line>(&layer)) {
+            const std::size_t run = line->run.value_or(0);
+            line->shown.end = samples_until(run, shown.shown.at(run));
+        }
+        if (auto* band = std::get_if<plot::Band>(&layer))
+            band->shown.end = samples_until(0, shown.shown.front());
     }
+    for (const Growing& one : growing_)
+        end_at_present(std::get<plot::Line>(now.layers[one.layer]), one, shown.shown.at(one.run));
     if (record_.compares()) now.accounts_of_runs = accounts_of_runs(shown);
     return now;
 }

@@ -21,7 +21,8 @@ struct SeriesSubject {
         bool is_theory = false;  ///< thin and dashed
     };
     std::function<std::vector<double>(const FrameInput&)> measure =
-        {};  ///< one number for each line, every frame of the first pass in order; NaN: none
+        {};  ///< one number for each line, at every sample and every frame of the first pass in
+             ///< order; NaN: none
     std::vector<Line> lines = {};
     std::vector<plot::Text> titles = {};  ///< from longest to shortest
     std::vector<std::string> names = {};  ///< names of several lines in a key
@@ -63,6 +64,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     SeriesPanel(const PanelContext& context, const PanelSpec& spec, SeriesSubject subject);
 
     void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
     bool surveys_positions() const override { return subject_.needs_positions; }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override { archive(seen_); }
@@ -87,6 +89,13 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;
     void add_run(std::size_t run);
+
+    /// A line of the plot that ends at the present: its layer, and what it shows.
+    struct Growing {
+        std::size_t layer, run, line;
+    };
+    std::size_t samples_until(std::size_t run, std::size_t shown) const;
+    void end_at_present(plot::Line& line, const Growing& of, std::size_t shown) const;
     plot::Level level_of(const ReferenceLevel& of) const;
     void add_levels();
     void add_common_levels(const ReferenceLevels& levels);
@@ -100,6 +109,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     bool is_titled_by_scene_;
     std::size_t seen_ = 0;
     plot::Plot whole_;  ///< of the whole film
+    std::vector<Growing> growing_;
 };
 
 }  // namespace carom

@@ -44,19 +44,24 @@ SeriesRecord mean_of(std::vector<SeriesRecord> records) {
     SeriesRecord mean = records.front();
     mean.runs_in_mean = static_cast<int>(records.size());
     SeriesRun& run = mean.runs.front();
-    run.errors = run.lines;
     run.laws.clear();
     const auto over_runs = [&](const auto& number) {
         std::vector<double> values;
         for (const SeriesRecord& record : records) values.push_back(number(record.runs.front()));
         return mean_error(values);
     };
-    for (std::size_t k = 0; k < run.lines.size(); ++k)
-        for (std::size_t i = 0; i < run.time.size(); ++i) {
-            const MeanError one = over_runs([&](const SeriesRun& of) { return of.lines[k][i]; });
-            run.lines[k][i] = one.mean;
-            run.errors[k][i] = one.error;
-        }
+    const auto average = [&](SeriesPoints& points, const auto& of_run) {
+        points.errors = points.lines;
+        for (std::size_t k = 0; k < points.lines.size(); ++k)
+            for (std::size_t i = 0; i < points.time.size(); ++i) {
+                const MeanError one =
+                    over_runs([&](const SeriesRun& of) { return of_run(of).lines[k][i]; });
+                points.lines[k][i] = one.mean;
+                points.errors[k][i] = one.error;
+            }
+    };
+    average(run, [](const SeriesRun& of) -> const SeriesPoints& { return of; });
+    average(run.frames, [](const SeriesRun& of) -> const SeriesPoints& { return of.frames; });
     for (std::size_t k = 0; k < run.numbers.size(); ++k)
         for (std::size_t i = 0; i < run.numbers[k].size(); ++i)
             run.numbers[k][i] =
@@ -79,7 +84,8 @@ SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::s
     SeriesRecord all{.runs = {}, .compared = records.front().compared};
     for (std::size_t k = 0; k < records.size(); ++k) {
         SeriesRun& run = all.runs.emplace_back(std::move(records[k].runs.front()));
-        run.lines = {std::move(run.lines[all.compared])};
+        for (SeriesPoints* points : {static_cast<SeriesPoints*>(&run), &run.frames})
+            if (!points->lines.empty()) points->lines = {std::move(points->lines[all.compared])};
         if (!run.numbers.empty()) run.numbers = {std::move(run.numbers[all.compared])};
         if (!run.laws.empty()) run.laws = {std::move(run.laws[all.compared])};
         run.name = names[k];

@@ -32,11 +32,17 @@ struct LineLaw {
     void archive(auto& archive) { archive(reason, value); }
 };
 
-/// The numbers of one run.
-struct SeriesRun {
-    std::vector<double> time;                      ///< elapsed time of each frame
-    std::vector<std::vector<double>> lines;        ///< line x frame; NaN: none
+/// The points of one run.
+struct SeriesPoints {
+    std::vector<double> time = {};                 ///< elapsed
+    std::vector<std::vector<double>> lines = {};   ///< line x time; NaN: none
     std::vector<std::vector<double>> errors = {};  ///< standard errors of means over runs, or none
+    void archive(auto& archive) { archive(time, lines, errors); }
+};
+
+/// The numbers of one run.
+struct SeriesRun : SeriesPoints {  ///< at its samples
+    SeriesPoints frames = {};      ///< at the frames that show it: the present of each
     ReferenceLevels levels = {};
     std::vector<double> turns = {};  ///< times of reversals
     std::vector<std::pair<double, std::string>> events =
@@ -46,7 +52,8 @@ struct SeriesRun {
     std::string name = {};                             ///< among compared runs
 
     void archive(Archive& archive) {
-        archive(time, lines, errors, levels, turns, events, numbers, laws, name);
+        SeriesPoints::archive(archive);
+        archive(frames, levels, turns, events, numbers, laws, name);
     }
 };
 

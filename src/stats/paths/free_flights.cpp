@@ -17,13 +17,14 @@ bool FreeFlights::ends(const Collision& collision) const {
 }
 
 const std::vector<FreeFlight>& FreeFlights::see(const Sample& sample,
-                                                std::span<const Collision> collisions) {
+                                                std::span<const Collision> collisions,
+                                                const TakePiece& take) {
     const auto count = static_cast<std::size_t>(sample.position.rows());
     now_.resize(count);
     is_begun_.resize(count);
     ended_.clear();
     totals_.assign(count, {});
-    paths_(sample, collisions, [this](const PathPiece& piece) {
+    paths_(sample, collisions, [&](const PathPiece& piece) {
         const auto i = static_cast<std::size_t>(piece.particle);
         const double span = piece.span();
         const double way =
@@ -32,7 +33,9 @@ const std::vector<FreeFlight>& FreeFlights::see(const Sample& sample,
         now_[i].duration += span;
         totals_[i].way += way;
         totals_[i].time += span;
-        if (piece.ended_by == nullptr || !ends(*piece.ended_by)) return;
+        const bool has_ended = piece.ended_by != nullptr && ends(*piece.ended_by);
+        if (take) take(piece, has_ended);
+        if (!has_ended) return;
         totals_[i].collisions += 1.0;
         if (is_begun_[i])
             ended_.push_back({piece.particle, piece.to, now_[i].length, now_[i].duration});

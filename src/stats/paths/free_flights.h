@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -34,7 +35,10 @@ class FreeFlights {
     /// Takes the next sample. Samples must come in order of time, each with all collisions since
     /// the previous one. Returns the flights that have ended since then, except the first one of
     /// each particle, whose beginning is unknown.
-    const std::vector<FreeFlight>& see(const Sample& sample, std::span<const Collision> collisions);
+    /// `take` is called for each piece of the paths since then, and whether a flight ends with it.
+    using TakePiece = std::function<void(const PathPiece&, bool ends_flight)>;
+    const std::vector<FreeFlight>& see(const Sample& sample, std::span<const Collision> collisions,
+                                       const TakePiece& take = {});
 
     /// The totals of each particle since the previous sample.
     const std::vector<FlightTotals>& totals() const { return totals_; }

@@ -194,7 +194,10 @@ void PairCorrelation::see(const Sample& sample, std::span<const Collision> colli
         for (std::size_t axis = 0; axis < 2; ++axis)
             between[axis] = {0.5 * (sides[axis].first + (*sides_)[axis].first),
                              0.5 * (sides[axis].second + (*sides_)[axis].second)};
-        expected_.at(0.5 * (time_ + sample.time)) += (sample.time - time_) * expected(between);
+        const Eigen::ArrayXd its = expected(between);
+        for_each_slice(expected_, {time_, sample.time}, [&](Interval part) {
+            expected_.at(part.middle()) += (part.to - part.from) * its;
+        });
     }
     if (!sides_ || wanted_.window == 0.0) add_moment(sample, sides);
     if (!sides_) since_ = sample.time;
@@ -205,7 +208,10 @@ void PairCorrelation::see(const Sample& sample, std::span<const Collision> colli
     const bool is_short = (time_ - since_) * speed_ < way_of_slice * wanted_.to;
     const bool is_read_often = std::exchange(is_read_, false);  // then each reading adds little
     if (!wanted_.window && is_short && !is_read_often) return;
-    add_pieces(with_open(), pairs_.at(0.5 * (since_ + time_)), flights_added_);
+    const Pieces all = with_open();
+    for_each_slice(pairs_, {since_, time_}, [&](Interval part) {
+        add_pieces(all, part, pairs_.at(part.middle()), flights_added_);
+    });
     for (std::vector<PathPiece>& pieces : pieces_) pieces.clear();
     since_ = time_;
 }
@@ -265,21 +271,21 @@ double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces,
     return farthest + bend;
 }
 
-int PairCorrelation::slices_until_now() const {
+int PairCorrelation::slices_in(Interval within) const {
     constexpr double most = 1e6;
-    const double slices = (time_ - since_) * speed_ / (way_of_slice * wanted_.to);
+    const double slices = (within.to - within.from) * speed_ / (way_of_slice * wanted_.to);
     return static_cast<int>(std::clamp(std::round(slices), 1.0, most));
 }
 
-// Adds the pieces from `since_` to the last sample, cut into slices of time so short that few pairs
-// come near each other in each.
-void PairCorrelation::add_pieces(const Pieces& pieces, Eigen::ArrayXd& time,
+// Adds the pieces in an interval, cut into slices of time so short that few pairs come near each
+// other in each.
+void PairCorrelation::add_pieces(const Pieces& pieces, Interval whole, Eigen::ArrayXd& time,
                                  double& flights) const {
-    const int slices = wanted_.window ? 1 : slices_until_now();
+    const int slices = wanted_.window ? 1 : slices_in(whole);
     std::vector<std::size_t> first(pieces.size());  // the piece of each particle where a slice ends
     std::vector<std::span<const PathPiece>> in_slice(pieces.size());
     const auto end = [&](int k) {
-        return k == slices ? time_ : since_ + (time_ - since_) * k / slices;
+        return k == slices ? whole.to : whole.from + (whole.to - whole.from) * k / slices;
     };
     for (int k = 0; k < slices; ++k) {
         const Interval within{end(k), end(k + 1)};
@@ -435,7 +441,8 @@ Eigen::ArrayXd PairCorrelation::values() const {
     const Eigen::ArrayXd expected = expected_.sum();
     const bool is_moment = !(expected.sum() > 0.0);
     Eigen::ArrayXd pairs = is_moment ? moment_ : pairs_.sum();
-    if (double flights = 0.0; !is_moment && time_ > since_) add_pieces(with_open(), pairs, flights);
+    if (double flights = 0.0; !is_moment && time_ > since_)
+        add_pieces(with_open(), {since_, time_}, pairs, flights);
     const Eigen::ArrayXd& points = is_moment ? moment_expected_ : expected;
     return (points > 0.0).select(pairs / points, std::numeric_limits<double>::quiet_NaN());
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -65,14 +66,23 @@ class PairCorrelation {
     using Pieces = std::vector<std::vector<PathPiece>>;
     struct Interval {
         double from, to;
+        double middle() const { return 0.5 * (from + to); }
     };
+    static void for_each_slice(const SlidingSum& sums, Interval whole, const auto& add) {
+        for (double from = whole.from; from < whole.to;) {
+            const double to = std::min(whole.to, sums.end_of_slice(from));
+            add(Interval{from, to});
+            from = to;
+        }
+    }
     bool is_wanted(Eigen::Index i, Eigen::Index j) const;
     void find_kinds();
     Eigen::ArrayXd expected(const BoxSides& sides);
     void see_pieces(const Sample& sample, std::span<const Collision> collisions);
     Pieces with_open() const;
-    int slices_until_now() const;
-    void add_pieces(const Pieces& pieces, Eigen::ArrayXd& time, double& flights) const;
+    int slices_in(Interval within) const;
+    void add_pieces(const Pieces& pieces, Interval whole, Eigen::ArrayXd& time,
+                    double& flights) const;
     double farthest_from_end(std::span<const PathPiece> pieces, Interval within) const;
     double distance(const Eigen::ArrayXXd& positions, Eigen::Index i, Eigen::Index j) const;
     void add_flights(std::span<const std::span<const PathPiece>> pieces, Interval within,

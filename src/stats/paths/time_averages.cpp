@@ -1,0 +1,79 @@
+#include "stats/paths/time_averages.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "physics/mechanics.h"
+
+namespace carom {
+
+TimeAverages::TimeAverages(const Box& box, const Particles& particles, int species,
+                           std::vector<double> velocity_changes)
+    : dimension_(box.dimension),
+      inverse_mass_(particles.inverse_mass),
+      species_(particles.species),
+      needs_samples_(!velocity_changes.empty() || (box.surfaces.gravity != 0.0).any()),
+      paths_(box, std::move(velocity_changes)),
+      counts_(static_cast<std::size_t>(species)),
+      integrals_{counts_, counts_} {
+    const bool all_finite = (inverse_mass_ > 0.0).all();
+    freedom_ = box.dimension * static_cast<double>((inverse_mass_ > 0.0).count());
+    for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i)
+        counts_[static_cast<std::size_t>(species_[i])] += 1.0;
+    if (all_finite) mass_ = (1.0 / inverse_mass_).sum();
+    for (int axis = 0; axis < box.dimension; ++axis)
+        if (all_finite && conserves_momentum(box, particles, axis)) {
+            is_conserved_[static_cast<std::size_t>(axis)] = true;
+            freedom_ -= 1.0;
+        }
+}
+
+void TimeAverages::add(const PathPiece& piece, Integrals& to) const {
+    const double span = piece.span();
+    const Eigen::Array2d middle = piece.velocity_after(0.5 * span);
+    const auto species = static_cast<std::size_t>(species_[piece.particle]);
+    to.speed[species] += length_of_way(middle, piece.acceleration, span);
+    const double inverse = inverse_mass_[piece.particle];
+    if (inverse == 0.0) return;
+    // The mean of v^2 is that halfway, and what the acceleration adds.
+    const double square =
+        middle.square().sum() + piece.acceleration.square().sum() * span * span / 12.0;
+    to.energy[species] += 0.5 * span * square / inverse;
+}
+
+void TimeAverages::look_for_drift(const Sample& sample) {
+    drift_ = 0.0;
+    for (int axis = 0; axis < dimension_; ++axis) {
+        if (!is_conserved_[static_cast<std::size_t>(axis)]) continue;
+        const double momentum = (sample.velocity.col(axis) / inverse_mass_).sum();
+        drift_ += 0.5 * momentum * momentum / mass_;
+    }
+}
+
+void TimeAverages::see(const Sample& sample, std::span<const Collision> collisions) {
+    paths_.see_whole(sample, collisions,
+                     [this](const PathPiece& piece) { add(piece, integrals_); });
+    if (is_first_) start_ = time_ = sample.time;
+    drift_integral_ += drift_ * (sample.time - time_);
+    if (is_first_ || needs_samples_) look_for_drift(sample);
+    time_ = sample.time;
+    is_first_ = false;
+}
+
+TimeAverages::Means TimeAverages::means() const {
+    Integrals all = integrals_;
+    paths_.see_open([&](const PathPiece& piece) { add(piece, all); });
+    const double span = time_ - start_;
+    Means means{all.energy, all.speed, std::numeric_limits<double>::quiet_NaN()};
+    double energy = 0.0;
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+        energy += all.energy[k];
+        means.energy[k] /= counts_[k] * span;
+        means.speed[k] /= counts_[k] * span;
+    }
+    if (freedom_ > 0.0) means.temperature = 2.0 * (energy - drift_integral_) / (span * freedom_);
+    return means;
+}
+
+}  // namespace carom

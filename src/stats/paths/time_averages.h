@@ -1,0 +1,61 @@
+// Means over time of the speeds and energies of particles, and of their temperature: exact, from
+// the flights between collisions, not from samples.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "physics/gas.h"
+#include "physics/particles.h"
+#include "stats/paths/paths.h"
+
+namespace carom {
+
+class TimeAverages {
+  public:
+    /// For a gas with `species` species. `velocity_changes` as for Paths.
+    TimeAverages(const Box& box, const Particles& particles, int species,
+                 std::vector<double> velocity_changes);
+
+    /// Whether see() needs positions and velocities; if not, after the first call the time of the
+    /// sample is enough.
+    bool needs_samples() const { return needs_samples_; }
+
+    /// Takes the next sample. Samples must come in order of time, each with all collisions since
+    /// the previous one.
+    void see(const Sample& sample, std::span<const Collision> collisions);
+
+    /// The means over the time since the first sample, which must be longer than 0.
+    struct Means {
+        std::vector<double> energy, speed;  ///< by species, over its particles; particles of
+                                            ///< infinite mass have no energy
+        double temperature;                 ///< as in ThermalMotion; NaN if nothing can move
+    };
+    Means means() const;
+
+  private:
+    /// Integrals over time, by species.
+    struct Integrals {
+        std::vector<double> energy, speed;
+    };
+    void add(const PathPiece& piece, Integrals& to) const;
+    void look_for_drift(const Sample& sample);
+
+    int dimension_;
+    Eigen::ArrayXd inverse_mass_;
+    Eigen::ArrayXi species_;
+    bool needs_samples_;
+    Paths paths_;
+    std::array<bool, 2> is_conserved_{};  ///< momentum along an axis
+    double mass_ = 0.0;                   ///< of all, if momentum is conserved
+    double freedom_ = 0.0;                ///< degrees of freedom
+    std::vector<double> counts_;          ///< of particles, by species
+    Integrals integrals_;
+    double drift_ = 0.0, drift_integral_ = 0.0;  ///< energy of the motion of the whole gas
+    double start_ = 0.0, time_ = 0.0;
+    bool is_first_ = true;
+};
+
+}  // namespace carom

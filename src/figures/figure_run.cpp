@@ -164,7 +164,8 @@ void FigureRun::OneRun::plan_passes() {
     for (std::size_t k = 0; k < figures.size(); ++k) {
         const Panel* panel = all.panels()[k].panel.get();
         const bool is_drawn = dynamic_cast<const SharedPanel*>(panel) == nullptr ||
-                              dynamic_cast<const PointsPanel*>(panel) != nullptr;
+                              (dynamic_cast<const PointsPanel*>(panel) != nullptr &&
+                               panel->surveyed_at() == SurveyedAt::frames);
         (is_drawn ? drawn : measured).push_back(k);
     }
     if (!drawn.empty()) passes_.push_back({drawn, ticks_of_film(scene_)});

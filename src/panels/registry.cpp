@@ -10,6 +10,7 @@
 #include "panels/gas/gas_panel.h"
 #include "panels/instruments/instrument_keys.h"
 #include "panels/line/line_panel.h"
+#include "panels/plot/clock_samples.h"
 #include "panels/plots/histogram_panel.h"
 #include "panels/sweep/sweep_keys.h"
 #include "physics/theory/law.h"
@@ -113,6 +114,16 @@ std::int64_t count_of(const Gas& gas) {
     return count;
 }
 
+void check_scalar_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_scalar_test(panel, node, reading);
+    check_samples_of_bars(panel, node, reading);
+}
+
+void check_velocity_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_velocity_test(panel, node, reading);
+    check_samples_of_bars(panel, node, reading);
+}
+
 bool acts_on_gas(const Gas& gas, const Run& run) {
     return !gas.box.surfaces.are_plain() ||
            std::ranges::any_of(run.events, [](const RunEvent& event) {
@@ -181,7 +192,8 @@ std::vector<PanelKind> all_kinds() {
                   "equilibrium distribution.",
          .make = make_speed_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
-         .rule = check_scalar_test,
+         .keys = samples_key(),
+         .rule = check_scalar_histogram,
          .suits = speeds_spread,
          .laws = always(LawOf::distribution)},
         {.name = "energy-histogram",
@@ -190,7 +202,8 @@ std::vector<PanelKind> all_kinds() {
                   "distribution.",
          .make = make_energy_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
-         .rule = check_scalar_test,
+         .keys = samples_key(),
+         .rule = check_scalar_histogram,
          .suits = speeds_spread,
          .laws = always(LawOf::distribution)},
         {.name = "velocity-histogram",
@@ -199,14 +212,17 @@ std::vector<PanelKind> all_kinds() {
                   "with the equilibrium distribution.",
          .make = make_velocity_histogram,
          .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison},
-         .rule = check_velocity_test,
+         .keys = samples_key(),
+         .rule = check_velocity_histogram,
          .suits = speeds_spread,
          .laws = always(LawOf::distribution)},
         {.name = "position-histogram",
          .words = Phrase{"position histogram"},
          .shows = "A histogram of the positions along one axis.",
          .make = make_position_histogram,
-         .abilities = {bars, of, over, component, means, comparison}},
+         .abilities = {bars, of, over, component, means, comparison},
+         .keys = samples_key(),
+         .rule = check_samples_of_bars},
         {.name = "energy-by-species",
          .words = Phrase{"energy by species"},
          .shows = "The mean kinetic energy of each species against time.",
@@ -402,12 +418,16 @@ std::vector<PanelKind> all_kinds() {
                   "particle leaves a path that fades with age.",
          .make = make_phase,
          .abilities = {of, component},
+         .keys = samples_key(),
+         .rule = check_samples_of_points,
          .suits = is_line},
         {.name = "positions",
          .words = Phrase{"positions"},
          .shows = "The position of one particle against that of another, with the path so far.",
          .make = make_positions,
-         .abilities = {of, two, component}},
+         .abilities = {of, two, component},
+         .keys = samples_key(),
+         .rule = check_samples_of_points},
         {.name = "monitors",
          .words = Phrase{"monitors"},
          .shows = "Numbers: time, collisions, mean speed and others.",

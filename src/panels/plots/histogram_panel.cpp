@@ -8,6 +8,7 @@
 
 #include "panels/archived.h"
 #include "panels/chosen.h"
+#include "panels/plot/clock_samples.h"
 #include "panels/plots/window.h"
 #include "panels/surfaces/side_extent.h"
 #include "panels/thinning.h"
@@ -79,7 +80,8 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
       spec_(spec),
       subject_(std::move(subject)),
       paths_(context.scene.gas.box, velocity_changes(context.scene.run)) {
-    record_.time = time_words(context.language(), spec);
+    record_.time = with_samples(context.language(), time_words(context.language(), spec), spec,
+                                context.scene.run);
     record_.pools.resize(1);
     for (const Chosen& chosen : choices(spec)) {
         Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen), {}});
@@ -196,8 +198,9 @@ void HistogramPanel::take_axes(const RecordPanel& of) {
 void HistogramPanel::begin_counting() {
     record_ = {};
     const Run& run = context_.scene.run;
-    bars_.assign(choices_.size(),
-                 HistogramOverTime(axes_.bins, window(), {sample_interval(run), run.until}, false));
+    bars_.assign(
+        choices_.size(),
+        HistogramOverTime(axes_.bins, window(), {sample_interval(run), run.until}, spec_.by_clock));
     for (std::size_t k = 0; k < count(); ++k) roles_.push_back(roles_of(k));
     make_plot();
 }

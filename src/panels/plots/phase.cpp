@@ -70,6 +70,7 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     for (std::size_t k = 0; k < chosen.size(); ++k)
         subject.sets.push_back(
             {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
+    show_samples(context, spec, subject);
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

@@ -4,6 +4,9 @@
 #include <cmath>
 
 #include "draw/axis.h"
+#include "panels/plot/clock_samples.h"
+#include "panels/plots/window.h"
+#include "physics/sample_times.h"
 #include "stats/histogram.h"
 
 namespace carom {
@@ -14,6 +17,7 @@ using plot::Role;
 struct PointsState : PanelState {
     std::vector<std::vector<Point>> sets;
     std::size_t shown = 0;
+    double time = 0.0;
     std::size_t bytes() const override {
         std::size_t sum = 0;
         for (const std::vector<Point>& set : sets) sum += set.size() * sizeof(Point);
@@ -28,6 +32,19 @@ const plot::Stroke faint{.role = {.of = Role::Of::muted}, .width = 0.06, .dashes
 
 }  // namespace
 
+void show_samples(const PanelContext& context, const PanelSpec& spec, PointsSubject& subject) {
+    if (!spec.by_clock) return;
+    subject.is_sample = [&run = context.scene.run](double time) {
+        return is_sample_time(run, time);
+    };
+    subject.shows_present = context.in_film;
+    subject.corners = nullptr;
+    PanelSpec so_far = spec;
+    so_far.over = Over{Over::Since::start, 0.0};
+    subject.remark = with_samples(subject.language, time_words(subject.language, so_far), spec,
+                                  context.scene.run);
+}
+
 // The part of a path that a film with many frames or many collisions shows.
 plot::Shown PointsPanel::Path::until(std::size_t frames) const {
     if (ends.empty()) return {0, 0};
@@ -41,6 +58,7 @@ const std::vector<Point>& PointsPanel::points(const PanelState& state, std::size
 
 void PointsPanel::survey(const FrameInput& input) {
     if (subject_.widen) subject_.widen(subject_, input);
+    if (subject_.is_sample) return survey_samples(input);
     paths_.resize(subject_.sets.size());
     for (std::size_t k = 0; k < paths_.size(); ++k) {
         const std::vector<Point> now = subject_.points(input, k);
@@ -58,9 +76,28 @@ void PointsPanel::survey(const FrameInput& input) {
             }
             path.ends.push_back(path.x.size());
         }
-        const std::size_t stride = std::max<std::size_t>(1, more.size() / kept_a_frame);
-        for (std::size_t i = surveyed_ % stride; i < more.size(); i += stride)
-            pool_.push_back(std::abs(more[i].y));
+        keep_for_axis(more);
+    }
+    ++surveyed_;
+}
+
+void PointsPanel::keep_for_axis(const std::vector<Point>& points) {
+    const std::size_t stride = std::max<std::size_t>(1, points.size() / kept_a_frame);
+    for (std::size_t i = surveyed_ % stride; i < points.size(); i += stride)
+        pool_.push_back(std::abs(points[i].y));
+}
+
+void PointsPanel::survey_samples(const FrameInput& input) {
+    if (!subject_.is_sample(input.tick.time)) return;
+    clouds_.resize(subject_.sets.size());
+    for (std::size_t k = 0; k < clouds_.size(); ++k) {
+        const std::vector<Point> now = subject_.points(input, k);
+        for (const Point& point : now) {
+            clouds_[k].time.push_back(input.tick.time);
+            clouds_[k].x.push_back(point.x);
+            clouds_[k].y.push_back(point.y);
+        }
+        keep_for_axis(now);
     }
     ++surveyed_;
 }
@@ -74,7 +111,7 @@ void PointsPanel::fix_axes() {
 }
 
 void PointsPanel::archive(Archive& archive) {
-    archive(paths_, height_, subject_.width);
+    archive(paths_, clouds_, height_, subject_.width);
     if (archive.is_reading()) make_plot();
 }
 
@@ -85,6 +122,8 @@ void PointsPanel::make_plot() {
         .x = {.title = subject_.across, .low = subject_.width.first, .high = subject_.width.second},
         .y = {.title = subject_.up, .low = height_.first, .high = height_.second},
         .columns = {"piece (number)", subject_.columns.first, subject_.columns.second}};
+    if (!subject_.remark.empty())
+        whole_.notes.push_back({.entries = {{.words = {plot::Text(subject_.remark)}}}});
     if (height_.first < 0.0) {
         plot::Level zero;
         zero.still = true;
@@ -101,6 +140,24 @@ void PointsPanel::make_plot() {
     }
     lines_.clear();
     for (std::size_t k = 0; k < paths_.size(); ++k) lines_.push_back(line_of(k));
+    points_.clear();
+    for (std::size_t k = 0; k < clouds_.size(); ++k) {
+        plot::Points points;
+        points.part = "sample";
+        points.of = subject_.sets[k].name;
+        points.x = plot::column(whole_.columns[1], clouds_[k].x);
+        points.y = plot::column(whole_.columns[2], clouds_[k].y);
+        points.mark = {.role = subject_.sets[k].role, .radius = 0.16, .is_hollow_if_pale = true};
+        points_.push_back(std::move(points));
+    }
+}
+
+void PointsPanel::add_cloud(plot::Plot& now, std::size_t set, double time) const {
+    plot::Points points = points_[set];
+    const std::vector<double>& times = clouds_[set].time;
+    points.shown.end =
+        static_cast<std::size_t>(std::ranges::upper_bound(times, time) - times.begin());
+    now.layers.emplace_back(std::move(points));
 }
 
 // A path that goes around the box has several pieces.
@@ -141,6 +198,7 @@ std::shared_ptr<const PanelState> PointsPanel::state(const FrameInput& input) {
     for (std::size_t k = 0; k < subject_.sets.size(); ++k)
         state->sets.push_back(subject_.points(input, k));
     state->shown = ++seen_;
+    state->time = input.tick.time;
     return state;
 }
 
@@ -148,7 +206,9 @@ plot::Plot PointsPanel::plot(const PanelState* state) const {
     plot::Plot now = whole_;
     if (state == nullptr) return now;
     const auto& shown = static_cast<const PointsState&>(*state);
+    for (std::size_t k = 0; k < points_.size(); ++k) add_cloud(now, k, shown.time);
     for (std::size_t k = 0; k < shown.sets.size(); ++k) {
+        if (subject_.is_sample && !subject_.shows_present) continue;
         const bool has_path = shown.sets[k].size() == 1;
         std::vector<double> x, y;
         for (const Point& point : shown.sets[k]) {

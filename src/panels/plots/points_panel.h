@@ -30,6 +30,10 @@ struct PointsSubject {
     std::function<std::vector<Point>(const FrameInput&, std::size_t set)>
         corners;  ///< of the path of a single-particle set since the frame before, in order;
                   ///< called for every frame in order; empty: paths have corners at frames only
+    std::function<bool(double time)> is_sample =
+        {};  ///< if given, points are those of these times so far, and there are no paths
+    bool shows_present = true;   ///< beside such points
+    std::string remark = {};     ///< plain words under the title
     bool fades = false;          ///< older parts of paths fade, so that recent ones stand out
     bool never_equal = false;    ///< the two quantities: a line marks where they would be equal
     double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
@@ -37,11 +41,17 @@ struct PointsSubject {
     std::pair<std::string, std::string> columns = {};  ///< of a table, with their units
 };
 
+/// With `samples: clock`, shows the points of the samples of the run so far.
+void show_samples(const PanelContext& context, const PanelSpec& spec, PointsSubject& subject);
+
 class PointsPanel : public PlotPanel {
   public:
     explicit PointsPanel(PointsSubject subject) : subject_(std::move(subject)) {}
 
     void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override {
+        return subject_.is_sample ? SurveyedAt::samples : SurveyedAt::frames;
+    }
     void fix_axes() override;
     void archive(Archive& archive) override;
     bool surveys_collisions() const override { return static_cast<bool>(subject_.corners); }
@@ -49,7 +59,7 @@ class PointsPanel : public PlotPanel {
     void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
 
-    /// For tests: the points of a set in a state.
+    /// For tests: the present points of a set in a state.
     static const std::vector<Point>& points(const PanelState& state, std::size_t set);
 
   private:
@@ -60,6 +70,14 @@ class PointsPanel : public PlotPanel {
         void archive(Archive& archive) { archive(x, y, ends); }
         plot::Shown until(std::size_t frames) const;
     };
+    /// The points of a set at all samples.
+    struct Cloud {
+        std::vector<double> time, x, y;
+        void archive(Archive& archive) { archive(time, x, y); }
+    };
+    void survey_samples(const FrameInput& input);
+    void keep_for_axis(const std::vector<Point>& points);
+    void add_cloud(plot::Plot& now, std::size_t set, double time) const;
     std::vector<int> pieces_of(const Path& path) const;
     plot::Line line_of(std::size_t set) const;
     void add_path(plot::Plot& now, std::size_t set, std::size_t frames) const;
@@ -67,11 +85,13 @@ class PointsPanel : public PlotPanel {
 
     PointsSubject subject_;
     std::vector<Path> paths_;
-    std::vector<double> pool_;  ///< magnitudes of the vertical quantity, thinned
+    std::vector<Cloud> clouds_;  ///< instead of paths
+    std::vector<double> pool_;   ///< magnitudes of the vertical quantity, thinned
     std::size_t surveyed_ = 0, seen_ = 0;
     std::pair<double, double> height_ = {0.0, 1.0};
-    plot::Plot whole_;               ///< the part that is the same in all frames
-    std::vector<plot::Line> lines_;  ///< path of each set in the whole film
+    plot::Plot whole_;                  ///< the part that is the same in all frames
+    std::vector<plot::Line> lines_;     ///< path of each set in the whole film
+    std::vector<plot::Points> points_;  ///< or its points
 };
 
 }  // namespace carom

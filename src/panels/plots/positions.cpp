@@ -59,6 +59,7 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
                                 reduced::length),
                     column_name("position of " + column_name_of(context.scene, spec.of[1]),
                                 reduced::length)}};
+    show_samples(context, spec, subject);
     return std::make_unique<PointsPanel>(std::move(subject));
 }
 

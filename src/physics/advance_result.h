@@ -75,12 +75,19 @@ struct Collision {
     Eigen::Array2d first_after, second_after;
 };
 
+/// Contacts of connected particles that coincided, and were carried out together
+/// (events/contact_rounds.h).
+struct Ties {
+    std::int64_t instants = 0;  ///< at which two or more contacts coincided
+    std::int64_t contacts = 0;  ///< carried out at these instants
+    double first = 0.0;         ///< time of the first of them, if there is one
+};
+
 /// How many collisions have happened since t = 0.
 struct CollisionCounts {
     std::int64_t particle = 0;  ///< between two particles
     std::int64_t wall = 0;      ///< between a particle and a wall
-    std::int64_t ties = 0;      ///< collisions at the same instant as the previous one that share a
-                                ///< particle with it: their order is by number, not by physics
+    Ties ties = {};             ///< among them
 };
 
 /// Momentum transferred by collisions since t = 0, and the largest overlap at contact.

@@ -114,7 +114,7 @@ inline void archive_parts(Archive& archive, Collision& its) {
             its.first_before, its.second_before, its.first_after, its.second_after);
 }
 inline void archive_parts(Archive& archive, CollisionCounts& its) {
-    archive(its.particle, its.wall, its.ties);
+    archive(its.particle, its.wall, its.ties.instants, its.ties.contacts, its.ties.first);
 }
 inline void archive_parts(Archive& archive, ImpulseTotals& its) {
     archive(its.wall, its.virial, its.largest_overlap);

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "physics/advance_result.h"
+
 namespace carom {
 
 class CollisionError : public std::runtime_error {
@@ -35,6 +37,7 @@ struct CollisionsSeen {
     std::optional<std::int32_t> particle = {};  ///< the particle that takes part in more than half
                                                 ///< of them
     std::vector<double> place = {};             ///< position of this particle
+    Ties ties = {};                             ///< of the run so far
 };
 
 /// Thrown when a run has reached its largest number of collisions.

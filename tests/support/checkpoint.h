@@ -83,8 +83,8 @@ class Trace {
     void add(const AdvanceResult& its) {
         for (const Collision& collision : its.collisions) add(collision);
         collisions += its.collisions.size();
-        for (const std::int64_t number :
-             {its.counts.particle, its.counts.wall, its.counts.ties, std::int64_t{its.reversals}})
+        for (const std::int64_t number : {its.counts.particle, its.counts.wall,
+                                          its.counts.ties.contacts, std::int64_t{its.reversals}})
             count(number);
         numbers({its.impulses.virial, its.impulses.largest_overlap});
         for (const double wall : its.impulses.wall) numbers({wall});

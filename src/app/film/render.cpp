@@ -201,7 +201,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
     report.passes.insert(report.passes.end(), plan.passes.begin(), plan.passes.end());
     report.collisions.particle += collisions.particle;
     report.collisions.wall += collisions.wall;
-    report.collisions.ties += collisions.ties;
+    report.collisions.ties.instants += collisions.ties.instants;
+    report.collisions.ties.contacts += collisions.ties.contacts;
 }
 
 std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions& options,

@@ -47,7 +47,7 @@ std::vector<Scalar> solve_semidefinite(std::vector<std::vector<Scalar>> a, std::
             b[i] -= factor * b[p];
         }
     }
-    std::vector<Scalar> x(n, Scalar(0.0));
+    std::vector<Scalar> x(n, as_precise_as(a[0][0], 0.0));
     for (std::size_t k = rank; k-- > 0;) {
         const std::size_t p = order[k];
         Scalar rest = b[p];
@@ -57,7 +57,27 @@ std::vector<Scalar> solve_semidefinite(std::vector<std::vector<Scalar>> a, std::
     return x;
 }
 
+template <typename Scalar>
+Scalar scalar_product(const std::vector<Scalar>& a, const std::vector<Scalar>& b) {
+    Scalar sum = a[0] * b[0];
+    for (std::size_t k = 1; k < a.size(); ++k) sum += a[k] * b[k];
+    return sum;
+}
+
+template <typename Scalar>
+Scalar square_of(const std::vector<Scalar>& a) {
+    return scalar_product(a, a);
+}
+
 }  // namespace
+
+template <typename Scalar>
+ContactRounds<Scalar>::ContactRounds(std::vector<Participant> participants,
+                                     std::vector<Contact> contacts, int bits)
+    : participants_(std::move(participants)), contacts_(std::move(contacts)), bits_(bits) {
+    for (const Participant& participant : participants_)
+        for (const Scalar& v : participant.v) fastest_ = std::max(fastest_, size_of(v));
+}
 
 template <typename Scalar>
 Scalar ContactRounds<Scalar>::opening_speed(std::size_t contact) const {
@@ -66,10 +86,11 @@ Scalar ContactRounds<Scalar>::opening_speed(std::size_t contact) const {
     return c.normal[0] * (b[0] - a[0]) + c.normal[1] * (b[1] - a[1]);
 }
 
+// Velocities have the rounding errors of all that have been exchanged at this instant.
 template <typename Scalar>
 double ContactRounds<Scalar>::round_off(std::size_t contact) const {
     const Contact& c = contacts_[contact];
-    double sum = 0.0;
+    double sum = fastest_;
     for (std::size_t k = 0; k < 2; ++k)
         sum += size_of(c.normal[k]) *
                (size_of(participants_[c.first].v[k]) + size_of(participants_[c.second].v[k]));
@@ -105,8 +126,8 @@ std::vector<std::vector<std::size_t>> ContactRounds<Scalar>::connected_sets() co
     }
     std::map<std::size_t, std::vector<std::size_t>> sets;
     for (const std::size_t c : approaching) {
-        const Contact& its = contacts_[c];
-        sets[find(participants_[its.first].can_be_pushed() ? its.first : its.second)].push_back(c);
+        const auto [first, second, normal] = contacts_[c];
+        sets[find(participants_[first].can_be_pushed() ? first : second)].push_back(c);
     }
     std::vector<std::vector<std::size_t>> all;
     for (auto& [unused, set] : sets) all.push_back(std::move(set));
@@ -190,15 +211,70 @@ void ContactRounds<Scalar>::reflect(std::size_t contact) {
 
 template <typename Scalar>
 void ContactRounds<Scalar>::reflect_together(const std::vector<std::size_t>& set) {
-    std::vector<std::vector<Scalar>> matrix(set.size());
+    constexpr std::size_t most_in_matrix = 100;
     std::vector<Scalar> right;
-    for (std::size_t k = 0; k < set.size(); ++k) {
-        for (std::size_t l = 0; l < set.size(); ++l) matrix[k].push_back(coupling(set[k], set[l]));
-        right.push_back(-2.0 * opening_speed(set[k]));
-    }
-    const std::vector<Scalar> impulses =
-        solve_semidefinite(std::move(matrix), std::move(right), std::ldexp(1.0, 16 - bits_));
+    for (const std::size_t contact : set) right.push_back(-2.0 * opening_speed(contact));
+    const std::vector<Scalar> impulses = set.size() <= most_in_matrix
+                                             ? impulses_by_matrix(set, std::move(right))
+                                             : impulses_by_gradients(set, std::move(right));
     for (std::size_t k = 0; k < set.size(); ++k) push(set[k], impulses[k]);
+}
+
+// The impulses that change the opening speeds of a set of contacts by `right`.
+template <typename Scalar>
+std::vector<Scalar> ContactRounds<Scalar>::impulses_by_matrix(const std::vector<std::size_t>& set,
+                                                              std::vector<Scalar> right) const {
+    std::vector<std::vector<Scalar>> matrix(set.size());
+    for (std::size_t k = 0; k < set.size(); ++k)
+        for (const std::size_t other : set) matrix[k].push_back(coupling(set[k], other));
+    return solve_semidefinite(std::move(matrix), std::move(right), std::ldexp(1.0, 16 - bits_));
+}
+
+// The same by conjugate gradients, which need no matrix: for sets of many thousand contacts.
+template <typename Scalar>
+std::vector<Scalar> ContactRounds<Scalar>::impulses_by_gradients(
+    const std::vector<std::size_t>& set, std::vector<Scalar> right) {
+    std::vector<Scalar> impulses(set.size(), as_precise_as(right[0], 0.0));
+    std::vector<Scalar> direction = right;
+    Scalar rest = square_of(right);
+    const double enough = std::ldexp(static_cast<double>(rest), 2 * (6 - bits_));
+    for (std::size_t step = 0; step < 10 * set.size(); ++step) {
+        if (!(static_cast<double>(rest) > enough)) break;
+        const std::vector<Scalar> changes = changes_by(set, direction);
+        const Scalar length = rest / scalar_product(direction, changes);
+        for (std::size_t k = 0; k < set.size(); ++k) {
+            impulses[k] += length * direction[k];
+            right[k] -= length * changes[k];
+        }
+        const Scalar before = rest;
+        rest = square_of(right);
+        const Scalar share = rest / before;
+        for (std::size_t k = 0; k < set.size(); ++k) direction[k] = right[k] + share * direction[k];
+    }
+    return impulses;
+}
+
+// How much impulses at a set of contacts change their opening speeds.
+template <typename Scalar>
+std::vector<Scalar> ContactRounds<Scalar>::changes_by(const std::vector<std::size_t>& set,
+                                                      const std::vector<Scalar>& impulses) const {
+    const Scalar zero = as_precise_as(impulses[0], 0.0);
+    std::vector<Vector> pushed(participants_.size(), Vector{zero, zero});
+    for (std::size_t k = 0; k < set.size(); ++k) {
+        const Contact& c = contacts_[set[k]];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const Scalar part = impulses[k] * c.normal[axis];
+            pushed[c.first][axis] -= participants_[c.first].inverse_mass[axis] * part;
+            pushed[c.second][axis] += participants_[c.second].inverse_mass[axis] * part;
+        }
+    }
+    std::vector<Scalar> changes;
+    for (const std::size_t contact : set) {
+        const Contact& c = contacts_[contact];
+        const Vector &a = pushed[c.first], &b = pushed[c.second];
+        changes.push_back(c.normal[0] * (b[0] - a[0]) + c.normal[1] * (b[1] - a[1]));
+    }
+    return changes;
 }
 
 template <typename Scalar>

@@ -40,8 +40,7 @@ class ContactRounds {
     };
 
     /// `bits`: precision of the scalar. At least one participant of each contact can be pushed.
-    ContactRounds(std::vector<Participant> participants, std::vector<Contact> contacts, int bits)
-        : participants_(std::move(participants)), contacts_(std::move(contacts)), bits_(bits) {}
+    ContactRounds(std::vector<Participant> participants, std::vector<Contact> contacts, int bits);
 
     /// Carries out rounds until no contact approaches. Returns false if a thousand do not suffice.
     bool run();
@@ -69,11 +68,18 @@ class ContactRounds {
     void push(std::size_t contact, const Scalar& impulse);
     void reflect(std::size_t contact);
     void reflect_together(const std::vector<std::size_t>& set);
+    std::vector<Scalar> impulses_by_matrix(const std::vector<std::size_t>& set,
+                                           std::vector<Scalar> right) const;
+    std::vector<Scalar> impulses_by_gradients(const std::vector<std::size_t>& set,
+                                              std::vector<Scalar> right);
+    std::vector<Scalar> changes_by(const std::vector<std::size_t>& set,
+                                   const std::vector<Scalar>& impulses) const;
 
     std::vector<Participant> participants_;
     std::vector<Contact> contacts_;
     std::vector<Hit> hits_;
     int bits_;
+    double fastest_ = 0.0;  ///< largest component of a velocity at the start
 };
 
 }  // namespace carom

@@ -56,6 +56,7 @@ std::array<double, 2> in_two(const std::array<double, Dimension>& v) {
 }  // namespace carom
 
 #include "physics/events/event_loop_instants.h"
+#include "physics/events/event_loop_limits.h"
 #include "physics/events/event_loop_samples.h"
 #include "physics/events/event_loop_surfaces.h"
 
@@ -83,7 +84,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::forget() {
     impulses_ = {};
     heat_of_events_ = 0.0;
     one_way_ = {};
-    ties_ = {};
+    last_tie_ = -never<double>;
     if constexpr (has_surfaces) geometry_.surfaces().forget();
 }
 
@@ -361,7 +362,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
         const std::int32_t j = event.partner;
         const bool is_valid = (body(j).collisions & most_collisions) == event.partner_collisions;
         if (is_valid && may_coincide(i, j, time)) [[unlikely]]
-            if (settle_instant(i, false, collision)) return true;
+            if (settle_instant(i, j, false, collision)) return true;
         const bool met = is_valid && collide(i, j, collision);
         if constexpr (is_large) {
             std::array<double, 2> when;
@@ -377,7 +378,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
     }
     if (event.border < first_cell_side) {
         if (may_coincide(i, i, time)) [[unlikely]]
-            if (settle_instant(i, false, collision)) return true;
+            if (settle_instant(i, i, false, collision)) return true;
         bounce(i, static_cast<int>(event.border), collision);
         predict_next(i);
         return true;
@@ -386,84 +387,6 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::process(std::int32_t i, Collisi
     geometry_.cross(bodies_, i, side, now_);
     queue_.schedule(i, geometry_.predict_after_crossing(bodies_, i, side, now_));
     return false;
-}
-
-// Whether other contacts may coincide with the event of body i, with or without a partner.
-template <int Dimension, typename Scalar, bool has_surfaces>
-inline bool EventLoop<Dimension, Scalar, has_surfaces>::may_coincide(std::int32_t i, std::int32_t j,
-                                                                     double time) {
-    const bool is_near = geometry_.coincidences().are_near(time);
-    const bool is_followed =
-        queue_.has_another_until(time + geometry_.coincidences().margin(), i, j);
-    if (!is_near && !is_followed) [[likely]]
-        return false;
-    geometry_.coincidences().forget_before(time);
-    return is_followed || geometry_.coincidences().are_noted_near(time) || touches_another(i) ||
-           touches_another(j);
-}
-
-template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::move_on_to(const Scalar& time,
-                                                            std::optional<std::int32_t> i) {
-    if (static_cast<double>(time) > static_cast<double>(now_))
-        at_one_instant_ = 0;
-    else
-        refuse_to_stall(i);
-    now_ = time;
-}
-
-// Initial states with touching particles cause some events at time 0, but far fewer than this
-// bound. Times count as one instant if they are equal as doubles: with many bits, the events of
-// disks that are being crushed could go on almost without end at ever closer but distinct times.
-template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall(std::optional<std::int32_t> i) {
-    const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
-    if (++at_one_instant_ <= bound) return;
-    if constexpr (has_surfaces)
-        if (const auto surface = geometry_.surfaces().hardest_worker()) throw crushes(*surface);
-    refuse_endless(i);
-}
-
-template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::refuse_endless(std::optional<std::int32_t> i) {
-    const bool falls = (box_.surfaces.gravity != 0.0).any();
-    throw CollisionError(
-        fmt::format(
-            "{} collide without end at t = {:g}: they fill the box along a line, or are squeezed "
-            "between infinite or far heavier masses{}",
-            Dimension == 1 ? "beads" : "disks", clock_.absolute(now_),
-            falls ? ", or lie without velocity on an obstacle, a piston or one another" : ""),
-        i ? std::optional(number_of(*i)) : std::nullopt);
-}
-
-// Processes some more events to find how fast collisions follow each other and which particle takes
-// part in most of them.
-template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::refuse_more_collisions() {
-    constexpr int events_seen = 4096;
-    std::map<std::int32_t, std::int64_t> of_particle;
-    CollisionsSeen seen{.most = most_, .begin = clock_.absolute(now_)};
-    for (int k = 0; k < events_seen; ++k) {
-        const std::int32_t i = next_particle();
-        Collision collision;
-        if (i < 0) break;
-        if (!process(i, &collision)) continue;
-        ++seen.count;
-        ++of_particle[collision.first];
-        if (collision.second.is_particle()) ++of_particle[collision.second.particle()];
-    }
-    const auto busiest =
-        std::ranges::max_element(of_particle, {}, [](auto& one) { return one.second; });
-    seen.end = clock_.absolute(now_);
-    if (busiest != of_particle.end() && 2 * busiest->second > seen.count) {
-        const auto k = std::ranges::find(number_, busiest->first) - number_.begin();
-        const Body& b = bodies_[static_cast<std::size_t>(k)];
-        seen.particle = busiest->first;
-        for (std::size_t a = 0; a < Dimension; ++a)
-            seen.place.push_back(
-                box_.wrapped(a, static_cast<double>(position_at(b, a, Scalar(now_)))));
-    }
-    throw TooManyCollisions(seen);
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>

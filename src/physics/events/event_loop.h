@@ -43,18 +43,6 @@
 
 namespace carom {
 
-/// Contacts of connected particles that coincided (contact_rounds.h).
-struct Ties {
-    std::int64_t instants = 0;  ///< at which two or more contacts coincided
-    std::int64_t contacts = 0;  ///< carried out at these instants
-    double first = 0.0;         ///< time of the first of them, if there is one
-
-    template <class Archive>
-    void archive(Archive& archive) {
-        archive(instants, contacts, first);
-    }
-};
-
 /// `has_surfaces`: the box has surfaces other than reflecting walls, or gravity, or events change
 /// surfaces or velocities.
 template <int Dimension, typename Scalar = double, bool has_surfaces = false>
@@ -120,7 +108,6 @@ class EventLoop {
     /// Collision counts and transferred momentum since construction or the last call of forget().
     const CollisionCounts& counts() const { return counts_; }
     const ImpulseTotals& impulses() const { return impulses_; }
-    const Ties& ties() const { return ties_; }
     void forget();
 
     /// The totals of each surface since then, and its position at `time`, which is restricted as
@@ -152,7 +139,7 @@ class EventLoop {
         const std::size_t count = bodies_.size();
         archive(bodies_, number_, geometry_, queue_, clock_, now_, changes_, heat_of_events_,
                 cycles_since_sorted_, counts_, impulses_, collisions_, at_one_instant_, touching_,
-                ties_, last_tie_, one_way_, at_once_);
+                last_tie_, one_way_, at_once_);
         if (bodies_.size() != count || number_.size() != count)
             archive.refuse("it holds another number of particles");
         fetch_ahead_ = {};
@@ -209,6 +196,7 @@ class EventLoop {
     void refuse_more_collisions();
     [[noreturn]] void refuse_endless(std::optional<std::int32_t> i);
 
+    static constexpr std::int32_t a_surface = -1;  ///< in `touching_`, instead of a particle
     /// Two bodies, or a body and a side or barrier, that touch at the present.
     struct ClosedContact {
         std::int32_t first, second;
@@ -217,29 +205,53 @@ class EventLoop {
         double distance;               ///< of the centres, or of the centre from the wall
         double sigma;                  ///< what that should be
     };
-    /// Their participants, with the number of each body and surface.
+    /// Body b relative to body a, and the largest coordinate, whose rounding error matters.
+    struct Between {
+        std::array<Scalar, 2> r, v;
+        double furthest;
+    };
+    using Participant = typename ContactRounds<Scalar>::Participant;
+    /// Contacts with their participants, and the place of each body and surface among these.
     struct Rounds {
         ContactRounds<Scalar> rounds;
         std::vector<std::pair<std::int32_t, std::size_t>> bodies, surfaces;
     };
+    // event_loop_contacts.h
     double margin_of_instants() const;
     bool is_closed(const Scalar& gap, const Scalar& speed, double length) const;
-    void append_closed_pairs(std::int32_t i, std::vector<ClosedContact>& all);
+    Between between(std::int32_t i, std::int32_t j, const std::array<double, 2>& shift);
+    std::optional<ClosedContact> closed_pair(std::int32_t i, std::int32_t j,
+                                             const std::array<double, 2>& shift, int side);
+    std::optional<ClosedContact> closed_side(std::int32_t i, std::size_t axis, bool up);
+    std::optional<ClosedContact> closed_barrier(std::int32_t i, std::int32_t k);
+    std::vector<ClosedContact> closed_contacts_of(std::int32_t i);
     void append_closed_walls(std::int32_t i, std::vector<ClosedContact>& all);
-    std::vector<ClosedContact> closed_contacts_around(std::int32_t i);
+    std::vector<ClosedContact> closed_contacts_around(std::int32_t i, std::int32_t j);
+    void put_in_users_order(std::vector<ClosedContact>& contacts) const;
     std::int32_t surface_touched(const ClosedContact& contact) const;
     bool pushes_piston(const ClosedContact& contact) const;
     std::vector<std::int32_t> bodies_at_surface(std::int32_t surface);
     void find_touching();
+    void add_touching(const ClosedContact& contact);
     bool touches_another(std::int32_t i) const;
-    Rounds rounds_of(const std::vector<ClosedContact>& contacts);
+    // event_loop_instants.h
+    bool expects_another(std::int32_t j, std::int32_t i, double until);
     bool may_coincide(std::int32_t i, std::int32_t j, double time);
-    bool settle_instant(std::int32_t i, bool is_bath, Collision* collision);
+    Participant participant_of(std::int32_t i);
+    Participant surface_participant(const ClosedContact& contact);
+    Rounds rounds_of(const std::vector<ClosedContact>& contacts);
+    bool is_tie(const ContactRounds<Scalar>& rounds, bool is_bath) const;
+    bool settle_instant(std::int32_t i, std::int32_t j, bool is_bath, Collision* collision);
     void count_tie(std::size_t contacts);
+    void set_velocity(std::int32_t i, const std::array<Scalar, 2>& before,
+                      const std::array<Scalar, 2>& after);
     void carry_out(const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit);
-    void note_touching(const std::vector<ClosedContact>& contacts, const Rounds& its);
-    void follow_up(std::int32_t i, const Rounds& its,
-                   const std::vector<typename ContactRounds<Scalar>::Participant>& start);
+    void count_pair(const ClosedContact& contact, double impulse);
+    void count_hit(const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit);
+    void note_touching(const std::vector<ClosedContact>& contacts, const Rounds& found);
+    void follow_up(const std::array<std::int32_t, 2>& of_event, const Rounds& found,
+                   const std::vector<Participant>& start);
+    void push_surface(std::size_t k, const std::array<Scalar, 2>& v);
 
     Box box_;
     typename Geometry::Bodies bodies_;
@@ -259,9 +271,9 @@ class EventLoop {
     std::int64_t collisions_ = 0;  ///< since start()
     std::int64_t most_;
     std::int64_t at_one_instant_ = 0;  ///< number of consecutive events at the same time
-    /// Pairs of particles that touch without approaching, in both orders.
+    /// Pairs of particles that touch without approaching, in both orders, and particles that touch
+    /// surfaces so.
     std::set<std::pair<std::int32_t, std::int32_t>> touching_;
-    Ties ties_;
     double last_tie_ = -never<double>;  ///< time of the last instant with several contacts
     std::optional<double> one_way_;
     std::vector<Collision> at_once_;  ///< carried out, but not yet reported

@@ -93,7 +93,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
         if (surfaces.changes_of(barrier) == event.partner_collisions) {
             const auto time = static_cast<double>(now_);
             if (may_coincide(i, i, time)) [[unlikely]]
-                if (settle_instant(i, surfaces.is_bath(barrier), collision)) return true;
+                if (settle_instant(i, i, surfaces.is_bath(barrier), collision)) return true;
             advance_body(b, now_);
             const auto before = b.v;
             const auto surface_before = surfaces.velocity_of(barrier, now_);

@@ -129,12 +129,13 @@ template <bool several_images, bool alike, typename Scope>
     return static_cast<std::uint64_t>(half[0] | half[1]);
 }
 
-// Replaces `first` by a contact at `time` (possibly never) if that comes first. Branchless, because
+// Replaces `first` by a contact at `time` (possibly never) if that comes first. `near`: the same,
+// but not never if the other disk has an earlier contact within the margin. Branchless, because
 // the processor could not predict the branches.
-[[gnu::always_inline]] inline void consider(double time, std::int32_t other,
+[[gnu::always_inline]] inline void consider(double time, double near, std::int32_t other,
                                             std::uint32_t collisions, FirstContact& first) {
     const bool lower = other < first.partner();
-    const double later = first.time > time ? first.time : time;
+    const double later = first.time > near ? first.time : near;
     first.second = later < first.second ? later : first.second;
     const bool take = (time < first.time) | ((time <= first.time) & lower);
     const std::uint64_t mask = -static_cast<std::uint64_t>(take);
@@ -162,16 +163,18 @@ template <bool alike, typename Scope>
     const TwoLanes round_off = approach_round_off(motion, vx, vy, others_vx, others_vy);
     const TwoLanes met = scope.now + contact_time(motion, sigma, round_off);
     const TwoLanes latest{c.prediction.contact_time, d.prediction.contact_time};
-    TwoMasks possible = met <= latest + scope.pairing.margin;
+    TwoMasks possible = met <= latest, near = met <= latest + scope.pairing.margin;
     if (!alike) {
         const TwoLanes weight =
             TwoLanes{a.properties.inverse_mass, b.properties.inverse_mass} +
             TwoLanes{scope.properties_of(k).inverse_mass, scope.properties_of(l).inverse_mass};
         possible &= (weight > 0.0) & (sigma > 0.0);
+        near &= (weight > 0.0) & (sigma > 0.0);
     }
     const TwoLanes time = select(possible, met, both(never<double>));
-    consider(time[0], scope.near[k], c.collisions, first_of_a);
-    consider(k == l ? never<double> : time[1], scope.near[l], d.collisions, first_of_b);
+    const TwoLanes about = select(near, met, both(never<double>));
+    consider(time[0], about[0], scope.near[k], c.collisions, first_of_a);
+    consider(time[1], k == l ? never<double> : about[1], scope.near[l], d.collisions, first_of_b);
 }
 
 // Removes the lowest set bit and returns its index.

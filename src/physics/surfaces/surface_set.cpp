@@ -286,8 +286,11 @@ auto SurfaceSet<Scalar>::touch(const Body& body, std::int32_t k, const Scalar& n
 }
 
 template <typename Scalar>
-void SurfaceSet<Scalar>::count_hit(Body& body, std::int32_t k, const Vector& before) {
+void SurfaceSet<Scalar>::count_hit(Body& body, std::int32_t k, const Vector& normal,
+                                   const Vector& before, const Scalar& now) {
     const Barrier& its = this->barrier(k);
+    if (its.kind == Barrier::Kind::line)
+        put_on_side(body, its, dot(its.normal, normal) < 0.0 ? 1.0 : -1.0, now);
     ++at(totals_, its.surface).hits;
     body.passing &= ~bit_of(its.surface);
     if (body.inverse_mass > 0.0) account_for_hit(body, before, its);

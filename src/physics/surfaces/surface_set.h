@@ -55,9 +55,10 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     /// forgets how it was hit.
     std::optional<Touch> touch(const Body& body, std::int32_t barrier, const Scalar& now) const;
     /// To be called when a disk that touches a barrier has been reflected by one of several
-    /// contacts at the present: counts the hit. `before`: its velocity before. Throws SurfaceError
-    /// if a driven wall crushes the gas.
-    void count_hit(Body& body, std::int32_t barrier, const Vector& before);
+    /// contacts at the present: counts the hit. `normal`: as in Touch; `before`: its velocity
+    /// before. Throws SurfaceError if a driven wall crushes the gas.
+    void count_hit(Body& body, std::int32_t barrier, const Vector& normal, const Vector& before,
+                   const Scalar& now);
 
     bool has_gravity() const { return has_gravity_; }
 

@@ -170,11 +170,11 @@ TEST_CASE("ties are counted") {
     // which is none.
     Simulation simulation =
         simulation_of(box_of(20.0, 20.0), {{5, 10, 1, 0}, {8, 10.5, 0, 0}, {8, 9.5, 0, 0}});
-    CHECK(simulation.advance_to(2.0).counts.ties == 0);
+    CHECK(simulation.advance_to(2.0).counts.ties.instants == 0);
     const AdvanceResult advanced = simulation.advance_to(30.0);
     CHECK(advanced.counts.particle == 2);
     CHECK(advanced.counts.wall > 2);
-    CHECK(advanced.counts.ties == 2);
+    CHECK(advanced.counts.ties.contacts == 2);
 }
 
 TEST_CASE("what changes hands is added up") {

@@ -66,6 +66,68 @@ void SlowLine::collide(const Contact& contact) {
     b.v = (2.0L * w2 * v1 + (w1 - w2) * v2) / sum;
 }
 
+// The walls are the participant after the beads.
+std::vector<SlowTouch> SlowLine::touches() const {
+    std::vector<SlowTouch> all;
+    const auto add_pair = [&](std::int32_t left, std::int32_t right, long double turn) {
+        const Bead &a = bead(left), &b = bead(right);
+        const long double sigma = a.radius + b.radius, y = b.x + turn;
+        if (a.inverse_mass + b.inverse_mass == 0.0L) return;
+        all.push_back(
+            {static_cast<std::size_t>(left),
+             static_cast<std::size_t>(right),
+             {1.0L, 0.0L},
+             y - a.x - sigma,
+             distance_of_round_off(time_, b.v - a.v,
+                                   std::max({std::abs(a.x), std::abs(y), sigma}) + sigma)});
+    };
+    const auto add_wall = [&](std::int32_t i, int side) {
+        const Bead& b = bead(i);
+        if (b.inverse_mass == 0.0L) return;
+        all.push_back({static_cast<std::size_t>(i),
+                       beads_.size(),
+                       {side == 0 ? -1.0L : 1.0L, 0.0L},
+                       (side == 0 ? b.x : length_ - b.x) - b.radius,
+                       distance_of_round_off(time_, b.v, length_)});
+    };
+    for (std::size_t k = 0; k + 1 < order_.size(); ++k) add_pair(order_[k], order_[k + 1], 0.0L);
+    if (ring_ && order_.size() > 1) add_pair(order_.back(), order_.front(), length_);
+    if (!ring_) {
+        add_wall(order_.front(), 0);
+        add_wall(order_.back(), 1);
+    }
+    return all;
+}
+
+// Carries out all contacts that coincide with the first one found and are connected with it.
+void SlowLine::settle(const Contact& first, SlowEvent& event) {
+    const std::vector<SlowTouch> all = touches();
+    std::vector<SlowParticipant> participants;
+    for (const Bead& b : beads_) participants.push_back({{b.v, 0.0L}, {b.inverse_mass, 0.0L}});
+    participants.push_back({});
+    for (const SlowTouch& touch : all) event.is_doubtful = event.is_doubtful || touch.is_doubtful();
+    const std::int32_t pushed = bead(first.first).inverse_mass > 0.0L ? first.first : first.second;
+    if (pushed < 0) return collide(first);
+    const auto connected = connected_with(static_cast<std::size_t>(pushed), all, participants);
+    if (connected.size() < 2) return collide(first);
+    event.contacts = carry_out_rounds(participants, connected);
+    if (event.contacts == 0) {
+        event.contacts = 1;
+        return collide(first);
+    }
+    for (std::size_t i = 0; i < beads_.size(); ++i) beads_[i].v = participants[i].v.x;
+}
+
+void SlowLine::adopt(const Sample& state) {
+    time_ = state.time;
+    for (std::size_t i = 0; i < beads_.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        const long double place = state.position(row, 0);
+        beads_[i].x = ring_ ? beads_[i].x + std::remainder(place - beads_[i].x, length_) : place;
+        beads_[i].v = state.velocity(row, 0);
+    }
+}
+
 std::optional<SlowEvent> SlowLine::next(long double end) {
     const std::vector<Contact> found = contacts();
     const auto earliest =
@@ -76,8 +138,9 @@ std::optional<SlowEvent> SlowLine::next(long double end) {
     if (earliest == found.end() || !(time_ + earliest->wait <= end)) return std::nullopt;
     for (Bead& b : beads_) b.x += b.v * earliest->wait;
     time_ += earliest->wait;
-    collide(*earliest);
-    return SlowEvent{time_, earliest->first, earliest->second};
+    SlowEvent event{time_, earliest->first, earliest->second};
+    settle(*earliest, event);
+    return event;
 }
 
 }  // namespace carom::test

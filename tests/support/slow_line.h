@@ -19,10 +19,14 @@ class SlowLine {
     SlowLine(const Box& box, const Particles& particles, const Sample& start);
 
     /// Advances to the next collision and returns it; none if there is none before `end`. Of
-    /// several collisions at one time, pairs come before walls and low numbers before high ones.
+    /// several collisions at one time that are not connected, pairs come before walls and low
+    /// numbers before high ones.
     /// Scenes with two neighbours of infinite mass are not supported: they would pass through each
     /// other.
     std::optional<SlowEvent> next(long double end);
+
+    /// Takes over the state of another simulator.
+    void adopt(const Sample& state);
 
     long double x(std::int32_t i) const;  ///< in [0, length) on a ring
     long double vx(std::int32_t i) const { return beads_[static_cast<std::size_t>(i)].v; }
@@ -40,6 +44,8 @@ class SlowLine {
                       std::vector<Contact>& found) const;
     void look_at_wall(std::int32_t bead, int side, std::vector<Contact>& found) const;
     void collide(const Contact& contact);
+    std::vector<SlowTouch> touches() const;
+    void settle(const Contact& first, SlowEvent& event);
 
     const Bead& bead(std::int32_t i) const { return beads_[static_cast<std::size_t>(i)]; }
 

@@ -11,12 +11,15 @@
 
 #include "physics/gas.h"
 #include "physics/particles.h"
+#include "support/slow_rounds.h"
 
 namespace carom::test {
 
 struct SlowEvent {
     long double time;
     std::int32_t first, second;  ///< as in carom::Collision; first < second for a pair
+    int contacts = 1;  ///< carried out, of all that coincide and are connected (slow_rounds.h)
+    bool is_doubtful = false;  ///< round-off decides which coincide
 };
 
 class SlowSimulator {
@@ -25,6 +28,9 @@ class SlowSimulator {
 
     /// Advances to the next collision and returns it; none if there is none before `end`.
     std::optional<SlowEvent> next(long double end);
+
+    /// Takes over the state of another simulator.
+    void adopt(const Sample& state);
 
     long double x(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)].x; }
     long double y(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)].y; }
@@ -45,6 +51,10 @@ class SlowSimulator {
     long double longest_step() const;
     void fly(long double wait);
     void collide(const Candidate& event);
+    void append_touches_of_pair(std::size_t i, std::size_t j, std::vector<SlowTouch>& all) const;
+    void append_touches_of_walls(std::size_t i, std::vector<SlowTouch>& all) const;
+    bool grazes(const Candidate& event) const;
+    void settle(const Candidate& first, SlowEvent& event);
 
     Box box_;
     std::vector<Disk> disks_;

@@ -21,6 +21,7 @@
 #include "physics/particles.h"
 #include "physics/run.h"
 #include "support/slow_numbers.h"
+#include "support/slow_rounds.h"
 
 namespace carom::test {
 
@@ -69,6 +70,15 @@ class SlowSurfaces {
         bool is_within = false;  ///< a membrane had let the disk in and now reflects it
     };
     Touch collide(const SlowContact& contact, const SlowVector& like);
+
+    /// The contacts that coincide at the present time with this one and are connected with it;
+    /// those with baths come later (slow_rounds.h). If there are several, carries them out;
+    /// otherwise nothing happens.
+    struct Tie {
+        int contacts = 0;
+        bool is_doubtful = false;  ///< round-off decides which coincide
+    };
+    Tie settle_tie(const SlowContact& contact);
 
     /// Carries out an event of the run at the present time. Returns false if it is impossible;
     /// `in_the_way` then lists the disks on which a partition would close.
@@ -131,6 +141,10 @@ class SlowSurfaces {
     void fly(long double wait);
     void bounce(const Next& next);
     bool admits(const Mover& mover, const Disk& disk) const;
+    void append_touches_of_pairs(std::vector<SlowTouch>& all) const;
+    void append_touches_of_parts(std::size_t i, std::vector<SlowTouch>& all) const;
+    std::optional<SlowTouch> touch_of(std::size_t i, const Part& part, const Motion& m) const;
+    std::vector<SlowParticipant> participants() const;
     Touch collide_with_surface(Disk& disk, std::int32_t surface, const SlowVector& like);
 
     Box box_;

@@ -177,6 +177,24 @@ TEST_CASE("ties are counted") {
     CHECK(advanced.counts.ties.contacts == 2);
 }
 
+TEST_CASE("a reversal is refused after touching disks at rest were pushed apart at once") {
+    for (const double apart : {0.5, 0.75}) {
+        Simulation simulation = simulation_of(
+            box_of(20.0, 20.0), {{5, 10, 1, 0}, {8, 10 + apart, 0, 0}, {8, 10 - apart, 0, 0}});
+        simulation.replace_events({{4.0, ReverseVelocities{}}});
+        if (apart > 0.5) {  // they do not touch: each goes back the way it came
+            simulation.advance_to(8.0);
+            CHECK(simulation.sample().position(0, 0) == relative(5.0, 1e-13));
+            continue;
+        }
+        CHECK_THROWS_WITH_AS(simulation.advance_to(8.0),
+                             "the gas cannot go back from time 4: at time 2.133974596 several "
+                             "contacts coincided and pushed particles apart that touched at rest; "
+                             "reversed, all of them would meet at once",
+                             RunEventError);
+    }
+}
+
 TEST_CASE("what changes hands is added up") {
     // Disk 0 gives its momentum 3 to the resting disk 1 of equal mass, which gives twice to the
     // right wall.

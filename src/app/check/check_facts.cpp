@@ -144,7 +144,7 @@ Fact name_of(const CheckedFile& checked) {
 }
 
 // For people. Without lists of JSON, whose destructor takes memory, which may be what is missing.
-Facts rows_of(const CheckedFile& checked) {
+Facts rows_for_people(const CheckedFile& checked) {
     Facts facts;
     facts.push_back(name_of(checked));
     if (checked.facts) facts.insert(facts.end(), checked.facts->begin(), checked.facts->end());
@@ -181,8 +181,8 @@ std::string made_from(const SceneSource& source) {
 
 }  // namespace
 
-Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const NamedWork& works,
-               const std::vector<CommandsRefused>& refused) {
+Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const RunCounts& counts,
+               const NamedWork& works, const std::vector<CommandsRefused>& refused) {
     const Box& box = scene.gas.box;
     const Run& run = scene.run;
     const auto gas = draw_gas(scene.gas);
@@ -209,7 +209,8 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
           {"time", run.until, "run", run_words(run)}},
          event_rows(scene),
          {{"equilibrate", run.equilibrate},
-          collisions(scene, of_each, rate * run.until, particles)},
+          collisions(scene, of_each, rate * run.until, particles),
+          ties_fact(counts.ties, counts.is_cut)},
          rest_rows(boxed),
          theory_rows(scene, boxed),
          film ? film_facts(scene, *film, drawn, sample, rate * run.until)
@@ -244,7 +245,7 @@ std::string check_table(std::span<const CheckedFile> files) {
     std::string text;
     for (const CheckedFile& checked : files) {
         if (!text.empty() && checked.facts) text += "\n";
-        text += table_of(rows_of(checked), label_width);
+        text += table_of(rows_for_people(checked), label_width);
     }
     return text;
 }

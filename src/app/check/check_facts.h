@@ -26,11 +26,12 @@ struct CheckedFile {
 };
 
 /// What a scene contains and what its film will cost; no `film` means that none can be made from
-/// it; `works` are those of other commands. Draws the properties of the particles from their
-/// distributions, without placing them. Throws SceneError (a distribution that gives no mass above
-/// zero).
+/// it; `run` is what its run was found to calculate, and `works` are those of other commands. Draws
+/// the properties of the particles from their distributions, without placing them. Throws
+/// SceneError (a distribution that gives no mass above zero).
 Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film,
-               const NamedWork& works = {}, const std::vector<CommandsRefused>& refused = {});
+               const RunCounts& run = {}, const NamedWork& works = {},
+               const std::vector<CommandsRefused>& refused = {});
 
 /// What a figure set is.
 Facts facts_of(const FigureSet& set, const NamedWork& works = {},

@@ -221,7 +221,7 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     if (!has_film) {
         refused.push_back({{"render", "still", "plan", "gallery", "figures --films"}, no_film});
         hold_to_limits(scene, works, refused);
-        return facts_of(scene, std::nullopt, works, refused);
+        return facts_of(scene, std::nullopt, own, works, refused);
     }
     find_barriers(arguments, scene, found);
     SceneCounts counts{.own = own, .beside = {}};
@@ -232,7 +232,7 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     film.cut = cut_in_plots(scene, counts.own);
     works.emplace_back("render",
                        work_of_film(scene, arguments.film, *film.formats.front(), counts));
-    return facts_of(scene, film, works, refused);
+    return facts_of(scene, film, own, works, refused);
 }
 
 CheckedFile checked(const CheckArguments& arguments, const std::string& path,

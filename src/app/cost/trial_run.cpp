@@ -33,6 +33,7 @@ struct TooManyFlights {};
 struct Counted {
     double collisions = 0.0, looks = 0.0;
     double time = 0.0;
+    std::optional<Ties> ties = {};
 };
 
 // Advances in steps, so that the collisions of a long run do not accumulate in memory, and stops
@@ -77,13 +78,14 @@ class Trial {
             if (!is_cut_) throw;
             const CollisionsSeen& seen = error.seen();
             const double tried = seen.begin + scene_.run.equilibrate;
+            if (seen.begin > 0.0) counted_.ties = seen.ties;
             return extrapolated(static_cast<double>(seen.most), tried);
         } catch (const TooManyFlights&) {
             RunCounts counts = extrapolated(counted_.collisions, counted_.time);
             counts.collisions.reset();
             return counts;
         }
-        return {counted_.collisions, events(), bits_};
+        return {counted_.collisions, events(), bits_, counted_.ties};
     }
 
   private:
@@ -95,7 +97,8 @@ class Trial {
     // At the rates of a trial with so many collisions that ended after `tried` units of time.
     RunCounts extrapolated(double collisions, double tried) const {
         const double longer = scene_.run.until / std::max(tried, 1e-9 * scene_.run.until);
-        RunCounts counts{collisions * longer, std::max(collisions, events()) * longer, bits_};
+        RunCounts counts{collisions * longer, std::max(collisions, events()) * longer, bits_,
+                         counted_.ties, true};
         if (!scene_.run.bits && bits_ == bits_of_double && !reversal_times(scene_.run).empty())
             counts.bits = expected_bits(scene_, *counts.collisions);
         return counts;
@@ -134,6 +137,7 @@ class Trial {
             counted_.collisions =
                 static_cast<double>(advanced.counts.particle + advanced.counts.wall);
             counted_.time = time;
+            counted_.ties = advanced.counts.ties;
         }
     }
 

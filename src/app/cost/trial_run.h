@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "physics/advance_result.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -18,6 +19,8 @@ struct RunCounts {
                                             ///< trial came to too few to tell
     double events = 0.0;  ///< collisions, crossings of cells and others, from time 0 to the end
     int bits = 53;        ///< of the numbers that it calculates with
+    std::optional<Ties> ties = {};  ///< from time 0; none: the trial did not come so far
+    bool is_cut = false;            ///< they are those of the beginning only
 };
 
 /// Runs a scene up to a number of collisions that takes a fraction of a second, and extrapolates

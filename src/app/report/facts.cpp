@@ -37,6 +37,18 @@ Facts rows_of(const char* label, const std::vector<std::string>& lines) {
     return rows;
 }
 
+Fact ties_fact(const std::optional<Ties>& ties, bool is_cut) {
+    if (!ties) return {"ties"};
+    Fact fact{"ties", Json{{"instants", ties->instants}, {"contacts", ties->contacts}}};
+    if (ties->instants == 0) return fact;
+    fact.label = "ties";
+    fact.words = fmt::format(
+        "{} of connected particles at {}, the first at time {:.6g}{}: carried out together",
+        counted(ties->contacts, "contact"), counted(ties->instants, "instant"), ties->first,
+        is_cut ? ", in the beginning of the run" : "");
+    return fact;
+}
+
 std::string table_of(const Facts& facts, int label_width) {
     std::string text;
     for (const Fact& fact : facts)

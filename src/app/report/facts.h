@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/advance_result.h"
 #include "runs/json.h"
 
 namespace carom {
@@ -27,6 +28,9 @@ Json number_or_null(std::optional<double> value);
 
 /// A row for each line, the first with a label; for programs a list.
 Facts rows_of(const char* label, const std::vector<std::string>& lines);
+
+/// What contacts coincided in a run; none: not known. `is_cut`: in its beginning only.
+Fact ties_fact(const std::optional<Ties>& ties, bool is_cut = false);
 
 /// The facts for people, one per row, with labels padded to `label_width`; each line ends with a
 /// line break.

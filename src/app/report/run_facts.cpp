@@ -324,6 +324,7 @@ Facts facts_of(const Scene& scene, const RunReport& report) {
           {"particles", report.particles},
           {"time", scene.run.until},
           collisions(report),
+          ties_fact(report.collisions.ties),
           energy(report),
           momentum(summary),
           {"temperature", number_or_null(summary.temperature), "temperature",

@@ -206,7 +206,7 @@ struct PanelSpec {
     bool fit = false;
     std::optional<bool> mean_now = {};  ///< none: by kind
     std::optional<bool> mean_start = {};
-    bool by_clock = false;  ///< histograms and points: of the samples of the run alone
+    bool by_clock = false;           ///< histograms and points: of the samples of the run alone
     int seeds = 1;                   ///< of a figure: the number of runs whose mean it shows
     SweepShown sweep = {};           ///< of a figure
     bool test = false;               ///< of a figure: whether the bars are tested against theory

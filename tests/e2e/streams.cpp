@@ -148,11 +148,10 @@ TEST_CASE("a standard stream that is closed cannot be written, nor read, which i
 
 TEST_CASE("a reader that ends early ends the command, without a word and without its other files") {
     const TemporaryFolder folder;
-    const Outcome outcome =
-        run({"bash", "-c",
-             "'" + program + "' run '" + library_scene("mixed-masses") +
-                 "' --csv - --json run.json | head -1; echo ${PIPESTATUS[0]}"},
-            folder.path());
+    const Outcome outcome = run({"bash", "-c",
+                                 "'" + program + "' run '" + library_scene("mixed-masses") +
+                                     "' --csv - --json run.json | head -1; echo ${PIPESTATUS[0]}"},
+                                folder.path());
     CHECK(outcome.out == "time,particle,species,mass,radius,x,y,vx,vy\n141\n");
     CHECK(outcome.err.empty());
     CHECK(folder.names().empty());

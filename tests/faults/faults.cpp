@@ -152,7 +152,8 @@ std::string problem(const Fault& fault, const Outcome& outcome, const Files& bef
         if (is_temporary(name)) return name + " remains";
     if (outcome.exit_code == 0) return now == after ? "" : "other outputs with exit code 0";
     const bool is_aborted = outcome.exit_code == 134 && is_end_of_libgcrypt(outcome.err);
-    if (!is_aborted && !may_end_with(fault, outcome.err, outcome.exit_code)) return "a wrong exit code";
+    if (!is_aborted && !may_end_with(fault, outcome.err, outcome.exit_code))
+        return "a wrong exit code";
     const std::string found = problem_of_files(fault, outcome.err, before, after, now);
     if (is_aborted) return found;
     return found.empty() ? problem_of_message(fault, outcome.err, after) : found;

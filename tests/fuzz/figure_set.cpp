@@ -1,8 +1,8 @@
 // Fuzz target: a figure set with its scenes, as `carom check` reads it, and the same text as the
 // template of a page in each page language.
+#include "app/check/check_facts.h"
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
-#include "app/check/check_facts.h"
 #include "app/resources.h"
 #include "fuzz/fuzz.h"
 

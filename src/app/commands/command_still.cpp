@@ -110,24 +110,25 @@ CommandText still_text() {
 Command still_command() {
     const auto arguments = std::make_shared<StillArguments>();
     StillArguments& its = *arguments;
-    return {"still", "draw one frame of a film as PNG, SVG or PDF",
-            joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
-                             {"--at T", "simulated time; the nearest frame is drawn", &its.at},
-                             {"--quick",
-                              "draw axes, colour scales, curves, averages and trails from about thirty "
-                              "samples of the run, not from all frames",
-                              &its.is_quick},
-                             cache_option(its.cache),
-                             {"-o,--output PICTURE",
-                              "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
-                              "default: out/SCENE.png",
-                              &its.output},
-                             {"--format", "png, svg or pdf", &its.format, still_formats()},
-                             depfile_option(its.depfile)},
-                            scene_options(its),
-                            {limits_option(its.is_classroom)},
-                            picture_options(its)}),
-            [arguments] { make_still(*arguments); }, still_text()};
+    return {
+        "still", "draw one frame of a film as PNG, SVG or PDF",
+        joined<Option>({{{"scene", "a scene file; - for standard input", &its.scene},
+                         {"--at T", "simulated time; the nearest frame is drawn", &its.at},
+                         {"--quick",
+                          "draw axes, colour scales, curves, averages and trails from about thirty "
+                          "samples of the run, not from all frames",
+                          &its.is_quick},
+                         cache_option(its.cache),
+                         {"-o,--output PICTURE",
+                          "the picture (.png, .svg, .pdf; - for standard output), or a folder; "
+                          "default: out/SCENE.png",
+                          &its.output},
+                         {"--format", "png, svg or pdf", &its.format, still_formats()},
+                         depfile_option(its.depfile)},
+                        scene_options(its),
+                        {limits_option(its.is_classroom)},
+                        picture_options(its)}),
+        [arguments] { make_still(*arguments); }, still_text()};
 }
 
 }  // namespace carom

@@ -29,9 +29,9 @@ struct Frame {
     Scale x_scale, y_scale;  ///< of decimal logarithms, unless an axis is linear
     Axis::Kind y_kind;
     LabelPlacer& placer;
-    PlaceOfNotes notes = {};     ///< over bars
-    Point row = {};              ///< where the last row above the plot begins, on its baseline
-    bool is_key_beside = false;  ///< whether a note that may be beside the plot is there
+    PlaceOfNotes notes = {};      ///< over bars
+    Point row = {};               ///< where the last row above the plot begins, on its baseline
+    bool is_key_beside = false;   ///< whether a note that may be beside the plot is there
     std::vector<Rect> gaps = {};  ///< where markers are not drawn, because words stand there
 
     double x(double value) const { return x_scale(value); }

@@ -1,13 +1,14 @@
 // What a scene says of a gas's equilibrium before anything is drawn, against what theory says of
 // the drawn particles.
 
+#include "support/equilibrium.h"
+
 #include <doctest/doctest.h>
 
 #include <string>
 
 #include "physics/simulation.h"
 #include "physics/theory/law.h"
-#include "support/equilibrium.h"
 #include "support/scene_text.h"
 
 using namespace carom;

@@ -122,8 +122,8 @@ TEST_CASE("what is not asked for is not measured, and does not change what is") 
         "run: {until: 2}\nfilm: {seconds: 2}\nfigures:\n"
         "  - {name: speeds, kind: speed-histogram, at: 1.23}\n  - {name: gas, kind: gas, at: "
         "0.7}\n";
-    const Scene scene = test::scene_from(
-        two + "  - {name: pair, kind: single-collision, of: [30, 31]}\n");
+    const Scene scene =
+        test::scene_from(two + "  - {name: pair, kind: single-collision, of: [30, 31]}\n");
     CHECK_THROWS_AS(run_of(scene), SceneError);
     const FigureRun one(scene, 1, {}, {"speeds"});
     REQUIRE(one.figures().size() == 1);

@@ -166,8 +166,8 @@ TEST_CASE("a gas of many particles keeps its drawn directions but for small turn
                                           {Wall::solid, Wall::solid}))
                             .second;
     const Eigen::ArrayXd turned = (start.velocity * free.velocity).rowwise().sum().min(1.0).acos();
-    // The drawn momenta sum to some sqrt(N) of the N, and each turn takes up a share of the sum: turns
-    // are of order 1/sqrt(N), the largest here 0.47 of it.
+    // The drawn momenta sum to some sqrt(N) of the N, and each turn takes up a share of the sum:
+    // turns are of order 1/sqrt(N), the largest here 0.47 of it.
     CHECK(turned.maxCoeff() < 2.0 / std::sqrt(double(count)));
     CHECK(turned.maxCoeff() > 0.0);
 }

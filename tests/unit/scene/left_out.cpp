@@ -44,8 +44,7 @@ figures:
 
 Scene loaded(const Overrides& overrides) {
     fs::current_path(test::checkout());
-    return load_scene_text(with_later_things, "scenes/test.yaml", test::resources(),
-                           overrides);
+    return load_scene_text(with_later_things, "scenes/test.yaml", test::resources(), overrides);
 }
 
 }  // namespace

@@ -311,8 +311,10 @@ Still draw_still_alone(const Scene& asked, double at, bool is_quick,
         again = std::move(start);
     } else {
         std::optional<PanelSet> first_pass(std::in_place, plan.scene, plan.particles, plan.start);
-        const bool sees_some = is_quick && !first_pass->wants_return_distances();
-        if (sees_some) ticks = some_of(ticks, still);
+        const bool may_see_some = is_quick && !first_pass->wants_return_distances();
+        std::vector<Tick> seen = may_see_some ? some_of(ticks, still) : ticks;
+        const bool sees_some = seen.size() < ticks.size();
+        ticks = std::move(seen);
         const bool are_kept = fit(ticks, still, plan.scene.gas.box, plan.particles.count());
         if (are_kept)
             plan.start = {};  // not needed: the first frame shows it as well

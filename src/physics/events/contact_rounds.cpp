@@ -15,7 +15,7 @@ namespace {
 constexpr int most_rounds = 1000;
 
 template <typename Scalar>
-double size_of(const Scalar& number) {
+double magnitude_of(const Scalar& number) {
     return std::abs(static_cast<double>(number));
 }
 
@@ -76,7 +76,7 @@ ContactRounds<Scalar>::ContactRounds(std::vector<Participant> participants,
                                      std::vector<Contact> contacts, int bits)
     : participants_(std::move(participants)), contacts_(std::move(contacts)), bits_(bits) {
     for (const Participant& participant : participants_)
-        for (const Scalar& v : participant.v) fastest_ = std::max(fastest_, size_of(v));
+        for (const Scalar& v : participant.v) fastest_ = std::max(fastest_, magnitude_of(v));
 }
 
 template <typename Scalar>
@@ -92,8 +92,8 @@ double ContactRounds<Scalar>::round_off(std::size_t contact) const {
     const Contact& c = contacts_[contact];
     double sum = fastest_;
     for (std::size_t k = 0; k < 2; ++k)
-        sum += size_of(c.normal[k]) *
-               (size_of(participants_[c.first].v[k]) + size_of(participants_[c.second].v[k]));
+        sum += magnitude_of(c.normal[k]) * (magnitude_of(participants_[c.first].v[k]) +
+                                            magnitude_of(participants_[c.second].v[k]));
     return std::ldexp(sum, 3 - bits_);
 }
 
@@ -301,13 +301,14 @@ bool ContactRounds<Scalar>::lead_back_to(const std::vector<Participant>& start) 
     double fastest = 0.0;
     for (Participant& participant : back.participants_)
         for (Scalar& v : participant.v) {
-            fastest = std::max(fastest, size_of(v));
+            fastest = std::max(fastest, magnitude_of(v));
             v = -v;
         }
     if (!back.run()) return false;
     for (std::size_t i = 0; i < start.size(); ++i)
         for (std::size_t k = 0; k < 2; ++k)
-            if (size_of(Scalar(back.participants_[i].v[k] + start[i].v[k])) > tolerance * fastest)
+            if (magnitude_of(Scalar(back.participants_[i].v[k] + start[i].v[k])) >
+                tolerance * fastest)
                 return false;
     return true;
 }

@@ -290,7 +290,8 @@ void SurfaceSet<Scalar>::count_hit(Body& body, std::int32_t k, const Vector& nor
                                    const Vector& before, const Scalar& now) {
     const Barrier& its = this->barrier(k);
     if (its.kind == Barrier::Kind::line)
-        put_on_side(body, its, dot(its.normal, normal) < 0.0 ? 1.0 : -1.0, now);
+        put_on_side(body, its, dot(its.normal, normal) < 0.0 ? 1.0 : -1.0,
+                    motion_of(body, its, now));
     ++at(totals_, its.surface).hits;
     body.passing &= ~bit_of(its.surface);
     if (body.inverse_mass > 0.0) account_for_hit(body, before, its);

@@ -105,7 +105,7 @@ TEST_CASE("--cache keeps axes of each scene, seed and change apart, and makes da
     REQUIRE(kept_in(folder.path() / "kept").size() == 1);
     const fs::path file = kept_in(folder.path() / "kept").front();
     const std::string kept = contents(file);
-    made(still + scene + " --cache kept --quick -o with.png --set seed=2", folder.path());
+    made(still + scene + " --cache kept --quick -o with.png --set film.seconds=2", folder.path());
     CHECK(kept_in(folder.path() / "kept").size() == 1);  // not of so few times
     made(still + scene + " --cache kept -o with.png --set seed=2", folder.path());
     made(still + scene + " --cache kept -o with.png --theme light", folder.path());

@@ -32,15 +32,22 @@ std::vector<SeeingPanel> panels_of_film(const Scene& scene, double frames) {
     return panels;
 }
 
+// The moments of a run that its panels see: so many frames, and samples.
+double moments_seen(const Scene& scene, double frames, bool sees_samples) {
+    return frames + (sees_samples && !scene.film.panels.empty() ? samples_of(scene.run) : 0.0);
+}
+
 // The first pass of a film.
 std::vector<WorkPart> first_pass(const Scene& scene, double passes, double frames,
-                                 const SceneCounts& counts) {
+                                 bool sees_samples, const SceneCounts& counts) {
     std::vector<WorkPart> parts =
-        panel_parts(scene, panels_of_film(scene, frames), frames, counts.own, 1.0);
+        panel_parts(scene, panels_of_film(scene, frames), moments_seen(scene, frames, sees_samples),
+                    counts.own, 1.0);
     parts.push_back(simulation_part(scene, counts.own, passes));
     if (!scene.film.beside) return parts;
     const Scene& other = *scene.film.beside->scene;
-    std::ranges::move(panel_parts(other, panels_of_film(other, frames), frames, counts.beside, 1.0),
+    std::ranges::move(panel_parts(other, panels_of_film(other, frames),
+                                  moments_seen(other, frames, sees_samples), counts.beside, 1.0),
                       std::back_inserter(parts));
     parts.push_back(simulation_part(other, counts.beside, passes));
     return parts;
@@ -83,7 +90,7 @@ Work work_of_film(const Scene& scene, const FilmOptions& options, const OutputFo
     const double frames = frames_of(scene, options);
     const double disks = count_of(scene) * (film.beside ? 2.0 : 1.0);
     const double pixels = static_cast<double>(film.size.width) * film.size.height;
-    Work work{.parts = first_pass(scene, passes_of_film(scene), frame_count(film), counts),
+    Work work{.parts = first_pass(scene, passes_of_film(scene), frame_count(film), true, counts),
               .memory = static_cast<double>(memory_of_film(scene, format, total_count(scene.gas),
                                                            film_collisions(scene, counts), 1)),
               .bytes = frames * format.film->frame_bytes(disks, pixels, options.quality) +
@@ -108,7 +115,7 @@ Work work_of_still(const Scene& scene, bool is_quick, const SceneCounts& counts)
     Work work = work_of_film(scene, {}, format, counts);
     const double pixels = static_cast<double>(scene.film.size.width) * scene.film.size.height;
     const double one = format.film->frame_seconds(count_of(scene), pixels, Quality::standard);
-    work.parts = first_pass(scene, 1.0, frames, counts);
+    work.parts = first_pass(scene, 1.0, frames, !is_quick, counts);
     work.parts.push_back({.what = "the picture", .reduce = "`film.size`", .seconds = one});
     work.bytes = format.film->frame_bytes(count_of(scene), pixels, Quality::standard);
     work.reduces_bytes = "`film.size`";

@@ -35,7 +35,7 @@ struct SeeingPanel {
     double pictures = 1.0;
 };
 
-/// Panels that see `frames` frames of a run, in each of so many runs.
+/// Panels that see `frames` moments of a run, in each of so many runs.
 std::vector<WorkPart> panel_parts(const Scene& scene, const std::vector<SeeingPanel>& panels,
                                   double frames, const RunCounts& counts, double times);
 

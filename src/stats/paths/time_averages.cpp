@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "physics/mechanics.h"
@@ -33,13 +34,26 @@ void TimeAverages::add(const PathPiece& piece, Integrals& to) const {
     const double span = piece.span();
     const Eigen::Array2d middle = piece.velocity_after(0.5 * span);
     const auto species = static_cast<std::size_t>(species_[piece.particle]);
-    to.speed[species] += length_of_way(middle, piece.acceleration, span);
+    to.speed[species] +=
+        length_of_way(middle, piece.acceleration, span) - span * first_speed_[piece.particle];
     const double inverse = inverse_mass_[piece.particle];
     if (inverse == 0.0) return;
     // The mean of v^2 is that halfway, and what the acceleration adds.
     const double square =
         middle.square().sum() + piece.acceleration.square().sum() * span * span / 12.0;
-    to.energy[species] += 0.5 * span * square / inverse;
+    to.energy[species] += span * (0.5 * square / inverse - first_energy_[piece.particle]);
+}
+
+void TimeAverages::begin(const Sample& sample) {
+    start_ = time_ = sample.time;
+    first_energy_ = first_speed_ = Eigen::ArrayXd::Zero(inverse_mass_.size());
+    for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
+        Eigen::Array2d v(0.0, 0.0);
+        for (int axis = 0; axis < dimension_; ++axis) v[axis] = sample.velocity(i, axis);
+        first_speed_[i] = v.matrix().norm();
+        if (inverse_mass_[i] > 0.0) first_energy_[i] = 0.5 * v.square().sum() / inverse_mass_[i];
+    }
+    is_first_ = false;
 }
 
 void TimeAverages::look_for_drift(const Sample& sample) {
@@ -52,13 +66,13 @@ void TimeAverages::look_for_drift(const Sample& sample) {
 }
 
 void TimeAverages::see(const Sample& sample, std::span<const Collision> collisions) {
+    const bool is_first = is_first_;
+    if (is_first) begin(sample);
     paths_.see_whole(sample, collisions,
                      [this](const PathPiece& piece) { add(piece, integrals_); });
-    if (is_first_) start_ = time_ = sample.time;
     drift_integral_ += drift_ * (sample.time - time_);
-    if (is_first_ || needs_samples_) look_for_drift(sample);
+    if (is_first || needs_samples_) look_for_drift(sample);
     time_ = sample.time;
-    is_first_ = false;
 }
 
 TimeAverages::Means TimeAverages::means() const {
@@ -66,13 +80,18 @@ TimeAverages::Means TimeAverages::means() const {
     paths_.see_open([&](const PathPiece& piece) { add(piece, all); });
     const double span = time_ - start_;
     Means means{all.energy, all.speed, std::numeric_limits<double>::quiet_NaN()};
-    double energy = 0.0;
-    for (std::size_t k = 0; k < counts_.size(); ++k) {
-        energy += all.energy[k];
-        means.energy[k] /= counts_[k] * span;
-        means.speed[k] /= counts_[k] * span;
+    for (std::vector<double>* each : {&means.energy, &means.speed})
+        for (double& sum : *each) sum /= span;
+    for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
+        means.energy[static_cast<std::size_t>(species_[i])] += first_energy_[i];
+        means.speed[static_cast<std::size_t>(species_[i])] += first_speed_[i];
     }
-    if (freedom_ > 0.0) means.temperature = 2.0 * (energy - drift_integral_) / (span * freedom_);
+    const double energy = std::accumulate(means.energy.begin(), means.energy.end(), 0.0);
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+        means.energy[k] /= counts_[k];
+        means.speed[k] /= counts_[k];
+    }
+    if (freedom_ > 0.0) means.temperature = 2.0 * (energy - drift_integral_ / span) / freedom_;
     return means;
 }
 

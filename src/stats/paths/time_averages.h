@@ -36,11 +36,13 @@ class TimeAverages {
     Means means() const;
 
   private:
-    /// Integrals over time, by species.
+    /// Integrals over time, by species, of what exceeds the first sample: what never changes has an
+    /// exact mean.
     struct Integrals {
         std::vector<double> energy, speed;
     };
     void add(const PathPiece& piece, Integrals& to) const;
+    void begin(const Sample& sample);
     void look_for_drift(const Sample& sample);
 
     int dimension_;
@@ -48,10 +50,11 @@ class TimeAverages {
     Eigen::ArrayXi species_;
     bool needs_samples_;
     Paths paths_;
-    std::array<bool, 2> is_conserved_{};  ///< momentum along an axis
-    double mass_ = 0.0;                   ///< of all, if momentum is conserved
-    double freedom_ = 0.0;                ///< degrees of freedom
-    std::vector<double> counts_;          ///< of particles, by species
+    std::array<bool, 2> is_conserved_{};         ///< momentum along an axis
+    double mass_ = 0.0;                          ///< of all, if momentum is conserved
+    double freedom_ = 0.0;                       ///< degrees of freedom
+    std::vector<double> counts_;                 ///< of particles, by species
+    Eigen::ArrayXd first_energy_, first_speed_;  ///< of each particle, in the first sample
     Integrals integrals_;
     double drift_ = 0.0, drift_integral_ = 0.0;  ///< energy of the motion of the whole gas
     double start_ = 0.0, time_ = 0.0;

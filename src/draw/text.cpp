@@ -401,7 +401,8 @@ TextLog::TextLog() { current_log = this; }
 TextLog::~TextLog() { current_log = nullptr; }
 
 void leave_out(const std::string& markup) {
-    if (current_log != nullptr) current_log->left_out.push_back(markup);
+    if (current_log == nullptr) return;
+    parse(markup, current_log->left_out.emplace_back());
 }
 
 LineInPieces::LineInPieces(DrawnLine line) : log_(std::exchange(current_log, nullptr)) {

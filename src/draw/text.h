@@ -64,7 +64,7 @@ class TextLog {
     TextLog& operator=(const TextLog&) = delete;
 
     std::vector<DrawnLine> lines;
-    std::vector<std::string> left_out;  ///< what leave_out() was told
+    std::vector<std::string> left_out;  ///< plain words that leave_out() was told
 };
 
 /// To be called for words (markup) that are not drawn because no place is free for them: notes them

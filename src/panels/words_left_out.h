@@ -13,8 +13,9 @@ struct Tick;
 /// Those that were noted while a log was kept, each once: "the words “...” of a plot".
 std::vector<std::string> words_left_out(const TextLog& log);
 
-/// Those that are the same in all frames with the panels of a frame. The axes must be fixed. No
-/// log may be kept meanwhile.
-std::vector<std::string> words_left_out(const PanelSet& panels, const Tick& tick);
+/// What a film has no room for: FramePainter::cut_words(), and the words that its plots leave out
+/// in all frames with the panels of the frame in the middle. The axes must be fixed. No log may be
+/// kept meanwhile.
+std::vector<std::string> words_without_room(const PanelSet& panels, const std::vector<Tick>& ticks);
 
 }  // namespace carom

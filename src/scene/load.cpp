@@ -270,8 +270,6 @@ struct Asked {
 
 Source source_at(const fs::path& path, const SceneResources& resources);
 
-constexpr const char* how_to_start = "`carom new NAME` writes a scene to start from";
-
 Scene load_once(Source file, const Asked& asked) {
     const EndsAtOnce whole;
     const auto& [path, resources, overrides, wanted, part, left_out] = asked;

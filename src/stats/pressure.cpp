@@ -31,7 +31,7 @@ bool has_one_pressure(const Box& box, std::span<const SurfaceState> states) {
     if (states.empty()) return true;
     const auto first_partition = static_cast<std::size_t>(Surfaces::first_partition);
     const auto partitions = states.subspan(first_partition, box.surfaces.partitions.size());
-    return (box.surfaces.gravity == 0.0).all() &&
+    return !box.surfaces.has_gravity() &&
            std::ranges::none_of(states.first(first_partition),
                                 [](const SurfaceState& side) { return side.motion.has_value(); }) &&
            std::ranges::all_of(partitions, &SurfaceState::is_open);

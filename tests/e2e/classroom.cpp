@@ -22,6 +22,11 @@ Outcome called(const TemporaryFolder& folder, std::vector<std::string> command) 
     return run(command, folder.path());
 }
 
+Outcome held(const TemporaryFolder& folder, std::vector<std::string> command) {
+    command.insert(command.end(), {"--limits", "classroom"});
+    return called(folder, std::move(command));
+}
+
 }  // namespace
 
 TEST_CASE("all commands that take --limits classroom refuse a film that is too long") {
@@ -75,7 +80,7 @@ TEST_CASE("a film of several scenes is held to the limits as a whole, and runs b
                  "film: {seconds: 1, panels: [energy-histogram], beside: {label: L, own_label: O, "
                  "scene: many.yaml}}\n");
     folder.write("beside.yaml", text);
-    const Outcome beside = called(folder, {"check", "beside.yaml", "--limits", "classroom"});
+    const Outcome beside = held(folder, {"check", "beside.yaml"});
     CHECK(beside.exit_code == 2);
     CHECK(has(beside.err, "20001 particles in all"));
 }
@@ -93,10 +98,9 @@ TEST_CASE("every command that would draw or plan a film of many large pictures r
         {"check", "scene.yaml", "--format", "mp4"},
         {"plan", "scene.yaml", "-o", "plan"},
         {"gallery", ".", "-o", "site"}};
-    for (std::vector<std::string> command : commands) {
+    for (const std::vector<std::string>& command : commands) {
         CAPTURE(command.front());
-        command.insert(command.end(), {"--limits", "classroom"});
-        const Outcome refused = called(folder, command);
+        const Outcome refused = held(folder, command);
         CAPTURE(refused.err);
         CHECK(refused.exit_code == 2);
         CHECK(has(refused.err, "frames of 3840 by 3840 as mp4"));
@@ -155,18 +159,16 @@ TEST_CASE("many runs are held to the limits together") {
     for (const auto& [small, much, what] : cases) {
         CAPTURE(small.front());
         CAPTURE(small[1]);
-        std::vector<std::string> command = small;
-        command.insert(command.end(), {"--limits", "classroom"});
-        std::vector<std::string> large = command;
+        std::vector<std::string> large = small;
         large.insert(large.end(), {"--set", much});
-        const Outcome refused = called(folder, large);
+        const Outcome refused = held(folder, large);
         CAPTURE(refused.err);
         CHECK(refused.exit_code == 2);
         CHECK(has(refused.err, what));
         CHECK(has(refused.err, "the limit is 300 seconds of CPU time"));
         CHECK(has(refused.err, "reduce "));
         CHECK_FALSE(fs::exists(folder.path() / "out"));
-        const Outcome made = called(folder, command);
+        const Outcome made = held(folder, small);
         CAPTURE(made.err);
         CHECK(made.exit_code == 0);
         fs::remove_all(folder.path() / "out");
@@ -180,10 +182,7 @@ TEST_CASE("a long point in the middle of a sweep is found") {
                  "gas: [{count: 1000, radius: 0.5, temperature: 1}]\n");
     std::string values = "run.until=1";
     for (int k = 2; k < 150; ++k) values += "," + (k == 71 ? "5e6" : std::to_string(k));
-    const std::vector<std::string> plan{"plan", "scene.yaml", "--vary", values, "-o", "out"};
-    std::vector<std::string> held = plan;
-    held.insert(held.end(), {"--limits", "classroom"});
-    const Outcome refused = called(folder, held);
+    const Outcome refused = held(folder, {"plan", "scene.yaml", "--vary", values, "-o", "out"});
     CAPTURE(refused.err);
     CHECK(refused.exit_code == 2);
     CHECK(has(refused.err, "149 runs of a sweep"));
@@ -201,10 +200,9 @@ TEST_CASE("chunks of a plan are held to the limits that the whole plan has") {
                 .exit_code == 0);
     const std::vector<std::vector<std::string>> commands{{"render", "film", "--chunk", "1"},
                                                          {"run", "sweep", "--chunk", "1"}};
-    for (std::vector<std::string> command : commands) {
+    for (const std::vector<std::string>& command : commands) {
         CAPTURE(command.front());
-        command.insert(command.end(), {"--limits", "classroom"});
-        const Outcome refused = called(folder, command);
+        const Outcome refused = held(folder, command);
         CAPTURE(refused.err);
         CHECK(refused.exit_code == 2);
         CHECK(has(refused.err, "the limit is 300 seconds of CPU time"));
@@ -216,7 +214,7 @@ TEST_CASE("a run ends at the collisions of a classroom, with its limit") {
     folder.write("scene.yaml",
                  "title: T\nbox: {size: [4, 3]}\ngas: [{count: 6, radius: 0.4, speed: 1}]\n"
                  "run: {until: 1e6, precision: 64, sample_every: 1e5}\n");
-    const Outcome ended = called(folder, {"run", "scene.yaml", "--quiet", "--limits", "classroom"});
+    const Outcome ended = held(folder, {"run", "scene.yaml", "--quiet"});
     CHECK(ended.exit_code == 2);
     CHECK(has(ended.err, "the run has had 200000 collisions, the most that it may have"));
     CHECK(has(ended.err,

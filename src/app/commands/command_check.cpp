@@ -142,7 +142,7 @@ std::vector<const OutputFormat*> formats_of(const Scene& scene,
 // The words for which the plots of a film have no room, if its run takes a fraction of a second.
 std::vector<std::string> cut_in_plots(const Scene& scene, const RunCounts& counts) {
     constexpr double most_events = 300'000.0;
-    if (counts.bits > 53 || counts.events > most_events) return {};
+    if (counts.bits > bits_of_double || counts.events > most_events) return {};
     constexpr bool is_quick = true;
     Progress silent(Progress::Form::silent, "");
     const TextLog log;

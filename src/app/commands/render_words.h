@@ -15,7 +15,7 @@ std::string timings_of(const RenderReport& report);
 /// Warns that the format of the film has no sound although the scene has.
 std::string warning_of_silence(const OutputFormat& format);
 
-/// Warns that there was no room for these words (FramePainter::cut_words()). Empty if nothing is
+/// Warns that there was no room for these words (words_without_room()). Empty if nothing is
 /// cut.
 std::string warning_of_cut(const std::vector<std::string>& cut);
 

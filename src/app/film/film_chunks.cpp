@@ -135,11 +135,7 @@ class StartWriter {
     }
 
     std::vector<std::string> cut_words() const {
-        std::vector<std::string> cut = FramePainter(*panels_).cut_words();
-        const std::vector<Tick>& ticks = plan_.run.ticks();
-        std::ranges::move(words_left_out(*panels_, ticks[ticks.size() / 2]),
-                          std::back_inserter(cut));
-        return cut;
+        return words_without_room(*panels_, plan_.run.ticks());
     }
 
   private:

@@ -31,7 +31,7 @@ struct FilmPlanReport {
     int chunks = 0;
     int frames = 0;
     bool is_new = true;               ///< false: the folder held this plan already
-    std::vector<std::string> cut;     ///< as FramePainter::cut_words()
+    std::vector<std::string> cut;     ///< as words_without_room()
     std::vector<std::string> passes;  ///< what each simulation of the run was for
     double wall_seconds = 0.0;
 };

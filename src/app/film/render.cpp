@@ -187,11 +187,8 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
         play([&](FrameData frame) { workers.frame(std::move(frame)); });
         seconds = workers.finish();
     }
-    const std::vector<std::string> cut = FramePainter(*panels).cut_words();
+    const std::vector<std::string> cut = words_without_room(*panels, plan.run.ticks());
     report.cut.insert(report.cut.end(), cut.begin(), cut.end());
-    const std::vector<std::string> left_out =
-        words_left_out(*panels, plan.run.ticks()[plan.run.ticks().size() / 2]);
-    report.cut.insert(report.cut.end(), left_out.begin(), left_out.end());
     const std::vector<std::string> never = callouts.never_shown();
     report.never_shown.insert(report.never_shown.end(), never.begin(), never.end());
     progress.finish();

@@ -24,7 +24,7 @@ struct RenderReport {
     std::int64_t bytes = 0;
     CollisionCounts collisions;
     std::vector<std::string> passes;       ///< what each simulation of the run was for
-    std::vector<std::string> cut;          ///< as FramePainter::cut_words()
+    std::vector<std::string> cut;          ///< as words_without_room()
     std::vector<std::string> never_shown;  ///< as PlotCallouts::never_shown()
     bool lacks_sound = false;  ///< the scene has sound, but the format of the film has none
     double wall_seconds = 0.0;

@@ -11,7 +11,8 @@ namespace carom::plot {
 namespace {
 
 constexpr double usual_width = 10.6;  // units, of a name and its number
-constexpr double first_row = 1.05;    // units, from the top of the plot to its baseline
+// Units: from the top of the plot to the baseline of the first name, and from name to name.
+constexpr double first_row = 1.05, next_row = 1.4;
 
 using Side = PlaceOfNotes::Side;
 
@@ -48,8 +49,12 @@ double width_of_names(const DrawContext& dc, const Plot& plot, bool is_short) {
     return width;
 }
 
+// Where the baseline of a name beside the bars is, in units; that after the last ends their place.
+double row_of_name(std::size_t index) { return first_row + next_row * static_cast<double>(index); }
+
 double height_of_names(const DrawContext& dc, const BarNotes& notes) {
-    return (first_row + 1.4 * static_cast<double>(notes.names.size()) - 0.8) * dc.unit;
+    constexpr double after_last = 0.8;
+    return (row_of_name(notes.names.size()) - after_last) * dc.unit;
 }
 
 // The place of all names at the top of an area, with the samples before them.
@@ -118,7 +123,7 @@ Point place_of_name(const Frame& frame, const Plot& plot, std::size_t index, boo
     const double u = frame.dc.unit;
     const BarNotes& notes = *plot.bar_notes;
     if (frame.notes.side != Side::above)
-        return {left_end(frame), frame.area.y + (first_row + 1.4 * static_cast<double>(index)) * u};
+        return {left_end(frame), frame.area.y + row_of_name(index) * u};
     const Point& row = frame.row;
     const Point place = rows_of(frame.dc, notes, is_short).places.at(index);
     return {frame.dc.area.x + place.x, row.y + place.y * note_height * u};
@@ -150,7 +155,7 @@ PlaceOfNotes place_of_notes(const Plot& plot, const Frame& frame) {
     const double left_over = plot_area(dc).height / dc.unit - height_of_rows(plot, dc, false);
     const double height = note_height * static_cast<double>(rows);
     if (has_row && left_over < least_height + height) return {Side::none, 0.0};
-    const double in_plot = first_row + 1.4 * static_cast<double>(notes.names.size());
+    const double in_plot = row_of_name(notes.names.size());
     if (side != Side::above && !notes.names.empty() && left_over < in_plot)
         return {Side::none, 0.0};
     return {side, width, is_short, has_row ? height : 0.0};

@@ -20,20 +20,27 @@ class Coincidences {
         update();
     }
 
-    /// Whether contacts may coincide at a local time. `has_touching`: particles touch each other
-    /// without approaching, so that every contact may be one of several.
+    /// Whether contacts may coincide at a local time.
     bool are_near(double time) const { return time >= from_; }
+
+    /// The same, by the times that were noted alone.
     bool are_noted_near(double time) const {
         return !times_.empty() && time >= times_.front() - margin_;
     }
-    void watch_always(bool has_touching) {
-        is_watching_ = has_touching;
+
+    /// `is_watching`: contacts may coincide at any time, because particles touch each other without
+    /// approaching.
+    void watch_always(bool is_watching) {
+        is_watching_ = is_watching;
         update();
     }
 
     double margin() const { return margin_; }
+
+    /// Whether two times are within the margin.
     bool may_coincide(double a, double b) const { return std::abs(a - b) <= margin_; }
 
+    /// Adds a time at which contacts may coincide.
     [[gnu::noinline, gnu::cold]] void note(double time) {
         if (!std::isfinite(time)) return;
         times_.insert(std::ranges::upper_bound(times_, time), time);

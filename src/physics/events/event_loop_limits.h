@@ -36,7 +36,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall(std::optional<s
 
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::refuse_endless(std::optional<std::int32_t> i) {
-    const bool falls = (box_.surfaces.gravity != 0.0).any();
+    const bool falls = box_.surfaces.has_gravity();
     throw CollisionError(
         fmt::format(
             "{} collide without end at t = {:g}: they fill the box along a line, or are squeezed "

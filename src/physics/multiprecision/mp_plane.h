@@ -38,14 +38,7 @@ class MpPlane : public PlainBodies<MpDisk> {
     template <typename See>
     void for_each_neighbour(const Bodies& bodies, std::int32_t i, const See& see) {
         const MpDisk& disk = bodies[static_cast<std::size_t>(i)];
-        grid_.for_each_near(disk.radius, disk.cell,
-                            [&](const CellGrid::Slots& slots, double shift_x, double shift_y) {
-                                std::size_t count = 0;
-                                grid_.append(slots, near_, count);
-                                for (std::size_t k = 0; k < count; ++k)
-                                    if (near_[k] != i)
-                                        see(near_[k], std::array<double, 2>{shift_x, shift_y}, 0);
-                            });
+        grid_.for_each_neighbour(i, disk.radius, disk.cell, near_, see);
     }
 
     template <class Archive>

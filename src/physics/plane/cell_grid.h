@@ -116,6 +116,12 @@ class CellGrid {
     template <typename Function>
     void for_each_near(double radius, Cell cell, Function&& f) const;
 
+    /// Calls see(j, shift, 0) for the particles of these cells, except i itself, with their shifts.
+    /// `list` is overwritten.
+    template <typename See>
+    void for_each_neighbour(std::int32_t i, double radius, Cell cell,
+                            std::vector<std::int32_t>& list, const See& see) const;
+
     /// As for_each_near(). For a small disk in a grid without large disks, however, only the cells
     /// that came into range when it crossed `side` (left 0, right 1, bottom 2, top 3) of its former
     /// cell into `cell`.
@@ -352,6 +358,17 @@ void CellGrid::for_each_near(double radius, Cell cell, Function&& f) const {
         for_each_at_rim(radius, cell, f);
     else
         for_each_around(fine_slots_, fine_, fine_stride(), cell[0], cell[1], f);
+}
+
+template <typename See>
+void CellGrid::for_each_neighbour(std::int32_t i, double radius, Cell cell,
+                                  std::vector<std::int32_t>& list, const See& see) const {
+    for_each_near(radius, cell, [&](const Slots& slots, double shift_x, double shift_y) {
+        std::size_t count = 0;
+        append(slots, list, count);
+        for (std::size_t k = 0; k < count; ++k)
+            if (list[k] != i) see(list[k], std::array<double, 2>{shift_x, shift_y}, 0);
+    });
 }
 
 template <typename Function>

@@ -84,14 +84,7 @@ class PairSearch {
     /// Calls see(j, shift, 0) for the images of all other bodies that may touch body i.
     template <typename See>
     void for_each_neighbour(const Bodies& bodies, std::int32_t i, const See& see) {
-        grid_.for_each_near(properties_[i].radius, at(bodies, i).cell,
-                            [&](const CellGrid::Slots& slots, double shift_x, double shift_y) {
-                                std::size_t count = 0;
-                                grid_.append(slots, near_, count);
-                                for (std::size_t k = 0; k < count; ++k)
-                                    if (near_[k] != i)
-                                        see(near_[k], std::array<double, 2>{shift_x, shift_y}, 0);
-                            });
+        grid_.for_each_neighbour(i, properties_[i].radius, at(bodies, i).cell, near_, see);
     }
 
     template <class Archive>

@@ -48,10 +48,8 @@ std::string keys_hint(const Section& section, const std::string& of = "") {
 
 // Returns a word without capitals, spaces, hyphens and underscores.
 std::string letters_of(std::string_view word) {
-    std::string letters;
-    for (const char c : word)
-        if (c != ' ' && c != '-' && c != '_')
-            letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    std::string letters = lower(std::string(word));
+    std::erase_if(letters, [](char c) { return c == ' ' || c == '-' || c == '_'; });
     return letters;
 }
 

@@ -114,9 +114,9 @@ KeyTable<RunReading> run_table(int dimension) {
                       "Simulated time before time 0, neither shown nor counted."),
              bind_key("sample_every", &Run::sample_every, number(positive),
                       "Simulated time between samples of the statistics, which are taken at 0, at "
-                      "multiples of this time, and at the end: the rows of `run --csv` and, in "
-                      "figures, the points of a curve against time. They do not depend on the "
-                      "frames of a film.")
+                      "multiples of this time, and at the end: the rows of `run --csv`, and "
+                      "the points of curves against time in films and figures. They do not "
+                      "depend on the frames of a film.")
                  .tried_as({"sample", "interval", "every"})
                  .default_text("until / 1000"),
              bind_key(

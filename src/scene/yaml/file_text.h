@@ -10,6 +10,9 @@
 
 namespace carom {
 
+/// A hint for those who have no scene yet.
+inline constexpr const char* how_to_start = "`carom new NAME` writes a scene to start from";
+
 /// Returns the text of a stream, up to one byte more than a file may have, so that the reader then
 /// refuses it as too long. Reports an error and returns nothing if the stream cannot be read.
 /// Throws Interrupted.

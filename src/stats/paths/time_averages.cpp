@@ -14,7 +14,7 @@ TimeAverages::TimeAverages(const Box& box, const Particles& particles, int speci
     : dimension_(box.dimension),
       inverse_mass_(particles.inverse_mass),
       species_(particles.species),
-      needs_samples_(!velocity_changes.empty() || (box.surfaces.gravity != 0.0).any()),
+      needs_samples_(!velocity_changes.empty() || box.surfaces.has_gravity()),
       paths_(box, std::move(velocity_changes)),
       counts_(static_cast<std::size_t>(species)),
       integrals_{counts_, counts_} {

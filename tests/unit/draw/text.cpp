@@ -218,6 +218,12 @@ TEST_CASE("letters that no font has are found") {
     CHECK(missing_letters("a\u2fe0b\u2fe0") == std::vector<std::string>{"\u2fe0"});
 }
 
+TEST_CASE("words that are left out are noted without their markup, whatever letters they have") {
+    const TextLog log;
+    leave_out("<i>D</i> = " + escape_markup("3 < 4 & the piston's \"own\""));
+    CHECK(log.left_out == std::vector<std::string>{"D = 3 < 4 & the piston's \"own\""});
+}
+
 TEST_CASE("a halo parts letters from what is behind them, and ends there") {
     TextStyle style = style_of(100);
     style.halo = 6.0;

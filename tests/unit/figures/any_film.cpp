@@ -10,9 +10,11 @@
 #include "panels/plots/histogram_panel.h"
 #include "panels/precision.h"
 #include "support/figure_run.h"
+#include "support/measured_gases.h"
 #include "support/scene_text.h"
 
 using namespace carom;
+using namespace carom::test;
 
 namespace {
 
@@ -21,18 +23,8 @@ struct Case {
     std::vector<std::string> panels;
 };
 
-const std::string plane =
-    "box: {size: [20, 15]}\ngas: [{name: light, count: 24, radius: 0.4, temperature: 1}, "
-    "{name: heavy, count: 2, radius: 1, mass: 9, temperature: 1}]\n";
-const std::string falling =
-    "box: {size: [20, 15]}\ngravity: [0, -0.2]\n"
-    "gas: [{name: light, count: 12, radius: 0.4, temperature: 1}]\n";
-const std::string wire =
-    "box: {length: 12}\ngas: [{name: a, count: 4, radius: 0.1, mass: 2, temperature: 1}, "
-    "{name: b, count: 3, radius: 0, speed: 1}]\n";
-
 const std::vector<Case> cases{
-    {plane,
+    {two_masses,
      {"{kind: speed-histogram, over: start}",
       "{kind: speed-histogram, over: [6, 9], of: [light, heavy]}",
       "{kind: energy-histogram, over: start}", "{kind: velocity-histogram, over: start, fit: true}",
@@ -41,11 +33,11 @@ const std::vector<Case> cases{
       "{kind: thermometer, over: [7, 9]}", "{kind: entropy}", "{kind: energy-by-species}",
       "{kind: free-path, over: start}", "{kind: pair-correlation, over: start}",
       "{kind: velocity-autocorrelation}", "{kind: profile, over: [6, 9]}"}},
-    {falling,
+    {falling_disks,
      {"{kind: speed-histogram, over: start}", "{kind: energy-histogram, over: [7, 9]}",
       "{kind: velocity-histogram, over: start, component: y}",
       "{kind: position-histogram, over: start, component: y}"}},
-    {wire,
+    {rods_and_points,
      {"{kind: velocity-histogram, over: start, fit: true}", "{kind: pressure, over: [7.5, 9]}"}}};
 
 constexpr double until = 9.0;
@@ -132,7 +124,7 @@ std::vector<double> slowly(const Scene& scene, const Bins& bins, double from, do
 
 TEST_CASE("a mean histogram is the mean over all events, exactly") {
     const Scene scene = test::scene_from(
-        "title: T\nrun: {until: 9, sample_every: 0.75}\n" + plane +
+        "title: T\nrun: {until: 9, sample_every: 0.75}\n" + two_masses +
         "figures:\n"
         "  - {name: start, kind: speed-histogram, over: start, bins: 20, range: [0, 4]}\n"
         "  - {name: while, kind: speed-histogram, over: [3, 7.5], bins: 20, range: [0, 4]}\n");

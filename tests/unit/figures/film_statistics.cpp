@@ -15,11 +15,13 @@
 #include "panels/registry.h"
 #include "runs/run.h"
 #include "support/figure_run.h"
+#include "support/measured_gases.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 #include "util/text.h"
 
 using namespace carom;
+using namespace carom::test;
 
 namespace {
 
@@ -28,24 +30,15 @@ struct FilmCase {
     std::vector<std::string> panels;
 };
 
-const std::string boxed_pair =
-    "box: {size: [20, 15]}\ngas: [{name: light, count: 24, radius: 0.4, temperature: 1}, "
-    "{name: heavy, count: 2, radius: 1, mass: 9, temperature: 1}]\n";
 const std::string parted =
     "box: {size: [20, 15]}\npartitions: [{name: wall, x: 10, gaps: [[5, 10]]}]\n"
     "gas: [{count: 30, radius: 0.3, temperature: 1, position: {side: left, of: wall}}]\n";
 const std::string under_piston =
     "box: {size: [12, 18], walls: {top: {mass: 20, force: -2}}}\n"
     "gas: [{count: 16, radius: 0.15, temperature: 1}]\n";
-const std::string dropping =
-    "box: {size: [20, 15]}\ngravity: [0, -0.2]\n"
-    "gas: [{name: light, count: 12, radius: 0.4, temperature: 1}]\n";
-const std::string on_wire =
-    "box: {length: 12}\ngas: [{name: a, count: 4, radius: 0.1, mass: 2, temperature: 1}, "
-    "{name: b, count: 3, radius: 0, speed: 1}]\n";
 
 const std::vector<FilmCase> film_cases{
-    {boxed_pair,
+    {two_masses,
      "",
      {"{kind: speed-histogram}",
       "{kind: speed-histogram, over: start}",
@@ -84,12 +77,12 @@ const std::vector<FilmCase> film_cases{
      {"{kind: piston}", "{kind: piston-histogram}", "{kind: energy-account}",
       "{kind: pressure-volume, over: {window: 2}}", "{kind: pressure, surfaces: [top]}",
       "{kind: pressure, surfaces: [top], over: now}"}},
-    {dropping,
+    {falling_disks,
      "",
      {"{kind: velocity-histogram, over: start, component: y}",
       "{kind: position-histogram, over: {window: 4}, component: y, bins: 10, range: [0, 15]}",
       "{kind: profile, component: y}", "{kind: energy-account}", "{kind: temperature}"}},
-    {on_wire,
+    {rods_and_points,
      "",
      {"{kind: velocity-histogram, over: start, fit: true}", "{kind: pressure, over: {window: 2}}",
       "{kind: pair-correlation}"}}};
@@ -218,10 +211,10 @@ double temperature_shown(const FigureRun& run, const std::string& name) {
 }  // namespace
 
 TEST_CASE("the report of a run has the numbers that figures show, whatever its samples") {
-    for (const std::string& gas : {boxed_pair, dropping})
+    for (const std::string& gas : {two_masses, falling_disks})
         for (const char* clock : {"", ", sample_every: 3"}) {
             CAPTURE(gas);
-            const bool has_two = gas == boxed_pair;
+            const bool has_two = gas == two_masses;
             const std::string second = has_two ? "heavy" : "light";
             const Scene scene = test::scene_from(
                 fmt::format("title: T\nrun: {{until: 9{}}}\n", clock) + gas +

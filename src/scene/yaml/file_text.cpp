@@ -50,8 +50,7 @@ std::string similar_file(const fs::path& path) {
     const std::string ending = path.extension().string();
     if (path.empty()) return "give the name of a file";
     if (!ending.empty() && ending != ".yaml" && ending != ".yml") return "";  // no scene
-    return names.empty() ? how_to_start
-                         : "name a scene" + instance_in(folder);
+    return names.empty() ? how_to_start : "name a scene" + instance_in(folder);
 }
 
 }  // namespace

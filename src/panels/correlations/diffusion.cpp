@@ -31,6 +31,18 @@ plot::Line straight_line(const plot::Plot& plot, const LineFit& fit, double from
     return line;
 }
 
+// What may stand in the way of a diffusion coefficient for a while, in few words; empty: for good.
+std::string short_words(Language language, NoLaw::Why why) {
+    if (why == NoLaw::Why::no_collisions) return say(language, "no collisions yet");
+    if (why == NoLaw::Why::few_collisions) return say(language, "too few collisions");
+    return "";
+}
+
+std::string short_words(Language language, SlopeProblem problem) {
+    return problem == SlopeProblem::few_pieces ? say(language, "too few data")
+                                               : say(language, "not straight yet");
+}
+
 std::string named(Language language, const std::string& name, const std::string& words) {
     return name.empty() ? words : say(language, "{}: {}", escape_markup(name), words);
 }
@@ -46,8 +58,10 @@ LineLaw displacement_law(const PanelContext& context, const Chosen& chosen,
     const Law found = law(context.gas, LawOf::displacement,
                           {.of = members(context, chosen), .collisions = collisions});
     LineLaw its{.value = found.value};
-    if (found.none)
+    if (found.none) {
         its.reason = to_text(context.language(), *found.none, context.scene.gas.species);
+        its.short_reason = short_words(context.language(), found.none->why);
+    }
     return its;
 }
 
@@ -132,50 +146,44 @@ plot::KeyEntry plateau_entry(Language language, const Finding& finding) {
 
 namespace {
 
-struct PassingReason {
-    std::string words;        // as the end of a sentence
-    std::string short_words;  // in a key
-};
-
-// What may stand in the way of a diffusion coefficient for a while, where there is a law.
-std::vector<PassingReason> passing_reasons(Language language) {
-    return {
-        {to_text(language, {NoLaw::Why::no_collisions}, {}), say(language, "no collisions yet")},
-        {to_text(language, {NoLaw::Why::few_collisions}, {}), say(language, "too few collisions")},
-        {to_text(language, SlopeProblem::few_pieces), say(language, "too few data")},
-        {to_text(language, SlopeProblem::bends), say(language, "not straight yet")}};
-}
-
 plot::Text words_without_coefficient(Language language, const std::string& name,
                                      const std::string& reason) {
     return named(language, name, say(language, "no <i>D</i>: {}", reason));
 }
 
+// With short words for a reason that may pass, if there are any.
 plot::KeyEntry entry_without_coefficient(Language language, const std::string& name,
-                                         const std::string& reason) {
-    const std::vector<PassingReason> passing = passing_reasons(language);
-    const auto found = std::ranges::find(passing, reason, &PassingReason::words);
-    const std::string& shown = found == passing.end() ? reason : found->short_words;
+                                         const std::string& reason,
+                                         const std::string& short_reason) {
+    const std::string& shown = short_reason.empty() ? reason : short_reason;
     return {.words = {words_without_coefficient(language, name, shown)}, .breaks = true};
+}
+
+// Why a line has no coefficient now, in few words, if that may pass.
+std::string short_reason_of(Language language, const Finding& finding) {
+    return finding.problem ? short_words(language, *finding.problem) : finding.law.short_reason;
 }
 
 }  // namespace
 
 plot::KeyEntry finding_entry(Language language, const Finding& finding) {
-    const std::string reason = finding.is_known() ? "" : reason_of(language, finding);
-    plot::KeyEntry entry = entry_without_coefficient(language, finding.name, reason);
-    const std::vector<PassingReason> passing = passing_reasons(language);
-    const bool passes = reason.empty() ||
-                        std::ranges::find(passing, reason, &PassingReason::words) != passing.end();
-    if (!passes) return entry;
+    const std::string short_reason = short_reason_of(language, finding);
+    if (!finding.is_known() && short_reason.empty())
+        return entry_without_coefficient(language, finding.name, finding.law.reason, "");
     const auto words = [&](const std::string& number) {
         return plot::Text(named(language, finding.name, "<i>D</i> = " + number));
     };
-    for (const PassingReason& one : passing)
+    plot::KeyEntry entry = entry_without_coefficient(language, finding.name, "", short_reason);
+    const auto reserve = [&](const std::string& passing) {
         entry.reserved.push_back(
-            {words_without_coefficient(language, finding.name, one.short_words), false});
+            {words_without_coefficient(language, finding.name, passing), false});
+    };
+    for (const NoLaw::Why why : {NoLaw::Why::no_collisions, NoLaw::Why::few_collisions})
+        reserve(short_words(language, why));
+    for (const SlopeProblem problem : {SlopeProblem::few_pieces, SlopeProblem::bends})
+        reserve(short_words(language, problem));
     entry.reserved.push_back({words("0.0000 ± 0.0000")});
-    if (!reason.empty()) return entry;
+    if (!finding.is_known()) return entry;
     entry.sample = of_fit;
     const bool is_known = std::isfinite(finding.diffusion.mean);
     entry.words = {words(is_known ? with_error(language, finding.diffusion) : "")};
@@ -186,7 +194,10 @@ void add_findings(Language language, double from, const std::vector<Finding>& al
                   plot::Plot& plot) {
     const std::string since = three_digits(language, from);
     std::vector<std::string> values;
-    std::vector<std::pair<std::string, std::string>> reasons;  // and the lines that have them
+    struct Reason {
+        std::string words, short_words, names;  // of the lines that have it
+    };
+    std::vector<Reason> reasons;
     for (const Finding& one : all) {
         if (one.is_known()) {
             const std::string value = with_error(language, one.diffusion);
@@ -194,10 +205,10 @@ void add_findings(Language language, double from, const std::vector<Finding>& al
             continue;
         }
         const std::string reason = reason_of(language, one);
-        if (reasons.empty() || reasons.back().first != reason)
-            reasons.emplace_back(reason, one.name);
+        if (reasons.empty() || reasons.back().words != reason)
+            reasons.push_back({reason, short_reason_of(language, one), one.name});
         else
-            reasons.back().second += ", " + one.name;
+            reasons.back().names += ", " + one.name;
     }
     plot::Note note{.wraps = true};
     if (!values.empty()) {
@@ -207,8 +218,8 @@ void add_findings(Language language, double from, const std::vector<Finding>& al
         plot.account = say(language, "The line 2dDt fitted from time {} on has D = {}.", since,
                            listed(language, values));
     }
-    for (const auto& [reason, names] : reasons) {
-        note.entries.push_back(entry_without_coefficient(language, names, reason));
+    for (const auto& [reason, in_short, names] : reasons) {
+        note.entries.push_back(entry_without_coefficient(language, names, reason, in_short));
         plot.account +=
             (plot.account.empty() ? "" : " ") +
             (names.empty() ? say(language, "No diffusion coefficient: {}.", reason)

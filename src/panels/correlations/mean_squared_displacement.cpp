@@ -105,6 +105,15 @@ bool starts_anywhere(const PanelContext& context) {
            });
 }
 
+// The law of a line of a run; of a mean over runs, which differ in their collisions only, that of
+// the mean.
+LineLaw law_of_line(const std::vector<LineLaw>& of_run, std::size_t line,
+                    const PanelContext& context, const Chosen& chosen,
+                    const std::vector<MeanError>& numbers) {
+    return of_run.empty() ? displacement_law(context, chosen, numbers[of_collisions].mean)
+                          : of_run[line];
+}
+
 std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec& spec) {
     const double fit_from = spec.fit_from.value_or(0.5 * (spec.from + context.scene.run.until));
     const double fit_until = std::min(first_reversal(context.scene.run), context.scene.run.until);
@@ -140,12 +149,8 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
                 const SeriesRun& run = record.runs[k];
                 const Chosen& choice = chosen[compares ? record.compared : i];
                 const std::string name = compares ? run.name : name_of(context.scene, choice);
-                // Runs of a mean differ in their collisions only.
-                LineLaw its =
-                    run.laws.empty()
-                        ? displacement_law(context, choice, run.numbers[i][of_collisions].mean)
-                        : run.laws[i];
-                all.push_back(finding_of(chosen.size() > 1 || compares ? name : "", std::move(its),
+                all.push_back(finding_of(chosen.size() > 1 || compares ? name : "",
+                                         law_of_line(run.laws, i, context, choice, run.numbers[i]),
                                          run.numbers[i], record.runs_in_mean));
                 if (!all.back().is_known()) continue;
                 std::optional<plot::Line> line =
@@ -185,11 +190,9 @@ class LagTheory {
     Finding finding(const CurveValues& values, std::size_t line) const {
         const int runs = values.errors.empty() ? 1 : runs_;
         const std::vector<MeanError> numbers = numbers_of(values, line);
-        // Runs of a mean differ in their collisions only.
-        LineLaw its = values.laws.empty()
-                          ? displacement_law(context_, chosen_[line], numbers[of_collisions].mean)
-                          : values.laws[line];
-        return finding_of(name(line), std::move(its), numbers, runs);
+        return finding_of(name(line),
+                          law_of_line(values.laws, line, context_, chosen_[line], numbers), numbers,
+                          runs);
     }
 
     void operator()(const CurveValues* values, plot::Plot& plot) const {

@@ -27,9 +27,10 @@ using ReferenceLevels = std::vector<ReferenceLevel>;
 
 /// What theory says of a line of one run, by the gas of that run.
 struct LineLaw {
-    std::string reason = {};  ///< why there is no law, in words; empty: there is one
+    std::string reason = {};        ///< why there is no law, in words; empty: there is one
+    std::string short_reason = {};  ///< the same in a key, if it may pass in the run
     double value = std::numeric_limits<double>::quiet_NaN();
-    void archive(auto& archive) { archive(reason, value); }
+    void archive(auto& archive) { archive(reason, short_reason, value); }
 };
 
 /// The points of one run.

@@ -2,6 +2,7 @@
 // its geometries: the plane of disks (plane.h, mp_plane.h) and the line of beads (line.h).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -63,7 +64,14 @@ struct Prediction {
 /// A prediction together with its time.
 template <typename Scalar>
 struct Event : Prediction {
-    Scalar time = never<double>;  ///< local
+    Scalar time = never<double>;    ///< local
+    double second = never<double>;  ///< the time of the second event that was found
+
+    /// To be called for each event that is found, before it may replace the first one.
+    [[gnu::always_inline]] void notice(const Scalar& another) {
+        second = std::min(second,
+                          std::max(static_cast<double>(time), static_cast<double>(another)));
+    }
 };
 
 /// Values of Prediction::border: 0 to 3 are the sides of the box (left, right, bottom, top), 4 to 7

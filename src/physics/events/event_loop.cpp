@@ -279,15 +279,19 @@ void EventLoop<Dimension, Scalar, has_surfaces>::advance(double time,
         const std::int32_t i = next_particle();
         if (i < 0 || !(queue_.time(i) <= clock_.local(time))) break;
         if constexpr (is_large) fetch_ahead_.step(bodies_, geometry_, queue_);
-        const bool is_surface_event = static_cast<std::size_t>(i) >= bodies_.size();
+        const bool is_surface_event = has_surfaces && static_cast<std::size_t>(i) >= bodies_.size();
         const bool is_collision = process(i, record ? &collision : nullptr);
         if (is_collision && record) record->push_back(collision);
-        if (!at_once_.empty()) [[unlikely]] {
-            collisions_ += std::ssize(at_once_);
-            if (record) record->insert(record->end(), at_once_.begin(), at_once_.end());
-            at_once_.clear();
+        if (is_collision || is_surface_event) {
+            ++collisions_;
+            if (!at_once_.empty()) [[unlikely]] {
+                collisions_ += std::ssize(at_once_);
+                if (record) record->insert(record->end(), at_once_.begin(), at_once_.end());
+                at_once_.clear();
+            }
+            if (collisions_ > most_) [[unlikely]]
+                refuse_more_collisions();
         }
-        if ((is_collision || is_surface_event) && ++collisions_ > most_) refuse_more_collisions();
         if (--until_look == 0) {
             throw_if_interrupted();
             if (on_progress) on_progress(clock_.absolute(now_));
@@ -310,36 +314,43 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::advance_one(double time, Collis
     }
 }
 
-// The particle with the earliest event, or -1 if there are no more events. At the end of a cycle of
-// the queue the epoch is moved so that all times stay small; the shift is a whole number of cycles
-// and therefore exact.
+// The particle with the earliest event, or -1 if there are no more events.
 template <int Dimension, typename Scalar, bool has_surfaces>
-std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::next_particle() {
-    if constexpr (!of_doubles) return queue_.earliest();
-    while (true) {
-        const std::int32_t i = queue_.earliest();
-        if (i >= 0) return i;
-        if constexpr (of_doubles) {
-            const double shift = queue_.next_cycle();
-            if (!std::isfinite(shift)) return -1;
-            queue_.begin_cycle(shift);
-            clock_.advance(shift);
-            now_ -= shift;
-            geometry_.coincidences().shift_epoch(shift);
-            for (Body& b : bodies_) {
-                b.time -= shift;
-                b.prediction.contact_time -= shift;
-            }
-            if constexpr (has_surfaces) {
-                geometry_.surfaces().shift_epoch(shift);
-                changes_.shift_epoch(shift);
-            }
-            if (!Geometry::is_resorted(bodies_.size()) ||
-                ++cycles_since_sorted_ < cycles_between_sorts)
-                continue;
-            resort();
+inline std::int32_t EventLoop<Dimension, Scalar, has_surfaces>::next_particle() {
+    if constexpr (of_doubles) {
+        while (true) {
+            const std::int32_t i = queue_.earliest();
+            if (i >= 0 || !begin_cycle()) return i;
         }
+    } else {
+        return queue_.earliest();
     }
+}
+
+// To be called at the end of a cycle of the queue: moves the epoch so that all times stay small;
+// the shift is a whole number of cycles and therefore exact. Returns false if there are no more
+// events.
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::begin_cycle() {
+    if constexpr (of_doubles) {
+        const double shift = queue_.next_cycle();
+        if (!std::isfinite(shift)) return false;
+        queue_.begin_cycle(shift);
+        clock_.advance(shift);
+        now_ -= shift;
+        geometry_.coincidences().shift_epoch(shift);
+        for (Body& b : bodies_) {
+            b.time -= shift;
+            b.prediction.contact_time -= shift;
+        }
+        if constexpr (has_surfaces) {
+            geometry_.surfaces().shift_epoch(shift);
+            changes_.shift_epoch(shift);
+        }
+        if (Geometry::is_resorted(bodies_.size()) && ++cycles_since_sorted_ >= cycles_between_sorts)
+            resort();
+    }
+    return of_doubles;
 }
 
 // Returns true if the event was a collision, which is then written to `collision` unless that is

@@ -177,6 +177,7 @@ class EventLoop {
     void predict_all();
     void move_epoch_to(const Scalar& local_time);
     std::int32_t next_particle();
+    [[gnu::noinline]] bool begin_cycle();
     bool process(std::int32_t i, Collision* collision);
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
@@ -237,6 +238,8 @@ class EventLoop {
     // event_loop_instants.h
     bool expects_another(std::int32_t j, std::int32_t i, double until);
     bool may_coincide(std::int32_t i, std::int32_t j, double time);
+    [[gnu::noinline, gnu::cold]] bool may_coincide_until(double until, std::int32_t i,
+                                                         std::int32_t j, double time);
     Participant participant_of(std::int32_t i);
     Participant surface_participant(const ClosedContact& contact);
     Rounds rounds_of(const std::vector<ClosedContact>& contacts);

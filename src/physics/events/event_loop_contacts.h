@@ -63,13 +63,18 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::closed_pair(std::int32_t i, std
     using std::sqrt;
     const auto first = geometry_.properties(bodies_, static_cast<std::size_t>(i)),
                second = geometry_.properties(bodies_, static_cast<std::size_t>(j));
-    const double sigma = first.radius + second.radius;
+    const double sigma = first.radius + second.radius, size = box_.size.maxCoeff();
+    double square = 0.0;
+    for (std::size_t k = 0; k < Dimension; ++k) {
+        const auto apart = static_cast<double>(position_at(body(j), k, now_)) + shift[k] -
+                           static_cast<double>(position_at(body(i), k, now_));
+        square += apart * apart;
+    }
+    if (square > 1.001 * (sigma * sigma) + 1e-12 * (size * size)) [[likely]]
+        return {};
     if (!(first.inverse_mass + second.inverse_mass > 0.0)) return {};
     if (Dimension == 2 && !(sigma > 0.0)) return {};
     const auto [r, v, furthest] = between(i, j, shift);
-    const auto x = static_cast<double>(r[0]), y = static_cast<double>(r[1]);
-    const double size = box_.size.maxCoeff();
-    if (x * x + y * y > 1.001 * (sigma * sigma) + 1e-12 * (size * size)) return {};
     const Scalar distance =
         Dimension == 1 ? Scalar(double(side) * r[0]) : Scalar(sqrt(r[0] * r[0] + r[1] * r[1]));
     std::array<Scalar, 2> normal{with_bits(side), with_bits(0.0)};

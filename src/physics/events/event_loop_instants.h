@@ -17,23 +17,30 @@ inline bool EventLoop<Dimension, Scalar, has_surfaces>::expects_another(std::int
                                                                         double until) {
     const Prediction& expected = body(j).prediction;
     if (expected.contact_time < never<double> && expected.partner == i &&
-        expected.partner_collisions == (body(i).collisions & most_collisions)) [[likely]]
+        expected.partner_collisions == (body(i).collisions & most_collisions))
         return false;
     return i != j && static_cast<double>(queue_.time(j)) <= until;
 }
 
-// Whether other contacts may coincide with the event of body i, with or without a partner.
+// Whether other contacts may coincide with the event of body i, with or without a partner. Asked
+// for each contact: two comparisons answer nearly always.
 template <int Dimension, typename Scalar, bool has_surfaces>
 inline bool EventLoop<Dimension, Scalar, has_surfaces>::may_coincide(std::int32_t i, std::int32_t j,
                                                                      double time) {
     const double until = time + geometry_.coincidences().margin();
-    const bool is_near = geometry_.coincidences().are_near(time);
-    const bool is_followed = expects_another(j, i, until) || queue_.has_another_until(until, i, j);
-    if (!is_near && !is_followed) [[likely]]
+    if (!queue_.may_have_another_until(until) && !geometry_.coincidences().are_near(time))
+        [[likely]]
         return false;
-    geometry_.coincidences().forget_before(time);
-    return is_followed || geometry_.coincidences().are_noted_near(time) || touches_another(i) ||
-           touches_another(j);
+    return may_coincide_until(until, i, j, time);
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::may_coincide_until(double until, std::int32_t i,
+                                                                    std::int32_t j, double time) {
+    Coincidences& noted = geometry_.coincidences();
+    noted.forget_before(time);
+    return expects_another(j, i, until) || queue_.has_another_until(until, i, j) ||
+           noted.are_noted_near(time) || touches_another(i) || touches_another(j);
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>

@@ -285,7 +285,7 @@ void EventQueue::move_to_crowd(std::int32_t list) {
 std::int32_t EventQueue::earliest() {
     while (true) {
         if (!crowd_.empty()) [[unlikely]] {
-            second_ = -never<double>;
+            quiet_until_ = -never<double>;
             return crowd_.begin()->second;
         }
         const std::int32_t list = next_occupied((bucket_ - year_begin_));
@@ -304,7 +304,7 @@ std::int32_t EventQueue::earliest() {
         std::int32_t best = heads_[index(list)];
         std::int32_t i = nodes_[index(best)].next;
         double time = nodes_[index(best)].time;
-        double second = never<double>;
+        double second = width_ * (bucket_ + 1);  // those of later buckets come after it
         int count = 0;
         do {
             const double its = nodes_[index(i)].time;
@@ -316,14 +316,14 @@ std::int32_t EventQueue::earliest() {
             i = nodes_[index(i)].next;
             ++count;
         } while (i != null_link());
-        second_ = second;
+        quiet_until_ = second;
         if (count <= most_in_list) return best;
         move_to_crowd(list);
     }
 }
 
 // The events of later years are not sorted.
-bool EventQueue::look_for_another(double time, std::int32_t a, std::int32_t b) const {
+bool EventQueue::has_another_until(double time, std::int32_t a, std::int32_t b) const {
     for (const auto& [when, who] : crowd_) {
         if (when > time) break;
         if (who != a && who != b) return true;

@@ -49,13 +49,14 @@ class EventQueue {
     /// or -1 when the cycle is over.
     std::int32_t earliest();
 
-    /// Whether a particle other than these two, of which one is that of the last earliest(), has
-    /// an event at a time <= `time`; may also be true if `time` lies in a later year.
-    bool has_another_until(double time, std::int32_t a, std::int32_t b) const {
-        if (second_ > time && bucket_of(time) == bucket_) [[likely]]
-            return false;
-        return look_for_another(time, a, b);
-    }
+    /// Whether another particle than that of the last earliest() may have an event at a time <=
+    /// `time`. May be true if there is none, but is seldom so for a `time` soon after the present.
+    bool may_have_another_until(double time) const { return quiet_until_ <= time; }
+
+    /// The same for a particle other than these two, of which one is that of the last earliest();
+    /// may be true without an event if `time` lies in a later year.
+    [[gnu::noinline, gnu::cold]] bool has_another_until(double time, std::int32_t a,
+                                                        std::int32_t b) const;
 
     /// For prefetching; to be called once for each event processed. Stores in `who` the particles
     /// of the next nonempty bucket that has not been reported yet, at most three, and returns their
@@ -123,8 +124,6 @@ class EventQueue {
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
     std::int32_t null_link() const { return count_; }
     std::int32_t bucket_of(double time) const;
-    [[gnu::noinline, gnu::cold]] bool look_for_another(double time, std::int32_t a,
-                                                       std::int32_t b) const;
     bool is_in_overflow(const Node& node) const { return node.previous == ~overflow_; }
     void clear();
     void set_width(double width);
@@ -170,9 +169,9 @@ class EventQueue {
     std::int32_t prefetched_ = -1;  ///< bucket of the year whose first particle was prefetched last
     double width_ = 1.0;  ///< of a bucket: a power of two, so that shifts by cycles are exact
     double per_width_ = 1.0;
-    double cycle_ = 1.0;              ///< length of a cycle
-    double second_ = -never<double>;  ///< time of the second event in the list of the last
-                                      ///< earliest()
+    double cycle_ = 1.0;                   ///< length of a cycle
+    double quiet_until_ = -never<double>;  ///< no event but that of the last earliest() comes
+                                           ///< before
     std::int64_t events_in_cycle_ = 0;
 };
 

@@ -65,8 +65,11 @@ Scalar Line<Scalar, BodyType>::gap(const Body& left, const Body& right, const Sc
 }
 
 template <typename Scalar, typename BodyType>
-void Line<Scalar, BodyType>::predict_pair(const Bodies& bodies, std::int32_t i, bool to_the_right,
-                                          const Scalar& now, Event<Scalar>& first) {
+[[gnu::always_inline]] inline void Line<Scalar, BodyType>::predict_pair(const Bodies& bodies,
+                                                                        std::int32_t i,
+                                                                        bool to_the_right,
+                                                                        const Scalar& now,
+                                                                        Event<Scalar>& first) {
     const bool at_end = i == (to_the_right ? last() : 0);
     if (at_end && (!periodic_ || count_ == 1)) return;
     const std::int32_t j = at_end ? last() - i : to_the_right ? i + 1 : i - 1;
@@ -81,7 +84,7 @@ void Line<Scalar, BodyType>::predict_pair(const Bodies& bodies, std::int32_t i, 
         if (!(approach > 0.0)) return;
         time += std::max(Scalar(0.0), gap(left, right, now, at_end)) / approach;
     }
-    if (j != first.partner) notice(time, first);
+    if (j != first.partner) first.notice(time);
     if (time > first.time || (time == first.time && j >= first.partner)) return;
     first.time = time;
     first.contact_time = rounded_down(time);
@@ -99,15 +102,17 @@ void Line<Scalar, BodyType>::predict_neighbours(const Bodies& bodies, std::int32
 // Predicts when the first or the last bead reaches the wall next to it, or the end of a periodic
 // line.
 template <typename Scalar, typename BodyType>
-void Line<Scalar, BodyType>::predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now,
-                                         Event<Scalar>& first) {
+[[gnu::always_inline]] inline void Line<Scalar, BodyType>::predict_end(const Bodies& bodies,
+                                                                       std::int32_t i,
+                                                                       const Scalar& now,
+                                                                       Event<Scalar>& first) {
     const Body& body = bodies[static_cast<std::size_t>(i)];
     const bool up = body.v[0] > 0.0;
     if (!periodic_ && i != (up ? last() : 0)) return;
     const double margin = periodic_ ? 0.0 : body.radius;
     const Scalar time = now + wall_time(position_at(body, 0, now), body.v[0], Scalar(margin),
                                         Scalar(length_ - margin));
-    notice(time, first);
+    first.notice(time);
     if (time >= first.time) return;
     first.time = time;
     first.contact_time = never<double>;
@@ -119,8 +124,7 @@ Scalar Line<Scalar, BodyType>::predict(Bodies& bodies, std::int32_t i, const Sca
     Event<Scalar> first;
     predict_neighbours(bodies, i, now, first);
     predict_end(bodies, i, now, first);
-    bodies[static_cast<std::size_t>(i)].prediction = first;
-    return std::move(first.time);
+    return take(first, bodies[static_cast<std::size_t>(i)]);
 }
 
 template <typename Scalar, typename BodyType>

@@ -100,11 +100,14 @@ class Line : public PlainBodies<BodyType> {
     void predict_neighbours(const Bodies& bodies, std::int32_t i, const Scalar& now,
                             Event<Scalar>& first);
     void predict_end(const Bodies& bodies, std::int32_t i, const Scalar& now, Event<Scalar>& first);
-    /// Notes an event that may coincide with the first one found so far.
-    void notice(const Scalar& time, const Event<Scalar>& first) {
-        const auto when = static_cast<double>(time);
-        if (coincidences_.may_coincide(when, static_cast<double>(first.time)))
+    /// Stores the first event of a body, notes whether the second may coincide with it, and returns
+    /// the time.
+    [[gnu::always_inline]] Scalar take(Event<Scalar>& first, Body& body) {
+        const auto when = static_cast<double>(first.time);
+        if (first.second - when <= coincidences_.margin()) [[unlikely]]
             coincidences_.note(when);
+        body.prediction = first;
+        return std::move(first.time);
     }
 
     Coincidences coincidences_;

@@ -29,6 +29,9 @@ class MpEventQueue {
     /// there is none.
     std::int32_t earliest() const;
 
+    /// As in EventQueue; here the question is as cheap with the names of two particles.
+    static bool may_have_another_until(double) { return true; }
+
     /// Whether a particle other than these two has an event at a time <= `time`.
     bool has_another_until(double time, std::int32_t a, std::int32_t b) const;
 

@@ -129,14 +129,15 @@ template <bool several_images, bool alike, typename Scope>
     return static_cast<std::uint64_t>(half[0] | half[1]);
 }
 
-// Replaces `first` by a contact at `time` (possibly never) if that comes first. `near`: the same,
-// but not never if the other disk has an earlier contact within the margin. Branchless, because
-// the processor could not predict the branches.
-[[gnu::always_inline]] inline void consider(double time, double near, std::int32_t other,
-                                            std::uint32_t collisions, FirstContact& first) {
+// Replaces `first` by a contact at `time` (possibly never, or not a number) if that comes first,
+// and updates the time of the second. Branchless, because the processor could not predict the
+// branches.
+[[gnu::always_inline]] inline void consider(double time, std::int32_t other,
+                                            std::uint32_t collisions, FirstContact& first,
+                                            double& second) {
     const bool lower = other < first.partner();
-    const double later = first.time > near ? first.time : near;
-    first.second = later < first.second ? later : first.second;
+    const double later = first.time > time ? first.time : time;
+    second = later < second ? later : second;
     const bool take = (time < first.time) | ((time <= first.time) & lower);
     const std::uint64_t mask = -static_cast<std::uint64_t>(take);
     const auto bits = std::bit_cast<std::uint64_t>(first.time);
@@ -144,12 +145,34 @@ template <bool several_images, bool alike, typename Scope>
     first.who ^= (first.who ^ FirstContact(time, other, collisions).who) & mask;
 }
 
+// Two candidates, by their positions in `near`: the second may be the first again.
+struct Two {
+    std::size_t k, l;
+    std::uint64_t same;  ///< a mask
+};
+
+// Removes the lowest set bit and returns its index.
+[[gnu::always_inline]] inline std::size_t next_of(std::uint64_t& bits) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
+    bits &= bits - 1;
+    return k;
+}
+
+[[gnu::always_inline]] inline Two next_two_of(std::uint64_t& bits) {
+    const std::size_t k = next_of(bits);
+    const std::uint64_t none = bits == 0 ? ~std::uint64_t{0} : 0;
+    const std::size_t l = next_of(bits);
+    return {k, (l & ~none) | (k & none), none};
+}
+
 // The exact times of two contacts: of a with the disk at position k in `near`, and of b with that
-// at l. The same contact may be solved twice.
+// at l.
 template <bool alike, typename Scope>
 [[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
-                                         const Pairs& p, std::size_t k, std::size_t l,
-                                         FirstContact& first_of_a, FirstContact& first_of_b) {
+                                         const Pairs& p, const Two& two, FirstContact& first_of_a,
+                                         FirstContact& first_of_b, double& second_of_a,
+                                         double& second_of_b) {
+    const auto [k, l, same] = two;
     const auto &c = scope.disk(k), &d = scope.disk(l);
     RelativeMotion<TwoLanes> motion{
         {p.x[k], p.x[l]}, {p.y[k], p.y[l]}, {p.vx[k], p.vx[l]}, {p.vy[k], p.vy[l]}};
@@ -163,32 +186,17 @@ template <bool alike, typename Scope>
     const TwoLanes round_off = approach_round_off(motion, vx, vy, others_vx, others_vy);
     const TwoLanes met = scope.now + contact_time(motion, sigma, round_off);
     const TwoLanes latest{c.prediction.contact_time, d.prediction.contact_time};
-    TwoMasks possible = met <= latest, near = met <= latest + scope.pairing.margin;
+    TwoMasks possible = met <= latest;
     if (!alike) {
         const TwoLanes weight =
             TwoLanes{a.properties.inverse_mass, b.properties.inverse_mass} +
             TwoLanes{scope.properties_of(k).inverse_mass, scope.properties_of(l).inverse_mass};
         possible &= (weight > 0.0) & (sigma > 0.0);
-        near &= (weight > 0.0) & (sigma > 0.0);
     }
     const TwoLanes time = select(possible, met, both(never<double>));
-    const TwoLanes about = select(near, met, both(never<double>));
-    consider(time[0], about[0], scope.near[k], c.collisions, first_of_a);
-    consider(time[1], k == l ? never<double> : about[1], scope.near[l], d.collisions, first_of_b);
-}
-
-// Removes the lowest set bit and returns its index.
-[[gnu::always_inline]] inline std::size_t next_of(std::uint64_t& bits) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(bits));
-    bits &= bits - 1;
-    return k;
-}
-
-// The same, or `other` if no bit is set.
-[[gnu::always_inline]] inline std::size_t next_of_or(std::size_t other, std::uint64_t& bits) {
-    const std::size_t none = bits == 0 ? ~std::size_t{0} : 0;
-    const std::size_t k = next_of(bits);
-    return (k & ~none) | (other & none);
+    const auto another = std::bit_cast<double>(std::bit_cast<std::uint64_t>(time[1]) | same);
+    consider(time[0], scope.near[k], c.collisions, first_of_a, second_of_a);
+    consider(another, scope.near[l], d.collisions, first_of_b, second_of_b);
 }
 
 template <bool several_images, bool alike, typename Scope>
@@ -206,24 +214,25 @@ template <bool several_images, bool alike, typename Scope>
 
 // Search for one disk.
 template <bool several_images, bool alike, typename Scope>
-[[gnu::always_inline]] inline void search(const Scope& scope, std::int32_t i, std::size_t count,
+[[gnu::always_inline]] inline bool search(const Scope& scope, std::int32_t i, std::size_t count,
                                           FirstContact& first) {
     const Viewer a = scope.viewer(i, first);
     Pairs pairs;
     std::uint64_t bits =
         bits_of(all_that_might_touch<several_images, alike>(scope, a, 0, count, pairs));
-    if (bits == 0) return;
+    if (bits == 0) return false;
     FirstContact best = first;
+    double second = never<double>;
     do {
-        const std::size_t k = next_of(bits), l = next_of_or(k, bits);
-        solve<alike>(scope, a, a, pairs, k, l, best, best);
+        solve<alike>(scope, a, a, pairs, next_two_of(bits), best, best, second, second);
     } while (bits != 0);
     first = best;
+    return second - best.time <= scope.pairing.margin;
 }
 
 // Search for two disks.
 template <bool several_images, bool alike, typename Scope>
-[[gnu::always_inline]] inline void search(const Scope& scope,
+[[gnu::always_inline]] inline bool search(const Scope& scope,
                                           const std::array<std::int32_t, 2>& both,
                                           std::size_t split, std::size_t count,
                                           std::array<FirstContact, 2>& firsts) {
@@ -232,41 +241,39 @@ template <bool several_images, bool alike, typename Scope>
     std::uint64_t bits = bits_of(
         all_that_might_touch<several_images, alike>(scope, viewers[0], 0, split, pairs) |
         all_that_might_touch<several_images, alike>(scope, viewers[1], split, count, pairs));
+    std::array<double, 2> second{never<double>, never<double>};
     while (bits != 0) {
-        const std::size_t k = next_of(bits), l = next_of_or(k, bits);
-        const std::size_t whose_k = k >= split ? 1 : 0, whose_l = l >= split ? 1 : 0;
-        solve<alike>(scope, viewers[whose_k], viewers[whose_l], pairs, k, l, firsts[whose_k],
-                     firsts[whose_l]);
+        const Two two = next_two_of(bits);
+        const std::size_t of_k = two.k >= split ? 1 : 0, of_l = two.l >= split ? 1 : 0;
+        solve<alike>(scope, viewers[of_k], viewers[of_l], pairs, two, firsts[of_k], firsts[of_l],
+                     second[of_k], second[of_l]);
     }
+    return (second[0] - firsts[0].time <= scope.pairing.margin) |
+           (second[1] - firsts[1].time <= scope.pairing.margin);
 }
 
 // Instantiates a separate loop for each kind of pairs.
 template <typename Scope, typename... Arguments>
-[[gnu::always_inline]] inline void search_by_kind(const Scope& scope, Arguments&&... arguments) {
+[[gnu::always_inline]] inline auto search_by_kind(const Scope& scope, Arguments&&... arguments) {
     const bool alike = scope.pairing.sigma > 0.0;
-    if (alike && scope.pairing.several_images)
-        search<true, true>(scope, arguments...);
-    else if (alike)
-        search<false, true>(scope, arguments...);
-    else if (scope.pairing.several_images)
-        search<true, false>(scope, arguments...);
-    else
-        search<false, false>(scope, arguments...);
+    if (alike && scope.pairing.several_images) return search<true, true>(scope, arguments...);
+    if (alike) return search<false, true>(scope, arguments...);
+    if (scope.pairing.several_images) return search<true, false>(scope, arguments...);
+    return search<false, false>(scope, arguments...);
 }
 
 // Disks that may fall, with or without gravity.
 template <typename... Arguments>
-[[gnu::always_inline]] inline void search_falling(const FallingDisks& disks,
+[[gnu::always_inline]] inline auto search_falling(const FallingDisks& disks,
                                                   const DiskProperties& properties,
                                                   const Pairing& pairing, const std::int32_t* near,
                                                   double now, Arguments&&... arguments) {
     using Body = FallingDisk<double>;
     if ((pairing.gravity[0] == 0.0) & (pairing.gravity[1] == 0.0))
-        search_by_kind(Scope<Body, false>{disks.data(), properties, pairing, near, now},
-                       arguments...);
-    else
-        search_by_kind(Scope<Body, true>{disks.data(), properties, pairing, near, now},
-                       arguments...);
+        return search_by_kind(Scope<Body, false>{disks.data(), properties, pairing, near, now},
+                              arguments...);
+    return search_by_kind(Scope<Body, true>{disks.data(), properties, pairing, near, now},
+                          arguments...);
 }
 
 }  // namespace
@@ -290,35 +297,35 @@ Pairing Pairing::shifted(double x, double y) {
 }
 
 CAROM_FOR_PROCESSORS_WITH_FMA
-void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
+bool search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
-    search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now}, i, count,
-                   first);
+    return search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now}, i,
+                          count, first);
 }
 
 CAROM_FOR_PROCESSORS_WITH_FMA
-void search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
+bool search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first) {
-    search_falling(disks, properties, pairing, near, now, i, count, first);
+    return search_falling(disks, properties, pairing, near, now, i, count, first);
 }
 
 CAROM_FOR_PROCESSORS_WITH_FMA
-void search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
+bool search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts) {
-    search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now}, both,
-                   split, count, firsts);
+    return search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now},
+                          both, split, count, firsts);
 }
 
 CAROM_FOR_PROCESSORS_WITH_FMA
-void search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
+bool search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts) {
-    search_falling(disks, properties, pairing, near, now, both, split, count, firsts);
+    return search_falling(disks, properties, pairing, near, now, both, split, count, firsts);
 }
 
 }  // namespace carom

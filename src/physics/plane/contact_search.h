@@ -39,9 +39,7 @@ struct Pairing {
 /// A predicted contact, in a form that a search can replace by an earlier one without branches.
 struct FirstContact {
     double time = never<double>;
-    std::uint64_t who = 0;          ///< the partner and, in the upper half, its count of collisions
-    double second = never<double>;  ///< not later than the earliest contact with another partner
-                                    ///< that was found, unless both are `never`
+    std::uint64_t who = 0;  ///< the partner and, in the upper half, its count of collisions
 
     FirstContact() = default;
     FirstContact(double at, std::int32_t partner, std::uint32_t collisions)
@@ -57,25 +55,25 @@ inline constexpr std::size_t most_searched = 64;
 /// Replaces `first` by the earliest contact of disk i with the disks listed in `near`, if that
 /// comes before it; among equal times the lowest number counts. `count` <= most_searched is a whole
 /// number of lanes; i itself may be listed and is never met. Contacts with a disk that has an
-/// earlier contact, by more than the margin, are left out, because that disk will predict again
-/// after it. If the disks may
-/// fall, all of them do, with the acceleration of `pairing`.
-void search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
+/// earlier contact are left out, because that disk will predict again after it. Returns whether
+/// another contact that was found may coincide with the first. If the disks may fall, all of them
+/// do, with the acceleration of `pairing`.
+bool search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first);
-void search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
+bool search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
                     double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
                     FirstContact& first);
 
 /// The same for two disks, at the same time, that cannot be each other's next partner: the first
 /// `split` entries of `near` belong to the first disk and the others to the second, each a whole
 /// number of lanes. The processor overlaps the two searches, which would otherwise wait for each
-/// other.
-void search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
+/// other. Returns whether contacts of either may coincide.
+bool search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts);
-void search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
+bool search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
                          std::size_t split, std::size_t count, const Pairing& pairing,
                          std::array<FirstContact, 2>& firsts);

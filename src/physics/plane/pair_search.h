@@ -145,12 +145,6 @@ class PairSearch {
         grid_ = CellGrid(part, radii);
     }
 
-    /// Notes the first contact of a disk if its second may coincide with it.
-    void notice(const FirstContact& first) {
-        if (first.second - first.time <= coincidences_.margin()) [[unlikely]]
-            coincidences_.note(first.time);
-    }
-
     Box box_;
     CellGrid grid_;
     Coincidences coincidences_;
@@ -171,9 +165,10 @@ class PairSearch {
                               Scalar& y) const;
     void fill_grid(const Bodies& bodies);
     void fill_up_lanes(std::int32_t i);
-    void search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
+    bool search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
                 FirstContact& first);
-    auto search_slots(const Bodies& bodies, std::int32_t i, double now, FirstContact& first);
+    auto search_slots(const Bodies& bodies, std::int32_t i, double now, FirstContact& first,
+                      bool& may_coincide);
     const Pairing& pairing_near(Cell cell) const;
     template <std::size_t usual>
     void fetch_listed(const Bodies& bodies);
@@ -254,20 +249,22 @@ inline void PairSearch<Body>::fill_up_lanes(std::int32_t i) {
     near_count_ = std::max(lanes, (near_count_ + lanes - 1) / lanes * lanes);
 }
 
-// The earliest contact with one of the listed disks.
+// The earliest contact with one of the listed disks. Returns whether two contacts may coincide.
 template <typename Body>
-[[gnu::always_inline]] inline void PairSearch<Body>::search(const Bodies& bodies, std::int32_t i,
+[[gnu::always_inline]] inline bool PairSearch<Body>::search(const Bodies& bodies, std::int32_t i,
                                                             double now, const Pairing& pairing,
                                                             FirstContact& first) {
     fill_up_lanes(i);
     const std::size_t count = near_count_;
     near_count_ = 0;
     std::size_t k = 0;
+    bool may_coincide = false;
     do {
-        search_contact(bodies, properties_, i, now, &near_[k], std::min(count - k, most_searched),
-                       pairing, first);
+        may_coincide |= search_contact(bodies, properties_, i, now, &near_[k],
+                                       std::min(count - k, most_searched), pairing, first);
         k += most_searched;
     } while (k < count);
+    return may_coincide;
 }
 
 // The pairing for disks in the surrounding cells.
@@ -283,14 +280,14 @@ template <typename Body>
 // are empty.
 template <typename Body>
 inline auto PairSearch<Body>::search_slots(const Bodies& bodies, std::int32_t i, double now,
-                                           FirstContact& first) {
+                                           FirstContact& first, bool& may_coincide) {
     return [&, i, now](const CellGrid::Slots& slots, double shift_x, double shift_y) {
         grid_.append(slots, near_, near_count_);
         if (near_count_ == 0) return;
         Pairing pairing = Pairing::shifted(shift_x, shift_y);
         pairing.gravity = only_.gravity;
         pairing.margin = only_.margin;
-        search(bodies, i, now, pairing, first);
+        may_coincide |= search(bodies, i, now, pairing, first);
     };
 }
 
@@ -301,13 +298,15 @@ template <typename Body>
     const Cell cell = at(bodies, i).cell;
     const double radius = properties_[i].radius;
     FirstContact first;
+    bool may_coincide = false;
     if (grid_.plain(radius)) {
         grid_.append_around(cell, near_, near_count_);
-        search(bodies, i, now, pairing_near(cell), first);
+        may_coincide = search(bodies, i, now, pairing_near(cell), first);
     } else {
-        grid_.for_each_near(radius, cell, search_slots(bodies, i, now, first));
+        grid_.for_each_near(radius, cell, search_slots(bodies, i, now, first, may_coincide));
     }
-    notice(first);
+    if (may_coincide) [[unlikely]]
+        coincidences_.note(first.time);
     return first;
 }
 
@@ -327,10 +326,11 @@ template <typename Body>
     near_count_ = 0;
     if (count > most_searched) return false;
     const bool at_edge = pairing_near(a).several_images || pairing_near(b).several_images;
-    search_two_contacts(bodies, properties_, {i, j}, now, near_.data(), split, count,
-                        at_edge ? nearest_ : only_, contacts);
-    notice(contacts[0]);
-    notice(contacts[1]);
+    if (search_two_contacts(bodies, properties_, {i, j}, now, near_.data(), split, count,
+                            at_edge ? nearest_ : only_, contacts)) [[unlikely]] {
+        coincidences_.note(contacts[0].time);
+        coincidences_.note(contacts[1].time);
+    }
     return true;
 }
 
@@ -341,13 +341,16 @@ template <typename Body>
     const Prediction& before = a.prediction;
     FirstContact first(before.contact_time, before.partner, before.partner_collisions);
     const double radius = properties_[i].radius;
+    bool may_coincide = false;
     if (grid_.plain(radius)) {
         grid_.append_newly_around(a.cell, side, near_, near_count_);
-        search(bodies, i, now, pairing_near(a.cell), first);
+        may_coincide = search(bodies, i, now, pairing_near(a.cell), first);
     } else {
-        grid_.for_each_newly_near(radius, a.cell, side, search_slots(bodies, i, now, first));
+        grid_.for_each_newly_near(radius, a.cell, side,
+                                  search_slots(bodies, i, now, first, may_coincide));
     }
-    notice(first);
+    if (may_coincide) [[unlikely]]
+        coincidences_.note(first.time);
     return first;
 }
 

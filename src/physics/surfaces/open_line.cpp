@@ -32,7 +32,7 @@ Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& n
         const Barrier& end = surfaces_.barriers()[k];
         if (i != (end.surface == 0 ? 0 : this->last())) continue;
         const Scalar time = now + surfaces_.time_to(body, static_cast<std::int32_t>(k), now);
-        this->notice(time, first);
+        first.notice(time);
         if (!(time < first.time)) continue;
         first.time = time;
         first.contact_time = rounded_down(time);
@@ -40,8 +40,7 @@ Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& n
         first.partner_collisions = surfaces_.changes_of(end) & most_collisions;
     }
     if (this->is_periodic()) this->predict_end(bodies, i, now, first);
-    body.prediction = first;
-    return std::move(first.time);
+    return this->take(first, body);
 }
 
 template <typename Scalar>

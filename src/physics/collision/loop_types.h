@@ -69,8 +69,8 @@ struct Event : Prediction {
 
     /// To be called for each event that is found, before it may replace the first one.
     [[gnu::always_inline]] void notice(const Scalar& another) {
-        second = std::min(second,
-                          std::max(static_cast<double>(time), static_cast<double>(another)));
+        second =
+            std::min(second, std::max(static_cast<double>(time), static_cast<double>(another)));
     }
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "util/text.h"
@@ -65,8 +66,6 @@ double half_line_height(const TextStyle& style) {
     constexpr double cap_height = 0.727;  // of Inter, in ems
     return 0.5 * cap_height * style.size;
 }
-
-constexpr double line_of_title = 1.15;  // ems, from the labels to the title below
 
 double gap_to_label(const AxisStyle& style) { return 0.35 * style.label.size; }
 
@@ -129,9 +128,38 @@ std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style
     return marks;
 }
 
+// Where the title ends in the row of labels: in the rightmost gap with room for it. Labels give way
+// to it, the last but one first, then the last; if it is wider than the axis, all of them.
+std::optional<double> end_of_title(std::vector<TickMark>& marks, const Scale& scale,
+                                   const AxisStyle& style, double width) {
+    const double air = 0.6 * style.label.size, right = std::max(scale.from, scale.to);
+    const auto place = [&]() -> std::optional<double> {
+        double end = right;
+        for (std::size_t i = marks.size(); i-- > 0;) {
+            if (marks[i].label.empty()) continue;
+            const auto [from, to] = span_of(marks[i], scale, style.label);
+            if (end - width >= to + air) return end;
+            end = std::min(end, from - air);
+        }
+        return {};
+    };
+    const auto labelled = [&] {
+        std::vector<TickMark*> all;
+        for (TickMark& mark : marks)
+            if (!mark.label.empty()) all.push_back(&mark);
+        return all;
+    };
+    while (true) {
+        if (const auto end = place()) return end;
+        const std::vector<TickMark*> all = labelled();
+        if (all.empty()) return right;
+        all[all.size() > 2 ? all.size() - 2 : all.size() - 1]->label.clear();
+    }
+}
+
 std::vector<TickMark> fitting_y_ticks(const Scale& scale, const AxisStyle& style) {
     const double room = std::abs(scale.to - scale.from) / (1.5 * style.label.size);
-    const int most = std::clamp(static_cast<int>(room) + 1, 2, 5);
+    const int most = std::clamp(static_cast<int>(room) + 1, 2, 4);
     std::vector<TickMark> marks =
         localised(style.language, style.decades ? decade_ticks(scale.low, scale.high, most)
                                                 : ticks(scale.low, scale.high, most, style.whole));
@@ -213,8 +241,8 @@ double round_up_for_axis(double value) {
 }
 
 double x_axis_space(const AxisStyle& style) {
-    return style.tick_length + gap_to_label(style) + 2 * half_line_height(style.label) +
-           line_of_title * style.title.size;
+    return style.below + style.tick_length + gap_to_label(style) +
+           2 * half_line_height(style.label);
 }
 
 double y_axis_space(const Scale& scale, const AxisStyle& style) {
@@ -226,22 +254,24 @@ double y_axis_space(const Scale& scale, const AxisStyle& style) {
 
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style) {
-    const double y = area.bottom();
+    const double line = area.bottom(), y = line + style.below;
     TextStyle label = style.label;
     label.align = Align::center;
-    const double baseline =
-        y + style.tick_length + gap_to_label(style) + 2 * half_line_height(label);
+    const double baseline = line + x_axis_space(style);
     draw_level_line(canvas, area.x - 0.5 * style.line_width, area.right() + 0.5 * style.line_width,
-                    y, style);
-    for (const TickMark& mark : fitting_x_ticks(scale, style)) {
+                    line, style);
+    std::vector<TickMark> marks = fitting_x_ticks(scale, style);
+    const double width = title.empty() ? 0.0 : measure_text(title, style.title).width;
+    const auto end = title.empty() ? std::nullopt : end_of_title(marks, scale, style, width);
+    for (const TickMark& mark : marks) {
         draw_upright_line(canvas, scale(mark.value), y, y + style.tick_length, style);
         const LabelSpan span = span_of(mark, scale, label);
         draw_text(canvas, {0.5 * (span.left + span.right), baseline}, mark.label, label);
     }
-    if (title.empty()) return;
+    if (!end) return;
     TextStyle words = style.title;
     words.align = Align::right;
-    draw_text(canvas, {area.right(), baseline + line_of_title * style.title.size}, title, words);
+    draw_text(canvas, {*end, baseline}, title, words);
 }
 
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const AxisStyle& style) {
@@ -253,6 +283,11 @@ void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const Axi
     for (const TickMark& mark : fitting_y_ticks(scale, style)) {
         const double y = scale(mark.value);
         draw_level_line(canvas, x - style.tick_length, x, y, style);
+        if (style.grid && std::abs(y - area.bottom()) > style.line_width) {
+            AxisStyle thin = style;
+            thin.line = *style.grid;
+            draw_level_line(canvas, x + 0.5 * style.line_width, area.right(), y, thin);
+        }
         draw_text(canvas,
                   {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
                   mark.label, label);

@@ -2,6 +2,7 @@
 // each axis.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,18 +50,21 @@ struct AxisStyle {
     TextStyle label;  ///< of the tick labels
     TextStyle title;  ///< of the title at its end
     Color line;
-    bool whole = false;    ///< ticks of linear axes at whole numbers only
+    std::optional<Color> grid = {};  ///< lines across the area at the ticks of a vertical axis
+    double below = 0;    ///< space between a horizontal axis and its ticks, for a scale of colours
+    bool whole = false;  ///< ticks of linear axes at whole numbers only
     bool decades = false;  ///< for a vertical axis: its scale maps decimal logarithms
     Language language = Language::english;  ///< language of the numbers
 };
 
-/// The height that an x axis with a title needs below its area, and the width that a y axis needs
-/// to the left of its area.
+/// The height that an x axis needs below its area, and the width that a y axis needs to the left of
+/// its area.
 double x_axis_space(const AxisStyle& style);
 double y_axis_space(const Scale& scale, const AxisStyle& style);
 
 /// Draws a horizontal axis along the bottom edge of `area`, with ticks and labels below it, and
-/// `title` (markup) below the labels at the right end.
+/// `title` (markup) in the row of the labels, in the rightmost gap with room for it; labels give
+/// way to it.
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style);
 

@@ -54,19 +54,22 @@ Color speed_class_color(std::size_t index, const Theme& theme);
 Color color_beside(std::string_view name, const Theme& theme);
 
 /// A cyclic map of directions, counterclockwise from the right; the last colour equals the first.
-/// All viewers can tell right and left apart, blue and yellow or orange.
+/// All viewers can tell right and left apart, blue and coral.
 ColorMap direction_map(const Theme& theme);
 
 /// Greys from light to dark in even steps of lightness, for print; all are far from black.
 ColorMap grey_map();
 
-/// Colours for kinds of particles, close to those of Okabe and Ito, in a fixed order for each
-/// theme; greys in print. They repeat after six, in print after four. Pale greys need an edge (see
+/// Colours for kinds of particles, in a fixed order for each theme: blue, coral (so that of a cold
+/// and a hot kind the latter is warm), green, violet and two with little colour; greys in print.
+/// They repeat after six, in print after four. All viewers can tell them from each other and, in
+/// colour, from the theory curve, whose hue none of them has. Pale greys need an edge (see
 /// edge_of).
 Color kind_color(std::size_t index, const Theme& theme);
 
 /// The colours of kind_color(), ordered by their distance from all of `others`, from words and from
-/// curves of theory, farthest first: for kinds in a picture where the others have another meaning.
+/// curves of theory, farthest first, but of the first two the bluer first: for kinds in a picture
+/// where the others have another meaning.
 std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme);
 
 }  // namespace carom

@@ -11,12 +11,15 @@ namespace carom {
 enum class ThemeKind { light, dark, print };
 
 /// Every text colour has a contrast of at least 4.5 with page and ground, and every other colour
-/// that carries meaning at least 3 (WCAG 2.2, 1.4.3 and 1.4.11).
+/// that carries meaning at least 3 (WCAG 2.2, 1.4.3 and 1.4.11); grid lines carry none. A role that
+/// has a hue has the same hue in all themes but print, which is grey.
 struct Theme {
     Color page;       ///< behind everything
     Color ground;     ///< inside the gas's box and behind panels that want one
     Color ink;        ///< titles, numbers, the ring of a chosen particle
+    Color second;     ///< numbers at ticks, and other words that are read after the ink's
     Color muted;      ///< subtitles, labels, axes, reference marks
+    Color grid;       ///< thin lines across plots, behind everything in them
     Color accent;     ///< the theory curve, and nothing else
     Color bar;        ///< bars of histograms, and words about them
     Color wall;       ///< the line around the gas

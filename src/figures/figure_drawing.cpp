@@ -108,7 +108,7 @@ void draw_gas(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, cons
     const double top = std::max(first.area.y, std::min(box.y, end - least * u));
     const double bottom = std::max(box.bottom(), std::min(end, top + least * u));
     figure.panel->draw_key(
-        canvas, {{right, top, key_width * u, bottom - top}, u, dc.theme, dc.disks}, first);
+        canvas, {{{right, top, key_width * u, bottom - top}, u, dc.theme, dc.disks}, first});
 }
 
 Rect plot_in(const Sheet& sheet, double unit) {

@@ -9,6 +9,7 @@
 #include "panels/callouts/fade.h"
 #include "panels/gas/marks/ghosts.h"
 #include "panels/layout.h"
+#include "panels/words/monitors_panel.h"
 
 namespace carom {
 
@@ -28,6 +29,7 @@ FramePainter::FramePainter(const PanelSet& panels)
       grid_(scene_.film.layout, scene_.film.size),
       unit_(grid_.unit()),
       captions_(caption_schedule(scene_)),
+      subtitle_(subtitle_showing(scene_)),
       callouts_(panels),
       ground_(blank(scene_.film)),
       canvas_(blank(scene_.film)) {}
@@ -63,21 +65,45 @@ void FramePainter::prepare_ground(const std::vector<double>& opacities) {
 
 void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacities) {
     if (!scene_.film.transparent) canvas.fill_all(theme_.page);
-    draw_title(canvas);
+    const Panel::Key key = this->key();
+    panels_.gas().draw_key(canvas, key);
+    draw_title(canvas, end_of_title(key));
     for (std::size_t i = 0; i < opacities.size(); ++i) {
         const PanelSet::Placed& placed = panels_.panels()[i];
-        if (opacities[i] == 1.0) placed.panel->draw_ground(canvas, context_at(placed.slot));
+        if (opacities[i] == 1.0 && !placed.is_over_gas)
+            placed.panel->draw_ground(canvas, context_at(placed.slot));
     }
-    const DrawContext key = context_at(scene_.film.layout.color_bar);
+}
+
+// Before a key in the same line.
+double FramePainter::end_of_title(const Panel::Key& key) const {
+    const Rect title = grid_.place(scene_.film.layout.title);
+    const Rect its = key.is_row ? panels_.gas().place_of_key(key) : key.at.area;
+    const bool is_in_line = its.width > 0.0 && its.y < title.bottom() && title.y < its.bottom() &&
+                            its.x < title.right() && its.x > title.x;
+    return is_in_line ? its.x - 1.2 * unit_ : before_numbers(title).right();
+}
+
+// Upright beside the box, or in a line.
+Panel::Key FramePainter::key() {
+    const auto& panels = panels_.panels();
+    Panel::Key key{context_at(scene_.film.layout.color_bar), context_at(panels.front().slot),
+                   is_one_line(scene_.film.layout.color_bar)};
+    key.has_ramp = std::ranges::none_of(
+        panels, [](const PanelSet::Placed& placed) { return placed.panel->explains_colors(); });
+    if (key.is_row) {
+        key.at.area = before_numbers(key.at.area);
+        return key;
+    }
     const std::vector<Rect> boxes = panels_.boxes(grid_);
     const Rect &first = boxes.front(), &last = boxes.back();
     // Not across the lines of words under boxes that stand one above the other.
     const bool is_stacked = last.y > first.y;
-    const double left = is_stacked ? key.area.x : last.right() + 0.8 * unit_;
-    const Rect beside{left, first.y, std::max(key.area.width, key.area.right() - left),
-                      std::min(last.bottom(), key.area.bottom()) - first.y};
-    panels_.gas().draw_key(canvas, {beside, unit_, theme_, disks_},
-                           context_at(panels_.panels().front().slot));
+    Rect& area = key.at.area;
+    const double left = is_stacked ? area.x : last.right() + 0.8 * unit_;
+    area = {left, first.y, std::max(area.width, area.right() - left),
+            std::min(last.bottom(), area.bottom()) - first.y};
+    return key;
 }
 
 DrawContext FramePainter::context_at(const Slot& slot) {
@@ -87,7 +113,7 @@ DrawContext FramePainter::context_at(const Slot& slot) {
 // The title is set in one line, smaller if necessary; if that does not suffice, in two lines as
 // large as the place allows.
 FramePainter::SetTitle FramePainter::set_title(const Rect& area) const {
-    constexpr double largest = 1.5, smallest_in_one = 1.2, smallest = 1.0;  // units
+    constexpr double largest = 1.73, smallest_in_one = 1.3, smallest = 1.0;  // units
     TextStyle style{.size = largest * unit_,
                     .weight = 600,
                     .color = theme_.ink,
@@ -100,7 +126,7 @@ FramePainter::SetTitle FramePainter::set_title(const Rect& area) const {
         style.max_width *= 1.0 + 1e-3;  // letters are set at whole sizes
         return {style, {scene_.title}};
     }
-    const double room = area.height - (scene_.subtitle.empty() ? 0.0 : subtitle_line * unit_);
+    const double room = area.height - (has_subtitle_in_title() ? subtitle_line * unit_ : 0.0);
     for (style.size = std::min(style.size, room / (2.0 * title_line));; style.size *= 0.95) {
         const bool is_smallest = style.size <= smallest * unit_;
         if (is_smallest) style.size = smallest * unit_;
@@ -111,15 +137,23 @@ FramePainter::SetTitle FramePainter::set_title(const Rect& area) const {
     }
 }
 
-// Draws title and subtitle; the subtitle gets the lines that the title leaves.
-void FramePainter::draw_title(Canvas& canvas) const {
-    const Rect area = grid_.place(scene_.film.layout.title);
+// Where there is no place for captions, which has it at the start.
+bool FramePainter::has_subtitle_in_title() const {
+    return !scene_.subtitle.empty() && !scene_.film.layout.caption;
+}
+
+// Draws the title as far as `end`, and the subtitle in the lines that
+// the title leaves.
+void FramePainter::draw_title(Canvas& canvas, double end) const {
+    Rect area = grid_.place(scene_.film.layout.title);
+    area.width = end - area.x;
     const SetTitle title = set_title(area);
     double y = area.y;
     for (const std::string& words : title.lines) {
         draw_text(canvas, {area.x, y + 0.9 * title.style.size}, escape_markup(words), title.style);
         y += title_line * title.style.size;
     }
+    if (!has_subtitle_in_title()) return;
     const TextStyle style{.size = 1.05 * unit_,
                           .weight = 400,
                           .color = theme_.muted,
@@ -156,7 +190,12 @@ std::vector<std::string> FramePainter::cut_words() {
         draw();
         if (std::ranges::any_of(log.lines, &DrawnLine::is_cut)) cut.push_back(what);
     };
-    add("the title or the subtitle", [&] { draw_title(scratch); });
+    add("the title or the subtitle", [&] {
+        draw_title(scratch, before_numbers(grid_.place(scene_.film.layout.title)).right());
+    });
+    if (subtitle_)
+        add(fmt::format("the subtitle “{}”", scene_.subtitle),
+            [&] { draw_caption(scratch, scene_.subtitle, 1.0); });
     for (const CaptionSpan& caption : captions_)
         if (!caption.words.empty())
             add(fmt::format("the caption “{}”", caption.words),
@@ -201,24 +240,59 @@ std::vector<std::string> FramePainter::cut_words() {
     return cut;
 }
 
-// Draws a panel that is fading in or out. On raster canvases only, since stills show panels at full
-// opacity.
+// Draws a panel that is fading in or out; over the gas, its bars grow meanwhile. On raster canvases
+// only, since stills show panels at full opacity.
 void FramePainter::draw_fading(Canvas& canvas, const PanelSet::Placed& placed,
                                const PanelState& state, double opacity) {
-    const DrawContext dc = context_at(placed.slot);
+    DrawContext dc = context_at(placed.slot);
     const double around = 2.0 * unit_;
     Fade fade(canvas, {dc.area.x - around, dc.area.y - around, dc.area.width + 2.0 * around,
                        dc.area.height + 2.0 * around});
+    if (placed.is_over_gas) dc.growth = opacity * opacity * (3.0 - 2.0 * opacity);
+    draw_whole(canvas, placed, dc, state);
+    fade.leave(opacity);
+}
+
+// A panel that is not in the ground.
+void FramePainter::draw_whole(Canvas& canvas, const PanelSet::Placed& placed, const DrawContext& dc,
+                              const PanelState& state) {
+    if (placed.is_over_gas) {
+        const double out = plate_margin * unit_;
+        draw_plate(canvas, {dc.area.x - out, dc.area.y - out, dc.area.width + 2.0 * out,
+                            dc.area.height + 2.0 * out});
+    }
     placed.panel->draw_ground(canvas, dc);
     placed.panel->draw(canvas, dc, state);
-    fade.leave(opacity);
+}
+
+// Dims what lies under a panel; toward its edges less and less.
+void FramePainter::draw_plate(Canvas& canvas, const Rect& area) const {
+    constexpr int rings = 12;
+    constexpr double dimmed = 0.82, feather = 0.8;  // share; units
+    const double step = feather * unit_ / rings;
+    const auto ring = [&](int k) {
+        const double in = k * step;
+        return Rect{area.x + in, area.y + in, area.width - 2.0 * in, area.height - 2.0 * in};
+    };
+    for (int k = 0; k < rings; ++k) {
+        const double share = (k + 0.5) / rings;
+        const Color color = with_alpha(theme_.page, dimmed * share * share * (3.0 - 2.0 * share));
+        const Rect outer = ring(k), inner = ring(k + 1);
+        canvas.fill({outer.x, outer.y, outer.width, inner.y - outer.y}, color);
+        canvas.fill({outer.x, inner.bottom(), outer.width, outer.bottom() - inner.bottom()}, color);
+        canvas.fill({outer.x, inner.y, inner.x - outer.x, inner.height}, color);
+        canvas.fill({inner.right(), inner.y, outer.right() - inner.right(), inner.height}, color);
+    }
+    canvas.fill(ring(rings), with_alpha(theme_.page, dimmed));
 }
 
 void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
                                  const std::vector<double>& opacities, bool still) {
     for (std::size_t i = 0; i < frame.states.size(); ++i) {
         const PanelSet::Placed& placed = panels_.panels()[i];
-        if (opacities[i] == 1.0)
+        if (opacities[i] == 1.0 && placed.is_over_gas)
+            draw_whole(canvas, placed, context_at(placed.slot), *frame.states[i]);
+        else if (opacities[i] == 1.0)
             placed.panel->draw(canvas, context_at(placed.slot), *frame.states[i]);
         else if (opacities[i] > 0.0)
             draw_fading(canvas, placed, *frame.states[i], opacities[i]);
@@ -297,6 +371,10 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
 }
 
 void FramePainter::draw_captions(Canvas& canvas, const Tick& tick, bool still) const {
+    if (subtitle_) {
+        const double alpha = opacity(*subtitle_, scene_.film, tick.frame, caption_fade_seconds);
+        if (alpha > 0.0) draw_caption(canvas, scene_.subtitle, still ? 1.0 : alpha);
+    }
     for (const CaptionSpan& caption : captions_) {
         const double alpha = opacity(caption, scene_.film, tick.frame, caption_fade_seconds);
         if (alpha > 0.0 && !caption.words.empty())
@@ -304,33 +382,66 @@ void FramePainter::draw_captions(Canvas& canvas, const Tick& tick, bool still) c
     }
 }
 
-// Draws a caption in one line, smaller if that avoids cutting it; centred on the gas if nothing is
-// beside the gas.
+// What numbers and the clock leave of a line in which they stand, too.
+Rect FramePainter::before_numbers(Rect line) const {
+    for (const PanelSet::Placed& placed : panels_.panels()) {
+        if (dynamic_cast<const MonitorsPanel*>(placed.panel.get()) == nullptr) continue;
+        const Rect filled = placed.panel->frame_in(grid_.place(placed.slot), unit_);
+        const bool is_in_line = filled.y < line.bottom() && line.y < filled.bottom() &&
+                                filled.x < line.right() && filled.x > line.x;
+        if (is_in_line) line.width = filled.x - 1.2 * unit_ - line.x;
+    }
+    return line;
+}
+
+// As large as the place allows.
+void FramePainter::draw_lines_of_caption(Canvas& canvas, const std::string& words,
+                                         const Rect& place, TextStyle style) const {
+    constexpr double line_of_caption = 1.2;  // of the size of its letters
+    style.max_width = place.width * (1.0 + 1e-3);
+    for (;; style.size *= 0.95) {
+        const bool is_smallest = style.size <= unit_;
+        if (is_smallest) style.size = unit_;
+        const auto most = static_cast<std::size_t>(
+            std::max(1.0, std::floor(place.height / (line_of_caption * style.size) + 1e-6)));
+        const std::vector<std::string> lines = wrapped_words(words, style, most);
+        TextStyle whole = style;
+        whole.max_width = 0.0;
+        if (!is_smallest && measure_words(lines.back(), whole).width > place.width) continue;
+        double y = place.y;
+        for (const std::string& line : lines) {
+            const auto [above, height] = line_height_of(line, style, line_of_caption);
+            draw_words(canvas, {place.x, y + above}, line, style);
+            y += height;
+        }
+        return;
+    }
+}
+
+// Draws a caption from the left, in as many lines as its place has room for, smaller if that avoids
+// cutting it.
 void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double alpha) const {
-    const LayoutSpec& layout = scene_.film.layout;
-    const Rect line = grid_.place(*layout.caption);
-    const Rect place = grid_.place(layout.gas);
-    const Rect box = panels_.gas().frame_in(place, unit_);
-    TextStyle style{.size = 1.3 * unit_,
+    constexpr double largest = 1.47, smallest = 1.0, line_of_caption = 1.2;  // units; of its size
+    const Rect place = before_numbers(grid_.place(*scene_.film.layout.caption));
+    TextStyle style{.size = largest * unit_,
                     .weight = 500,
                     .color = with_alpha(theme_.ink, alpha),
                     .tabular = false};
+    const double in_one = place.width / measure_words(words, style).width * style.size;
+    const bool has_more_lines = place.height >= 2.0 * line_of_caption * smallest * unit_;
+    if (has_more_lines && in_one < (place.height > 3.0 * unit_ ? largest : smallest) * unit_)
+        return draw_lines_of_caption(canvas, words, place, style);
     const TextExtent whole = measure_words(words, style);
     const bool has_formula = words.find('$') != std::string::npos;
-    const double share = std::min(line.width / whole.width,
-                                  has_formula ? line.height / (whole.ascent + whole.descent) : 1.0);
+    const double share =
+        std::min(place.width / whole.width,
+                 has_formula ? place.height / (whole.ascent + whole.descent) : 1.0);
     style.size = std::max(unit_, std::min(1.0, share) * style.size);
-    style.max_width = line.width * (1.0 + 1e-3);  // letters are set at whole sizes
-    const bool centered = box.x > place.x;
+    style.max_width = place.width * (1.0 + 1e-3);  // letters are set at whole sizes
     const TextExtent extent = measure_words(words, style);
-    const double half = 0.5 * std::min(line.width, extent.width);
-    const double middle =
-        std::max(line.x + half, std::min(box.x + 0.5 * box.width, line.right() - half));
     const double below_middle =
         has_formula ? 0.5 * (extent.ascent - extent.descent) : 0.36 * style.size;
-    draw_words(canvas,
-               {centered ? middle - half : line.x, line.y + 0.5 * line.height + below_middle},
-               words, style);
+    draw_words(canvas, {place.x, place.y + 0.5 * place.height + below_middle}, words, style);
 }
 
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
@@ -346,10 +457,13 @@ void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
                         .color = with_alpha(theme_.ink, alpha),
                         .align = Align::center};
         const double padding = 3.0 * unit_;
+        const bool is_covered = std::ranges::any_of(
+            panels_.panels(), [](const PanelSet::Placed& placed) { return placed.is_over_gas; });
+        const double middle = box.y + (is_covered ? 0.25 : 0.5) * box.height;
         style.size *= std::min(1.0, box.width / (measure_text(words, style).width + padding));
         const double width = measure_text(words, style).width + padding;
-        const Rect plate{box.x + 0.5 * (box.width - width), box.y + 0.5 * box.height - 2.0 * unit_,
-                         width, 4.0 * unit_};
+        const Rect plate{box.x + 0.5 * (box.width - width), middle - 2.0 * unit_, width,
+                         4.0 * unit_};
         canvas.fill(plate, with_alpha(theme_.page, 0.82 * alpha));
         draw_text(canvas, {box.x + 0.5 * box.width, plate.y + 2.75 * unit_}, words, style);
     }

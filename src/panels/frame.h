@@ -49,7 +49,16 @@ class FramePainter {
     };
     SetTitle set_title(const Rect& area) const;
     void draw_ground(Canvas& canvas, const std::vector<double>& opacities);
-    void draw_title(Canvas& canvas) const;
+    void draw_title(Canvas& canvas, double end) const;
+    bool has_subtitle_in_title() const;
+    Panel::Key key();
+    double end_of_title(const Panel::Key& key) const;
+    void draw_whole(Canvas& canvas, const PanelSet::Placed& placed, const DrawContext& dc,
+                    const PanelState& state);
+    void draw_plate(Canvas& canvas, const Rect& area) const;
+    Rect before_numbers(Rect line) const;
+    void draw_lines_of_caption(Canvas& canvas, const std::string& words, const Rect& place,
+                               TextStyle style) const;
     void draw_changing(Canvas& canvas, const FrameData& frame, const std::vector<double>& opacities,
                        bool still);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
@@ -66,6 +75,7 @@ class FramePainter {
     double unit_;
     DiskPainter disks_;
     std::vector<CaptionSpan> captions_;
+    std::optional<Showing> subtitle_;  ///< at the place of captions
     PlotCallouts callouts_;
     std::vector<bool> grounded_;  ///< the panels whose ground is in `ground_`
     Canvas ground_;               ///< what is the same in every frame that shows these panels

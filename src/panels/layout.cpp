@@ -8,36 +8,6 @@ namespace {
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-6; }
 
-// The number of places in the first row.
-std::size_t columns_of(const std::vector<Slot>& slots) {
-    std::size_t columns = 1;
-    while (columns < slots.size() && slots[columns].x > slots[columns - 1].x) ++columns;
-    return columns;
-}
-
-bool is_regular(const std::vector<Slot>& slots, std::size_t columns) {
-    if (slots.size() % columns != 0) return false;
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        const Slot& above = slots[i % columns];
-        const Slot& beside = slots[i - i % columns];
-        const bool fits = same(slots[i].x, above.x) && same(slots[i].width, above.width) &&
-                          same(slots[i].y, beside.y) && same(slots[i].height, beside.height);
-        if (!fits) return false;
-    }
-    return true;
-}
-
-struct Span {
-    double start, size;
-};
-
-// The part `index` of `count` equal ones with gaps between them.
-Span part(Span whole, double gap, std::size_t index, std::size_t count) {
-    const double size =
-        (whole.size - gap * static_cast<double>(count - 1)) / static_cast<double>(count);
-    return {whole.start + (size + gap) * static_cast<double>(index), size};
-}
-
 }  // namespace
 
 Grid::Grid(const LayoutSpec& layout, PictureSize size)
@@ -51,21 +21,18 @@ Rect Grid::place(const Slot& slot) const {
 
 std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count) {
     if (count == 0 || count >= slots.size()) return slots;
-    const std::size_t columns = columns_of(slots);
-    if (!is_regular(slots, columns)) return {slots.begin(), slots.begin() + std::ptrdiff_t(count)};
     const Slot &first = slots.front(), &last = slots.back();
-    const double beside = columns > 1 ? slots[1].x - (first.x + first.width) : 0.0;
-    const double below = columns < slots.size() ? slots[columns].y - (first.y + first.height) : 0.0;
-    const Span width{first.x, last.x + last.width - first.x};
-    const Span height{first.y, last.y + last.height - first.y};
-    const std::size_t rows = (count + columns - 1) / columns;
-    std::vector<Slot> shared;
+    const bool is_column = std::ranges::all_of(slots, [&](const Slot& slot) {
+        return same(slot.x, first.x) && same(slot.width, first.width) &&
+               same(slot.height, first.height);
+    });
+    std::vector<Slot> shared(slots.begin(), slots.begin() + std::ptrdiff_t(count));
+    if (!is_column) return shared;
+    const double gap = slots[1].y - (first.y + first.height);
+    const double height = (last.y + last.height - first.y + gap) / static_cast<double>(count);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t row = i / columns;
-        const std::size_t in_row = std::min(columns, count - row * columns);
-        const Span x = part(width, beside, i % columns, in_row);
-        const Span y = part(height, below, row, rows);
-        shared.push_back({x.start, y.start, x.size, y.size});
+        shared[i].y = first.y + height * static_cast<double>(i);
+        shared[i].height = height - gap;
     }
     return shared;
 }
@@ -91,6 +58,12 @@ std::vector<Slot> with_heights(std::vector<Slot> slots,
         slots[i].height = height;
     }
     return slots;
+}
+
+Slot on_plate(const Slot& slot, const LayoutSpec& layout, const Grid& grid) {
+    if (!is_within(slot, layout.gas)) return slot;
+    const double across = grid.width_of(plate_margin), up = grid.height_of(plate_margin);
+    return {slot.x + across, slot.y + up, slot.width - 2.0 * across, slot.height - 2.0 * up};
 }
 
 std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, const Grid& grid) {

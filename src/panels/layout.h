@@ -35,8 +35,14 @@ class Grid {
     double unit_;
 };
 
-/// The places of `count` panels, row by row. If there are fewer panels than places and these form a
-/// regular grid, the panels share its whole area; otherwise they take the first places.
+/// The width of the rim of the plate under a panel that lies over the gas, in units.
+inline constexpr double plate_margin = 1.2;
+
+/// The place of a panel on its plate if `slot` lies over the gas; otherwise `slot` itself.
+Slot on_plate(const Slot& slot, const LayoutSpec& layout, const Grid& grid);
+
+/// The places of `count` panels. If there are fewer panels than places and these form one column of
+/// equal places, the panels share its whole height; otherwise they take the first places.
 std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count);
 
 /// Adjusts places that form one column: a place for which `enough` (height in grid units; none:

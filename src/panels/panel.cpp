@@ -27,9 +27,11 @@ TextStyle title_style(const DrawContext& dc) {
 }
 
 AxisStyle axis_style(const DrawContext& dc) {
+    TextStyle numbers = label_style(dc);
+    numbers.color = dc.theme.second;
     return {.line_width = 0.07 * dc.unit,
             .tick_length = 0.3 * dc.unit,
-            .label = label_style(dc),
+            .label = numbers,
             .title = label_style(dc),
             .line = dc.theme.muted};
 }
@@ -37,7 +39,7 @@ AxisStyle axis_style(const DrawContext& dc) {
 Rect plot_area(const DrawContext& dc) {
     const double left = 3.0 * dc.unit;
     const double top = 2.5 * dc.unit;
-    const double bottom = 2.65 * dc.unit;
+    const double bottom = 1.65 * dc.unit;
     return {dc.area.x + left, dc.area.y + top, dc.area.width - left, dc.area.height - top - bottom};
 }
 

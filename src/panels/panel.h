@@ -65,7 +65,10 @@ struct DrawContext {
     double unit;  ///< pixels of one grid unit: the smallest size of text
     const Theme& theme;
     DiskPainter& disks;
+    double growth = 1.0;  ///< share of the height of bars that has grown, while a panel enters
 };
+
+class GasColors;
 
 class Panel {
   public:
@@ -163,9 +166,23 @@ class Panel {
         return {};
     }
 
-    /// Draws the key of the panel's colours and arrows into the area of `dc` beside it; `own` is
-    /// the context of the panel itself.
-    virtual void draw_key(Canvas&, const DrawContext&, const DrawContext& own) const { (void)own; }
+    /// Takes the colours of the gas in the same film, after all axes have been fixed.
+    virtual void take_colors(const GasColors&) {}
+
+    /// Whether the panel shows what the colours of the disks mean, so that no key has to.
+    virtual bool explains_colors() const { return false; }
+
+    /// The key of the panel's colours and arrows.
+    struct Key {
+        DrawContext at;        ///< its place
+        DrawContext own;       ///< that of the panel itself
+        bool is_row = false;   ///< in one line that ends at the right, instead of upright
+        bool has_ramp = true;  ///< with the scale of the disks' colours
+    };
+    virtual void draw_key(Canvas&, const Key&) const {}
+
+    /// The part of its place that a key in one line fills.
+    virtual Rect place_of_key(const Key& key) const { return key.at.area; }
 };
 
 /// Rejects what a scene asks of a panel: throws SceneError with the place in the scene file.

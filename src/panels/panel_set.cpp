@@ -90,15 +90,9 @@ PanelContext PanelSet::context_of(std::size_t run) const {
 // below, and the row shows the time only.
 void PanelSet::add_boxes(const LayoutSpec& layout) {
     const Film& film = scene().film;
-    const auto add_monitors = [&](const std::vector<Monitor>& numbers) {
-        if (layout.monitors)
-            panels_.push_back(
-                {*layout.monitors,
-                 make_monitors(context_of(own), {.kind = "monitors", .numbers = numbers})});
-    };
     if (runs_.size() == 1) {
         panels_.push_back({layout.gas, make_gas_panel(context_of(own))});
-        return add_monitors(film.monitors);
+        return add_numbers(layout, film.monitors);
     }
     const Box& box = scene().gas.box;
     const double shape = box.dimension == 1 ? 0.0 : box.size[1] / box.size[0];
@@ -114,7 +108,23 @@ void PanelSet::add_boxes(const LayoutSpec& layout) {
                            {},
                            run});
     }
-    add_monitors({Monitor::time});
+    add_numbers(layout, {Monitor::time});
+}
+
+// A clock and the other numbers, or all in one row.
+void PanelSet::add_numbers(const LayoutSpec& layout, std::vector<Monitor> numbers) {
+    const PanelContext context = context_of(own);
+    if (layout.clock) {
+        panels_.push_back({*layout.clock, make_clock(context)});
+        if (numbers.empty()) numbers = {Monitor::collisions};
+        std::erase(numbers, Monitor::time);
+        if (numbers.empty()) return;
+    }
+    if (!layout.monitors) return;
+    panels_.push_back(
+        {*layout.monitors, is_one_line(*layout.monitors)
+                               ? make_numbers_line(context, numbers)
+                               : make_monitors(context, {.kind = "monitors", .numbers = numbers})});
 }
 
 void PanelSet::add_film_panels(const LayoutSpec& layout) {
@@ -131,14 +141,63 @@ void PanelSet::add_film_panels(const LayoutSpec& layout) {
                       : nullptr);
     }
     const std::vector<Slot> slots =
-        with_heights(shared_slots(layout.panels, panels.size()), enough);
-    for (std::size_t i = 0; i < panels.size(); ++i)
-        panels_.push_back({slots[i], std::move(panels[i]), showing_of(scene(), i)});
+        with_heights(shared_slots(places_of_panels(layout), panels.size()), enough);
+    const Grid grid(layout, film.size);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        const bool is_over_gas = is_within(slots[i], layout.gas);
+        panels_.push_back({on_plate(slots[i], layout, grid), std::move(panels[i]),
+                           showing_of(scene(), i), own, is_over_gas});
+    }
+}
+
+// Places over the gas move with the lower right corner of the box. Where the box leaves enough of
+// its place free to the right, the first of them stands there instead.
+std::vector<Slot> PanelSet::places_of_panels(const LayoutSpec& layout) const {
+    constexpr double least_beside = 20.0, gap = 1.6, tallest = 0.8;  // units; of the width
+    std::vector<Slot> places = layout.panels;
+    const Grid grid(layout, scene().film.size);
+    const Rect box = boxes(grid).front(), whole = grid.place(layout.gas);
+    const double right = (whole.right() - box.right()) / whole.width * layout.gas.width;
+    const double below = (whole.bottom() - box.bottom()) / whole.height * layout.gas.height;
+    bool is_first = true;
+    for (Slot& place : places) {
+        if (!is_within(place, layout.gas)) continue;
+        const double end = layout.gas.x + layout.gas.width;
+        if (is_first && right >= grid.width_of(least_beside)) {
+            place.x = end - right + grid.width_of(gap);
+            place.width = end - place.x;
+            place.y = layout.gas.y;
+            place.height =
+                std::min(layout.gas.height - below, grid.shape_of(tallest) * place.width);
+        } else {
+            place.x -= right;
+            place.y -= below;
+        }
+        is_first = false;
+    }
+    return places;
 }
 
 double PanelSet::Placed::opacity(const Film& film, const Tick& tick) const {
-    constexpr double fade_seconds = 0.5;
-    return showing ? carom::opacity(*showing, film, tick.frame, fade_seconds) : 1.0;
+    constexpr double fade_seconds = 0.5, enter_seconds = 0.6;
+    return showing ? carom::opacity(*showing, film, tick.frame,
+                                    is_over_gas ? enter_seconds : fade_seconds)
+                   : 1.0;
+}
+
+// Panels over the gas enter at the first collision, unless the scene says when they are shown.
+void PanelSet::enter_over_gas() {
+    if (!is_film_ || !first_collision_) return;
+    for (Placed& placed : panels_)
+        if (placed.is_over_gas && !placed.showing)
+            placed.showing = showing(timeline(scene()), scene().film, {*first_collision_, {}});
+}
+
+// Those of the film's own run.
+void PanelSet::share_colors() {
+    if (const auto* gas = dynamic_cast<const ParticlePanel*>(panels_.front().panel.get());
+        gas && is_film_)
+        for (const Placed& placed : panels_) placed.panel->take_colors(gas->colors());
 }
 
 std::vector<Rect> PanelSet::boxes(const Grid& grid) const {
@@ -147,6 +206,13 @@ std::vector<Rect> PanelSet::boxes(const Grid& grid) const {
         if (dynamic_cast<ParticlePanel*>(placed.panel.get()) != nullptr)
             all.push_back(placed.panel->frame_in(grid.place(placed.slot), grid.unit()));
     return all;
+}
+
+double PanelSet::scale(const Grid& grid) const {
+    DiskPainter disks;
+    const Placed& box = panels_.front();
+    return dynamic_cast<const ParticlePanel&>(*box.panel)
+        .scale_in({grid.place(box.slot), grid.unit(), theme_of(scene().film.theme), disks});
 }
 
 // Calls f(panel, run) for each panel with the index of the run that it sees.
@@ -229,6 +295,8 @@ std::vector<double> PanelSet::return_times(std::size_t run, const std::vector<Ti
 void PanelSet::survey(std::size_t run, const SeenMoment& moment, const Sample& sample,
                       const AdvanceResult& advanced, std::span<const Collision> since_frame) {
     if (is_card(moment.tick.phase)) return;
+    if (run == own && moment.is_frame && !first_collision_ && advanced.counts.particle > 0)
+        first_collision_ = moment.tick.time;
     FrameInput now = runs_[run]->input(moment.tick, sample, advanced);
     now.is_frame = moment.is_frame;
     now.is_sample = moment.is_sample;
@@ -257,8 +325,12 @@ void PanelSet::survey(std::size_t run, const SeenMoment& moment, const Sample& s
 }
 
 void PanelSet::fix_axes() {
-    if (runs_.size() > 1) return fix_axes_of_both();
-    for (const Placed& placed : panels_) placed.panel->fix_axes();
+    if (runs_.size() > 1)
+        fix_axes_of_both();
+    else
+        for (const Placed& placed : panels_) placed.panel->fix_axes();
+    enter_over_gas();
+    share_colors();
 }
 
 // The boxes get common scales of colours and arrows, and each plot has common axes.
@@ -308,6 +380,10 @@ Recording PanelSet::record(std::size_t run, Simulation start, const std::vector<
 
 void PanelSet::archive(Archive& archive) {
     for_each_panel([&](Panel& panel, std::size_t) { panel.archive(archive); });
+    archive(first_collision_);
+    if (!archive.is_reading()) return;
+    enter_over_gas();
+    share_colors();
 }
 
 void PanelSet::archive_progress(Archive& archive) {

@@ -130,6 +130,8 @@ class PanelSet {
         std::unique_ptr<Panel> panel;
         std::optional<Showing> showing = {};  ///< none: always shown
         std::size_t run = 0;                  ///< that it sees: 0 the film's own, 1 the other one
+        bool is_over_gas = false;             ///< it lies on a plate over the gas, larger than
+                                              ///< its place by plate_margin
         /// The opacity of the panel in a frame, from 0 to 1.
         double opacity(const Film& film, const Tick& tick) const;
     };
@@ -143,6 +145,9 @@ class PanelSet {
 
     /// The rectangle of each run's box in a picture with this grid.
     std::vector<Rect> boxes(const Grid& grid) const;
+
+    /// The pixels per unit length in these boxes of a plane, where a camera shows the whole box.
+    double scale(const Grid& grid) const;
 
     /// The run that is shown in the box with this index in boxes().
     const carom::Run& run_in(std::size_t box) const { return runs_[box]->scene.run; }
@@ -163,6 +168,7 @@ class PanelSet {
 
     PanelContext context_of(std::size_t run) const;
     void add_boxes(const LayoutSpec& layout);
+    void add_numbers(const LayoutSpec& layout, std::vector<Monitor> numbers);
     void add_film_panels(const LayoutSpec& layout);
     void make_room(std::size_t run, const Sample& start);
     void share_ranges_of_lines();
@@ -177,12 +183,16 @@ class PanelSet {
     std::vector<double> return_times(std::size_t run, const std::vector<Tick>& ticks) const;
     void fix_axes_of_both();
     bool refreshes_readouts(const Tick& tick) const;
+    void enter_over_gas();
+    void share_colors();
+    std::vector<Slot> places_of_panels(const LayoutSpec& layout) const;
 
     std::vector<std::unique_ptr<Run>> runs_;  ///< one, or the film's own and the other
     std::vector<Placed> panels_;
     std::vector<std::unique_ptr<Panel>>
         of_other_;  ///< for each panel of a film with two runs, the panel of the other one
     std::optional<Recording::Player> beside_;
+    std::optional<double> first_collision_;  ///< simulated time of the first frame after it
     bool is_film_ = true;
 };
 

@@ -31,6 +31,15 @@ DrawContext PlotCallouts::context_of(const One& one) {
             theme_of(panels_.scene().film.theme), disks_};
 }
 
+// Over the plate of a panel that lies over the gas, where there is no room in the plot.
+Rect PlotCallouts::area_of(const One& one) {
+    constexpr double height = 9.5, gap = 0.3;  // units
+    const DrawContext dc = context_of(one);
+    if (!panels_.panels()[one.panel].is_over_gas) return plot_area(dc);
+    const double bottom = dc.area.y - (plate_margin + gap) * dc.unit;
+    return {dc.area.x, bottom - height * dc.unit, dc.area.width, height * dc.unit};
+}
+
 std::optional<Point> PlotCallouts::place_of(const One& one, const FrameData& frame) {
     return panels_.panels()[one.panel].panel->place_of(context_of(one), *frame.states[one.panel],
                                                        std::get<PlotPoint>(one.callout->on));
@@ -50,7 +59,7 @@ void PlotCallouts::draw(Canvas& canvas, const FrameData& frame,
             if (!targets[k]) return std::nullopt;
             const DrawContext dc = context_of(callouts_[k]);
             plates[k] = callout_plate(dc, callouts_[k].callout->words, 0.55 * dc.area.width);
-            return place_beside(dc, plot_area(dc), plates[k], targets[k]->x, others);
+            return place_beside(dc, area_of(callouts_[k]), plates[k], targets[k]->x, others);
         });
     std::vector<DrawnCallout> drawn;
     for (const std::size_t k : seen) {

@@ -35,6 +35,7 @@ class PlotCallouts {
     };
     double alpha(std::size_t k, const FrameData& frame) const;
     DrawContext context_of(const One& one);
+    Rect area_of(const One& one);
     std::optional<Point> place_of(const One& one, const FrameData& frame);
 
     const PanelSet& panels_;

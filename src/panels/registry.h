@@ -36,6 +36,11 @@ std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
 std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
                                      const std::array<std::string, 2>& labels, std::size_t run);
 
+/// Makes the clock of a film, and the line of its other numbers, with the names `numbers`.
+std::unique_ptr<Panel> make_clock(const PanelContext& context);
+std::unique_ptr<Panel> make_numbers_line(const PanelContext& context,
+                                         const std::vector<Monitor>& numbers);
+
 /// What makes a panel of one kind.
 using PanelMaker = std::unique_ptr<Panel>(const PanelContext& context, const PanelSpec& spec);
 PanelMaker make_speed_histogram, make_energy_histogram, make_velocity_histogram,

@@ -82,12 +82,20 @@ struct Tree {
     std::string template_name;
 };
 
+// A film of disks that shows a single panel has it over the gas.
+std::string usual_template(const Tree& tree) {
+    const Node* panels = given(tree.film, "panels");
+    const bool has_one = panels != nullptr && panels->is_list() && panels->items.size() == 1;
+    const bool is_beside = find(tree.film, "beside") != nullptr;
+    return has_one && !is_beside && tree.dimension == 2 ? "hero" : Film{}.template_name;
+}
+
 // Returns the node with the name of the film's template; a node in the scene with the default name
 // if none is given; nothing if the name contains a mistake.
 std::optional<Node> template_asked(const Tree& tree) {
     if (const Node* asked = given(tree.film, "template")) return *asked;
     if (find(tree.film, "template") != nullptr) return std::nullopt;
-    Node usual = default_node(Film{}.template_name);
+    Node usual = default_node(usual_template(tree));
     usual.source = tree.root.source;
     return usual;
 }
@@ -204,7 +212,9 @@ void complete_film(SceneDraft& draft, const Tree& tree, bool has_length,
                   resources.panels, resources.templates, draft.written_run.pauses, reading);
     if (has_length && reading.errors.empty())
         check_captions(draft, draft.written_run.captions, tree.root, reading.errors);
-    if (!draft.captions.empty()) draft.film.layout = with_caption_line(draft.film.layout);
+    const bool has_subtitle_there = draft.film.layout.caption && !draft.subtitle.empty();
+    if (!draft.captions.empty() || has_subtitle_there)
+        draft.film.layout = with_caption_line(draft.film.layout);
 }
 
 Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wanted, Errors& errors) {

@@ -58,17 +58,29 @@ struct Slot {
     double x = 0, y = 0, width = 0, height = 0;
 };
 
+/// Whether a place lies inside another one.
+inline bool is_within(const Slot& slot, const Slot& other) {
+    constexpr double rounding = 1e-9;
+    return slot.x >= other.x - rounding && slot.y >= other.y - rounding &&
+           slot.x + slot.width <= other.x + other.width + rounding &&
+           slot.y + slot.height <= other.y + other.height + rounding;
+}
+
+/// Whether a place has room for one line only, in which a key or numbers then stand.
+inline bool is_one_line(const Slot& slot) { return slot.height < 3.0; }
+
 /// The places of everything in a frame, read from a template.
 struct LayoutSpec {
     double grid_width = 80,
            grid_height = 45;  ///< the picture in grid units; stretched to fill it
-    Slot title;               ///< title and subtitle, in as many lines as it has room for
+    Slot title;               ///< in as many lines as it has room for
     Slot gas;
     Slot color_bar;
-    std::optional<Slot> caption;  ///< the line of captions, where the scene has any; the rest has
-                                  ///< made room for it then
+    std::optional<Slot> caption;  ///< the line of captions and, at the start, of the subtitle,
+                                  ///< where the scene has any; the rest has made room for it then
+    std::optional<Slot> clock;
     std::optional<Slot> monitors;
-    std::vector<Slot> panels;
+    std::vector<Slot> panels;  ///< those inside the gas's place lie over the gas
 };
 
 /// The positions of all particles at a moment, kept visible until the next mark.
@@ -336,6 +348,7 @@ struct Film {
     double title_card = 0.0;  ///< duration in seconds; 0: none
     std::string end_card;     ///< its text; empty: none
     Trails trails;
+    bool streaks = false;           ///< whether disks show the path of their last moment
     std::vector<Pause> pauses;      ///< in order of time; from the run's events
     std::vector<SlowSpan> slow;     ///< in order, without overlap, with room for easing in between
     std::vector<Monitor> monitors;  ///< the quantities in the layout's row; empty: all

@@ -59,6 +59,7 @@ struct SceneClaims {
 std::vector<SceneClaims> claims_of_classics();
 std::vector<SceneClaims> claims_of_gaslab();
 std::vector<SceneClaims> claims_of_others();
+std::vector<SceneClaims> claims_of_beads();
 
 /// Measures each claim in the run of its scene.
 void check(const std::vector<SceneClaims>& table);

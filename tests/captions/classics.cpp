@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "captions/claims.h"
 
@@ -22,15 +23,23 @@ Reading density_of_ring(double inner, double outer) {
     }};
 }
 
-// The middle radius of the densest ring, of width 4.
+// The density and the middle radius of the densest ring, of width 4.
+std::pair<double, double> densest_ring(const Course& course, const Moment& moment) {
+    double best = 0.0, radius = 0.0;
+    for (double inner = 4.0; inner <= 32.0; inner += 1.0) {
+        const double density = density_of_ring(inner, inner + 4.0).of(course, moment);
+        if (density > best) best = density, radius = inner + 2.0;
+    }
+    return {best, radius};
+}
+Reading density_of_densest_ring() {
+    return {[](const Course& course, const Moment& moment) {
+        return densest_ring(course, moment).first;
+    }};
+}
 Reading radius_of_densest_ring() {
     return {[](const Course& course, const Moment& moment) {
-        double best = 0.0, radius = 0.0;
-        for (double inner = 4.0; inner <= 32.0; inner += 1.0) {
-            const double density = density_of_ring(inner, inner + 4.0).of(course, moment);
-            if (density > best) best = density, radius = inner + 2.0;
-        }
-        return radius;
+        return densest_ring(course, moment).second;
     }};
 }
 
@@ -58,25 +67,27 @@ std::vector<SceneClaims> claims_of_waves() {
     const Which behind = right_of(90);
     return {
         {"blast",
-         {{"leaves an empty middle behind", at(8.5, density_of_ring(0, 10)), much_less()},
-          {"60 very hot disks begin in the middle",
+         {{"leaves an empty middle behind", at(7, density_of_ring(0, 10)), much_less()},
+          {"40 very hot disks begin in the middle",
            at(0, temperature(species("hot"))) / at(0, temperature(species("cold"))), much_more()},
           {"fast at first and then more slowly",
-           growth(0.3, 1, radius_of_densest_ring()) / growth(3, 5, radius_of_densest_ring()),
-           much_more()},
+           growth(0.35, 1.05, radius_of_densest_ring()) /
+               growth(2.1, 4.2, radius_of_densest_ring()),
+           more()},
           {"In its middle few disks are left", at(6.5, density_of_ring(0, 10)), much_less()},
           {"Before the ring nothing has happened yet",
            at(1, temperature(right_of(80))) / at(0, temperature(right_of(80))), about(1.0)},
-          {"It sweeps the cold disks into a dense ring", highest(0.6, 3, density_of_ring(10, 13)),
-           more(), 0.6},
+          {"It sweeps the cold disks into a dense ring", at(3, density_of_densest_ring()), more(),
+           0.5},
           {"The ring grows more slowly",
-           growth(0.3, 1, radius_of_densest_ring()) / growth(3, 5, radius_of_densest_ring()),
-           much_more(), 3},
-          {"Few disks are left in the middle", at(6.5, density_of_ring(0, 10)), much_less(), 6.5},
+           growth(0.35, 1.05, radius_of_densest_ring()) /
+               growth(2.1, 4.2, radius_of_densest_ring()),
+           more(), 2.1},
+          {"Few disks are left in the middle", at(4.5, density_of_ring(0, 10)), much_less(), 4.5},
           {"A ring of dense gas runs outwards",
-           at(6, radius_of_densest_ring()) - at(2, radius_of_densest_ring()), at_least(5.0)}}},
+           at(4, radius_of_densest_ring()) - at(2, radius_of_densest_ring()), at_least(5.0)}}},
         {"sound-pulse",
-         {{"what travels through the gas is the push, not the disks",
+         {{"What travels through the gas is the push, not the disks",
            distance_between(16, 40) / (at(40, place_of_pulse()) - at(16, place_of_pulse())),
            much_less()},
           {"a band of higher density runs through the gas to the other wall",
@@ -100,13 +111,14 @@ std::vector<SceneClaims> claims_of_waves() {
            54},
           {"the pulse has come about halfway", at(26, place_of_pulse()), exactly(50.0, 7.5)}}},
         {"galton-board",
-         {{"come back up", highest(18, 60, highest_place()), at_least(40.0)},
-          {"spread over the whole width", mean(40, 60, spread_of_places(0)),
+         {{"come back up", highest(18, 50, highest_place()), at_least(40.0)},
+          {"spread over the whole width", mean(40, 50, spread_of_places(0)),
            about(64.0 / std::sqrt(12.0)), 40},
           {"All balls begin at one place", at(0, spread_of_places(0)), at_most(3.2), 0},
           {"they jump wide", at(7, spread_of_places(0)) / at(0, spread_of_places(0)), much_more(),
            7},
-          {"no bell curve", mean(18, 40, spread_of_places(0)), about(64.0 / std::sqrt(12.0)), 18},
+          {"so no bell curve builds up", mean(18, 40, spread_of_places(0)),
+           about(64.0 / std::sqrt(12.0)), 18},
           {"They spread over the whole width", at(40, spread_of_places(0)),
            about(64.0 / std::sqrt(12.0)), 40}}},
     };
@@ -115,45 +127,45 @@ std::vector<SceneClaims> claims_of_waves() {
 std::vector<SceneClaims> claims_of_mixtures() {
     const Which hot = species("hot"), cold = species("cold");
     const Reading hotter = ratio(temperature(hot), temperature(cold));
-    const Which passed = right_of(36), stayed = left_of(36);
+    const Which passed = right_of(27), stayed = left_of(27);
     const Reading by_passing = ratio(temperature(passed), temperature(stayed));
     return {
         {"hot-and-cold-mix",
-         {{"first share their energy, then their places", at(95, hotter), same_for(150, 150)},
-          {"150 hot disks are on the left of a divider", at(0, count(hot && left_of(36))),
-           exactly(150)},
+         {{"first share their energy, then their places", at(60, hotter), same_for(80, 80)},
+          {"80 hot disks are on the left of a divider", at(0, count(hot && left_of(26))),
+           exactly(80)},
           {"The hot gas has the higher pressure", at(0, hotter), much_more()},
-          {"Collisions soon bring both to one temperature", at(95, hotter), same_for(150, 150)},
-          {"The disks themselves take longer", at(95, count(hot && left_of(36))), at_least(100)},
-          {"Hot on the left, cold on the right", at(0, count(cold && right_of(36))), exactly(150),
+          {"Collisions soon bring both to one temperature", at(60, hotter), same_for(80, 80)},
+          {"The disks themselves take longer", at(60, count(hot && left_of(26))), at_least(54)},
+          {"Hot on the left, cold on the right", at(0, count(cold && right_of(26))), exactly(80),
            0},
-          {"The hot gas pushes too far", lowest(26, 45, count(left_of(36))),
-           at_most(half_of(300).least), 26},
+          {"The hot gas pushes too far", lowest(18, 32, count(left_of(26))),
+           at_most(half_of(160).least), 18},
           {"a wave runs to and fro",
-           highest(45, 95, count(left_of(36))) - lowest(26, 45, count(left_of(36))), at_least(35),
-           26},
-          {"One temperature already", at(95, hotter), same_for(150, 150), 95},
-          {"but two gases still", at(95, count(cold && left_of(36))), at_most(half_of(150).least),
-           95},
-          {"wander more slowly than the energy", at(200, count(hot && left_of(36))),
-           at_least(half_of(150).most), 200},
-          {"Mixed: about as many of each kind", at(560, count(hot && left_of(36))), half_of(150),
-           560},
-          {"of each kind on either side", at(560, count(cold && left_of(36))), half_of(150), 560}}},
-        {"effusion",
-         {{"more of the fast ones", at(150, by_passing), more()},
-          {"those that have passed are hotter than those that are left.", at(150, by_passing),
-           more()},
-          {"about one disk in twelve finds it", (1.0 / 400.0) * at(150, count(passed)),
-           about(1.0 / 12.0)},
-          {"A narrow slit into an empty half", at(0, count(passed)), exactly(0), 0},
-          {"Disks find it one by one", highest(15, 60, count(passed)) - at(15, count(passed)),
-           at_least(5), 15},
-          {"Those that have passed are hotter than those that are left", at(60, by_passing), more(),
+           highest(32, 60, count(left_of(26))) - lowest(18, 32, count(left_of(26))), at_least(19),
+           18},
+          {"One temperature already", at(60, hotter), same_for(80, 80), 60},
+          {"but two gases still", at(60, count(cold && left_of(26))), at_most(half_of(80).least),
            60},
+          {"wander more slowly than the energy", at(110, count(hot && left_of(26))),
+           at_least(half_of(80).most), 110},
+          {"Mixed: about as many of each kind", at(270, count(hot && left_of(26))), half_of(80),
+           270},
+          {"of each kind on either side", at(270, count(cold && left_of(26))), half_of(80), 270}}},
+        {"effusion",
+         {{"Fast disks come to a narrow slit more often", mean(30, 380, by_passing), more()},
+          {"the disks that got through are hotter than those that stayed.",
+           mean(30, 380, by_passing), more()},
+          {"about one disk in five finds it", (1.0 / 200.0) * at(380, count(passed)),
+           about(1.0 / 5.0)},
+          {"A narrow slit into an empty half", at(0, count(passed)), exactly(0), 0},
+          {"Disks find it one by one", highest(30, 150, count(passed)) - at(30, count(passed)),
+           at_least(5), 30},
+          {"The disks that got through are hotter than those that stayed",
+           lowest(150, 380, by_passing), more(), 150},
           {"What passes a slit is faster than the gas",
-           mean(60, 150, ratio(mean_speed(passed), mean_speed(stayed))), at_least(1.1)},
-          {"fewer than forty have passed here", at(150, count(passed)), {1, 39}}}},
+           mean(150, 380, ratio(mean_speed(passed), mean_speed(stayed))), at_least(1.1)},
+          {"fewer than fifty have passed here", at(380, count(passed)), {1, 49}}}},
         {"free-expansion-and-back",
          {{"80 disks begin on the left", at(0, count(left_of(24))), exactly(80)},
           {"after nearly two thousand collisions", 40.0 * at(110, collisions_each()), {1800, 2000}},
@@ -210,7 +222,7 @@ Measure change_by_hit() {
                 hits += 1.0;
             }
         const double speed =
-            std::sqrt(2.0 / 50.0 * mean(0, 400, mean_energy(species("large"))).of(course));
+            std::sqrt(2.0 / 20.0 * mean(0, 600, mean_energy(species("large"))).of(course));
         return sum / hits / speed;
     }};
 }
@@ -268,21 +280,25 @@ std::vector<SceneClaims> claims_of_many_hits() {
          {{"A heavy disk wanders", distance_of_large_disk(), at_least(2.0)},
           {"Each hit changes its velocity by little", change_by_hit(), at_most(0.5)},
           {"its squared displacement grows as the square of time",
-           squared_displacement(2, large) / squared_displacement(1, large), about(4.0)},
+           squared_displacement(3, large) / squared_displacement(1.5, large), about(4.0)},
           {"then it falls behind",
-           squared_displacement(40, large) / squared_displacement(20, large), at_most(3.6)},
-          {"and falls behind free flight",
-           squared_displacement(40, large) / squared_displacement(20, large), at_most(3.6), 220},
-          {"they add up to a random walk", distance_of_large_disk(), at_least(2.0), 90}}},
+           squared_displacement(24, large) / squared_displacement(12, large), at_most(3.6)},
+          {"In longer times it diffuses",
+           squared_displacement(60, large) / squared_displacement(30, large), about(2.0)},
+          {"it falls behind free flight",
+           squared_displacement(24, large) / squared_displacement(12, large), at_most(3.6), 250},
+          {"Its squared displacement grows in proportion to time",
+           squared_displacement(60, large) / squared_displacement(30, large), about(2.0), 450},
+          {"The pushes add up to a random walk", distance_of_large_disk(), at_least(2.0), 100}}},
         {"fluctuating-piston",
          {{"with a deviation of a sixth of its mean height",
-           deviation(0, 3000, height) / mean(0, 3000, height), about(1.0 / 6.0)},
-          {"falls until the gas carries it", lowest(0, 100, height), at_most(12.0), 0},
-          {"It swings for ever", deviation(1600, 3000, height) / deviation(400, 1600, height),
-           exactly(1.0, 0.25), 400},
+           deviation(0, 2000, height) / mean(0, 2000, height), about(1.0 / 6.0)},
+          {"falls until the gas carries it", lowest(0, 80, height), at_most(12.0), 0},
+          {"It swings for ever", deviation(1000, 2000, height) / deviation(80, 1000, height),
+           exactly(1.0, 0.25), 80},
           // a beta distribution of 17 and 16.5 on 0 to 26
-          {"Its heights fill the curve that theory gives", mean(0, 3000, height),
-           about(26.0 * 17.0 / 33.5), 1600}}},
+          {"Time lapse: its heights fill the curve that theory gives", mean(0, 2000, height),
+           about(26.0 * 17.0 / 33.5), 220}}},
         {"ideal-gas-law",
          {{"Twice the temperature, twice the pressure",
            growth(40, 80, wall_impulse()) / growth(0, 40, wall_impulse()), about(2.0)},

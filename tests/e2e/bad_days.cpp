@@ -58,7 +58,7 @@ TEST_CASE("missing scenes, wrong options and wrong endings are told with exit co
           "render '" + scene + "' --set gas", "render '" + scene + "' '" + scene + "'",
           "render '" + scene + "' '" + library_scene("mixed-masses") + "' -o both.mp4",
           "render '" + scene + "' --size 1x1", "render '" + scene + "' --seconds -1",
-          "render '" + scene + "' --template none", "still '" + scene + "' --at 13",
+          "render '" + scene + "' --template none", "still '" + scene + "' --at 37",
           "still '" + scene + "' --at nan", "still '" + scene + "' -o film.mp4"}) {
         CAPTURE(arguments);
         const Outcome outcome = shell("'" + program + "' " + arguments, folder.path());

@@ -175,8 +175,8 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
                               "  panels: [{kind: entropy, title: " +
                               std::string(99, 'w') + "}]\n";
     const json cut = checked(scene).at("cut");
-    CHECK(cut ==
-          json{"the title or the subtitle", "the title “" + std::string(99, 'w') + "” of a panel"});
+    CHECK(cut == json{"the subtitle “" + std::string(190, 'w') + "”",
+                      "the title “" + std::string(99, 'w') + "” of a panel"});
     const TemporaryFolder places;
     places.write("small.yaml",
                  "layout:\n  grid: [60, 33.75]\n  title: [1, 1, 57, 3]\n  gas: [1, 5, 35, 25]\n"

@@ -89,8 +89,8 @@ TEST_CASE("a name with a slash is a folder of all frames, each as `still` draws 
     const fs::perms usual = fs::status(folder.write("file", "")).permissions();
     CHECK(fs::status(frames / names.front()).permissions() == usual);
 
-    // The scene runs from 0 to 12.
-    for (const auto& [at, name] : {std::pair{"0", names.front()}, std::pair{"12", names.back()}}) {
+    // The scene runs from 0 to 36.
+    for (const auto& [at, name] : {std::pair{"0", names.front()}, std::pair{"36", names.back()}}) {
         REQUIRE(run({program, "still", scene, "--at", at, "-o", "still.png", "--size", "320x180",
                      "--set", "film.seconds=6"},
                     folder.path())

@@ -78,7 +78,8 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"film_slow_out", several_places},
     {"film_slow_paced", several_places},
     {"film_slow_too_short", several_places},
-    {"film_too_long", several_places},  // seconds, or until / pace, times fps
+    {"film_streaks_line", several_places},  // the key against the box
+    {"film_too_long", several_places},      // seconds, or until / pace, times fps
     {"film_too_many_frames", several_places},
     {"film_too_short", several_places},
     {"open_partition_leaves", several_places},  // a motion against the box

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,22 @@ const std::string scene = (root / "tests/e2e/there-and-back.yaml").string();
 // Without captions: one that fades in is whole in a still.
 const std::string events = "run.events=[{at: 12, reverse: velocities}]";
 
-// In a film numbers in words are held for a fifth of a second, in a still they are of its own time.
-const std::string without_numbers = "film.template=wide-gas", without_panels = "film.panels=[]";
+// In a film numbers in words are held for a fifth of a second, in a still they are of its own time:
+// a layout without a clock and numbers.
+const std::string without_panels = "film.panels=[]";
+std::string without_numbers(const fs::path& folder) {
+    const fs::path file = folder / "plain.yaml";
+    std::ofstream(file) << "layout: {grid: [64, 36], title: [2, 1, 60, 2], gas: [2, 4, 56, 30], "
+                           "color_bar: [59, 4, 4, 30]}\n";
+    return "film.template=" + file.string();
+}
 
 std::vector<std::string> frames_of(const fs::path& folder, const std::string& span) {
-    const Outcome outcome = shell("'" + program + "' render '" + scene +
-                                      "' --size 320x180 --seconds 8 --quiet --set '" + events +
-                                      "' --set '" + without_numbers + "' --set '" + without_panels +
-                                      "' -o '" + (folder / "frames").string() + "/' " + span,
-                                  folder);
+    const Outcome outcome = shell(
+        "'" + program + "' render '" + scene + "' --size 320x180 --seconds 8 --quiet --set '" +
+            events + "' --set '" + without_numbers(folder) + "' --set '" + without_panels +
+            "' -o '" + (folder / "frames").string() + "/' " + span,
+        folder);
     CAPTURE(outcome.err);
     REQUIRE(outcome.exit_code == 0);
     std::vector<std::string> names, frames;
@@ -49,8 +57,8 @@ TEST_CASE("--from and --to give the frames of the whole film between two times")
     REQUIRE(whole.size() == 240);
     const auto still = [&](const std::string& at) {
         REQUIRE(run({program, "still", scene, "--at", at, "-o", "still.png", "--size", "320x180",
-                     "--set", "film.seconds=8", "--set", events, "--set", without_numbers, "--set",
-                     without_panels},
+                     "--set", "film.seconds=8", "--set", events, "--set",
+                     without_numbers(folder.path()), "--set", without_panels},
                     folder.path())
                     .exit_code == 0);
         return contents(folder.path() / "still.png");

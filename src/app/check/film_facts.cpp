@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "app/check/disk_motion.h"
 #include "app/check/players.h"
 #include "app/film/frame_span.h"
 #include "app/progress.h"
@@ -120,9 +121,26 @@ std::optional<RunStart> start_beside(const Film& film) {
     return RunStart{std::move(particles), std::move(state)};
 }
 
+// Of both runs of a film.
+std::vector<DiskMotion> disks_of(const Scene& scene, const CheckedFilm& checked,
+                                 const PanelSet& panels, const Particles& drawn,
+                                 const std::optional<RunStart>& beside) {
+    if (scene.gas.box.dimension == 1) return {};
+    const double scale = panels.scale(Grid(scene.film.layout, scene.film.size));
+    std::vector<DiskMotion> all = disk_motion(scene, drawn, checked.counts.own.speeds, scale);
+    if (!beside) return all;
+    for (DiskMotion& one : all) one.run = scene.film.beside->own_label;
+    for (DiskMotion& one : disk_motion(*scene.film.beside->scene, beside->particles,
+                                       checked.counts.beside.speeds, scale)) {
+        one.run = scene.film.beside->label;
+        all.push_back(std::move(one));
+    }
+    return all;
+}
+
 // With so many collisions in all of its runs.
 Facts rows_of_film(const Scene& scene, const CheckedFilm& checked, std::int64_t particles,
-                   const FilmCollisions& collisions) {
+                   const FilmCollisions& collisions, const std::vector<DiskMotion>& disks) {
     const Film& film = scene.film;
     const FilmOptions& options = checked.options;
     const int frames = frames_of(scene, options);
@@ -137,6 +155,7 @@ Facts rows_of_film(const Scene& scene, const CheckedFilm& checked, std::int64_t 
                {"size", Json::array({film.size.width, film.size.height})},
                {"h264_level", h264_level_of(film, checked.formats)},
                {"sound", sound_value(film)},
+               {"disks", motion_value(disks)},
                {"passes", passes},
                {"rough", rough_costs(costs, options.threads)}};
     if (checked.measured) {
@@ -156,6 +175,7 @@ Facts rows_of_film(const Scene& scene, const CheckedFilm& checked, std::int64_t 
          measured_rows(checked.measured, options),
          sound_rows(film),
          {for_people("memory", memory_words(costs, options.threads))},
+         motion_rows(film, scene.run, disks),
          player_rows(film, checked.formats)});
     if (film.beside)
         facts.push_back({"beside", Json::array({film.beside->own_label, film.beside->label}),
@@ -181,7 +201,8 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, const Particles
                                     panels.wants_collisions()};
     std::vector<std::string> cut = FramePainter(panels).cut_words();
     cut.insert(cut.end(), checked.cut.begin(), checked.cut.end());
-    return joined<Fact>({rows_of_film(scene, checked, particles, collisions),
+    const std::vector<DiskMotion> disks = disks_of(scene, checked, panels, drawn, beside);
+    return joined<Fact>({rows_of_film(scene, checked, particles, collisions, disks),
                          field_rows(scene, particles), rows_of("cut", cut)});
 }
 

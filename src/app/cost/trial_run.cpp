@@ -34,7 +34,20 @@ struct Counted {
     double collisions = 0.0, looks = 0.0;
     double time = 0.0;
     std::optional<Ties> ties = {};
+    std::vector<MeanSpeeds> speeds = {};
 };
+
+MeanSpeeds mean_speeds(const Particles& particles, const Sample& sample, std::size_t species) {
+    MeanSpeeds mean{sample.time, std::vector<double>(species)};
+    std::vector<double> count(species);
+    for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        const auto its = static_cast<std::size_t>(particles.species[i]);
+        mean.of_species[its] += sample.velocity.row(i).matrix().norm();
+        ++count[its];
+    }
+    for (std::size_t k = 0; k < species; ++k) mean.of_species[k] /= std::max(1.0, count[k]);
+    return mean;
+}
 
 // Advances in steps, so that the collisions of a long run do not accumulate in memory, and stops
 // at the times that panels show.
@@ -85,7 +98,7 @@ class Trial {
             counts.collisions.reset();
             return counts;
         }
-        return {counted_.collisions, events(), bits_, counted_.ties};
+        return {counted_.collisions, events(), bits_, counted_.ties, false, counted_.speeds};
     }
 
   private:
@@ -97,8 +110,12 @@ class Trial {
     // At the rates of a trial with so many collisions that ended after `tried` units of time.
     RunCounts extrapolated(double collisions, double tried) const {
         const double longer = scene_.run.until / std::max(tried, 1e-9 * scene_.run.until);
-        RunCounts counts{collisions * longer, std::max(collisions, events()) * longer, bits_,
-                         counted_.ties, true};
+        RunCounts counts{collisions * longer,
+                         std::max(collisions, events()) * longer,
+                         bits_,
+                         counted_.ties,
+                         true,
+                         counted_.speeds};
         if (!scene_.run.bits && bits_ == bits_of_double && !reversal_times(scene_.run).empty())
             counts.bits = expected_bits(scene_, *counts.collisions);
         return counts;
@@ -138,6 +155,8 @@ class Trial {
                 static_cast<double>(advanced.counts.particle + advanced.counts.wall);
             counted_.time = time;
             counted_.ties = advanced.counts.ties;
+            counted_.speeds.push_back(mean_speeds(simulation.particles(), simulation.sample(),
+                                                  scene_.gas.species.size()));
         }
     }
 
@@ -174,6 +193,7 @@ RunCounts counts_of(const Scene& scene, std::span<const PanelSpec> panels, doubl
     if (const std::optional<RunCounts> counts = try_run(scene, panels, share)) return *counts;
     RunCounts counts{.bits = scene.run.bits.value_or(bits_of_double)};
     const auto [particles, sample] = draw_gas(scene.gas);
+    counts.speeds = {mean_speeds(particles, sample, scene.gas.species.size())};
     const BoxedGas gas(scene.gas.box, scene.run.events, particles, sample);
     if (const Law rate = law(gas, LawOf::collision_rate))
         counts.collisions =

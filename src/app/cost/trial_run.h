@@ -12,6 +12,12 @@
 
 namespace carom {
 
+/// How fast the particles of each species are at a time of a run, on average.
+struct MeanSpeeds {
+    double time = 0.0;
+    std::vector<double> of_species;
+};
+
 /// What a run calculates, counted on its beginning: the same on every machine.
 struct RunCounts {
     std::optional<double> collisions = {};  ///< from time 0 to the end, those with walls included,
@@ -21,6 +27,8 @@ struct RunCounts {
     int bits = 53;        ///< of the numbers that it calculates with
     std::optional<Ties> ties = {};  ///< from time 0; none: the trial did not come so far
     bool is_cut = false;            ///< they are those of the beginning only
+    std::vector<MeanSpeeds> speeds =
+        {};  ///< in order of time, from the start as far as it was tried
 };
 
 /// Runs a scene up to a number of collisions that takes a fraction of a second, and extrapolates

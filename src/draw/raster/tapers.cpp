@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include "draw/raster/pixel_bounds.h"
 
@@ -28,6 +29,7 @@ using Ints = std::int32_t __attribute__((vector_size(lanes * sizeof(std::int32_t
     return to;
 }
 
+constexpr std::size_t most_joined = 8;  // lines before that a line may overlap
 constexpr float edge = 0.5F;  // pixels over which the coverage falls, on either side of an edge
 
 // A taper prepared for the computation of pixels: positions are relative to its start.
@@ -37,6 +39,7 @@ struct Shape {
     float half_width, growth;  // change of half_width along the line
     double reach;              // distance from the line up to which pixels are partly covered
     std::array<float, 4> channel, change;
+    float opacity, opacity_change;
 
     explicit Shape(const Taper& taper)
         : x(taper.from.x),
@@ -47,7 +50,9 @@ struct Shape {
           dy(static_cast<float>(along_y)),
           half_width(static_cast<float>(0.5 * taper.width_at_start)),
           growth(static_cast<float>(0.5 * (taper.width_at_end - taper.width_at_start))),
-          reach(0.5 * std::max(taper.width_at_start, taper.width_at_end) + edge) {
+          reach(0.5 * std::max(taper.width_at_start, taper.width_at_end) + edge),
+          opacity(static_cast<float>(taper.opacity_at_start)),
+          opacity_change(static_cast<float>(taper.opacity_at_end - taper.opacity_at_start)) {
         const float length_squared = dx * dx + dy * dy;
         by_length_squared = length_squared > 0.0F ? 1.0F / length_squared : 0.0F;
         const Color &a = taper.color_at_start, &b = taper.color_at_end;
@@ -104,12 +109,44 @@ Span span_at(const Shape& shape, const Rect& box, double y) {
     return {std::max(span.first, middle - around), std::min(span.last, middle + around)};
 }
 
+// The share along the line of the nearest point, for pixels relative to its start.
+[[gnu::always_inline]] inline Floats share_along(const Shape& shape, Floats columns, Floats rows) {
+    return share((columns * shape.dx + rows * shape.dy) * shape.by_length_squared);
+}
+
+[[gnu::always_inline]] inline Floats weight_at(const Shape& shape, Floats columns, Floats rows,
+                                               Floats at) {
+    return coverage(shape, columns, rows, at) * (shape.opacity + at * shape.opacity_change);
+}
+
+// What is left to draw of a weight where joined lines before have been drawn with theirs, so that
+// the largest of all weights results.
+Floats weight_beyond(std::span<const Shape> before, const Shape& shape, Floats columns, Floats rows,
+                     Floats weight) {
+    Floats drawn = all(0);
+    for (const Shape& one : before) {
+        const Floats x = columns + static_cast<float>(shape.x - one.x);
+        const Floats y = rows + static_cast<float>(shape.y - one.y);
+        drawn = most(drawn, weight_at(one, x, y, share_along(one, x, y)));
+    }
+    constexpr float least = 1.0F / 1024.0F;
+    return share((weight - drawn) / most(all(1) - drawn, all(least)));
+}
+
+// A line, and the lines before that it is joined to.
+struct Joined {
+    const Shape& shape;
+    std::span<const Shape> before;
+};
+
 // Draws `count` pixels of a group, with their columns and rows relative to the start of the line.
 template <int count>
-[[gnu::always_inline]] inline void draw_group(const Shape& shape, std::uint32_t* pixels,
+[[gnu::always_inline]] inline void draw_group(const Joined& line, std::uint32_t* pixels,
                                               Floats columns, Floats rows) {
-    const Floats at = share((columns * shape.dx + rows * shape.dy) * shape.by_length_squared);
-    const Floats weight = coverage(shape, columns, rows, at);
+    const Shape& shape = line.shape;
+    const Floats at = share_along(shape, columns, rows);
+    Floats weight = weight_at(shape, columns, rows, at);
+    if (!line.before.empty()) weight = weight_beyond(line.before, shape, columns, rows, weight);
     const Ints covered = weight > 0.0F;
     if ((covered[0] | covered[1] | covered[2] | covered[3]) == 0) return;
     Ints group{};
@@ -118,18 +155,20 @@ template <int count>
     std::memcpy(pixels, &group, count * sizeof *pixels);
 }
 
-void draw_row(const Shape& shape, std::uint32_t* row, int first, int end, float y) {
+void draw_row(const Joined& line, std::uint32_t* row, int first, int end, float y) {
     const Floats rows = all(y);
-    const Floats columns = Floats{0.5F, 1.5F, 2.5F, 3.5F} - static_cast<float>(shape.x - first);
+    const Floats columns =
+        Floats{0.5F, 1.5F, 2.5F, 3.5F} - static_cast<float>(line.shape.x - first);
     int x = first;
     for (; x + lanes <= end; x += lanes)
-        draw_group<lanes>(shape, row + x, columns + static_cast<float>(x - first), rows);
+        draw_group<lanes>(line, row + x, columns + static_cast<float>(x - first), rows);
     for (; x < end; ++x)
-        draw_group<1>(shape, row + x, columns + static_cast<float>(x - first), rows);
+        draw_group<1>(line, row + x, columns + static_cast<float>(x - first), rows);
 }
 
-void draw_one(const PixelView& pixels, const PixelBounds& bounds, const Shape& shape,
+void draw_one(const PixelView& pixels, const PixelBounds& bounds, const Joined& line,
               const Rect& box) {
+    const Shape& shape = line.shape;
     const auto within = [](double place, int least, int most) {
         return static_cast<int>(std::max<double>(least, std::min<double>(place, most)));
     };
@@ -141,8 +180,8 @@ void draw_one(const PixelView& pixels, const PixelBounds& bounds, const Shape& s
         const int first = within(std::floor(span.first - 0.5), bounds.left, bounds.right);
         const int end = within(std::ceil(span.last + 0.5), bounds.left, bounds.right);
         if (first < end)
-            draw_row(shape, pixels.data + static_cast<std::ptrdiff_t>(y) * pixels.stride, first,
-                     end, static_cast<float>(middle - shape.y));
+            draw_row(line, pixels.data + static_cast<std::ptrdiff_t>(y) * pixels.stride, first, end,
+                     static_cast<float>(middle - shape.y));
     }
 }
 
@@ -177,12 +216,16 @@ void draw_tapers(Canvas& canvas, std::span<const Taper> tapers, Rect clip) {
     const PixelView pixels = canvas.pixels();
     const PixelBounds bounds = bounds_of(canvas.size(), clip);
     DrawnBoxes boxes(clip);
+    std::vector<Shape> before;  // joined to the next one
     for (const Taper& taper : tapers) {
+        if (!taper.is_joined) before.clear();
         const Shape shape(taper);
         if (!shape.is_drawn()) continue;
         const Rect box = shape.box();
-        draw_one(pixels, bounds, shape, box);
+        const std::size_t near = std::min(before.size(), most_joined);
+        draw_one(pixels, bounds, {shape, std::span(before).last(near)}, box);
         boxes.add(box);
+        before.push_back(shape);
     }
     canvas.pixels_changed();
     boxes.touch(canvas);

@@ -58,7 +58,7 @@ class SingleCollisionPanel : public Panel {
 
 constexpr double title_height = 1.9, row_height = 1.4;  // units
 constexpr double least_with_law = 14.0;    // units: in lower areas the pictures take its place
-constexpr double least_of_one_row = 19.0;  // units, of a key
+constexpr double least_of_one_row = 25.0;  // units, of a key
 constexpr double tint = 0.3;               // of the disks, so that arrows stand out from them
 
 bool has_law(const DrawContext& dc) { return dc.area.height >= least_with_law * dc.unit; }

@@ -250,6 +250,24 @@ void FieldLayer::draw_key(Canvas& canvas, const DrawContext& dc, double scale) c
               plain_number(context_.language(), scale_.top), style);
 }
 
+void FieldLayer::add_key(KeyRow& row, double scale) const {
+    const DrawContext dc = row.context();
+    if (!is_flow()) {
+        row.add_ramp(colors(dc.theme), scale_, field_->opacity);
+    } else {
+        const double length = reach(scale) * scale_.top, gap = 0.4 * dc.unit;
+        row.add_words(scale_.title);
+        const std::string number = plain_number(context_.language(), scale_.top);
+        row.add(length + gap + measure_text(number, label_style(dc)).width,
+                [=, this](Canvas& canvas, Point at) {
+                    draw_flow(canvas, dc, {at.x + 0.5 * length, at.y - 0.35 * dc.unit},
+                              {scale_.top, 0.0}, reach(scale));
+                    draw_text(canvas, {at.x + length + gap, at.y}, number, label_style(dc));
+                });
+    }
+    if (is_clear_somewhere_) row.add_words(say(context_.language(), "blank: fewer than 3"));
+}
+
 void FieldLayer::add_columns(Table& table) const {
     if (!shown()) return;
     const std::string unit = unit_of_quantity(context_.scene, field_->of);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "panels/field/color_bar.h"
+#include "panels/field/key_row.h"
 #include "panels/panel.h"
 #include "stats/cell_averages.h"
 
@@ -85,6 +86,9 @@ class FieldLayer {
 
     /// Draws the key of the field into the area; `scale` is pixels per unit length.
     void draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
+
+    /// The same in one line; the layer must live as long as the row.
+    void add_key(KeyRow& row, double scale) const;
 
     /// Add the columns of the field to a table, and a row for each cell. `x` and `y` are the
     /// indices of the table's columns of coordinates.

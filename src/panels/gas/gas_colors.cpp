@@ -41,12 +41,16 @@ std::string scale_name(const Scene& scene) {
                                                      : scene.film.palette.value_or("viridis");
 }
 
+}  // namespace
+
 ColorMap scale_colors(const Scene& scene, const Theme& theme) {
     const std::string name = scale_name(scene);
     if (name == "direction") return direction_map(theme);
     if (!scene.film.palette && theme.kind == ThemeKind::print) return grey_map();
     return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
 }
+
+namespace {
 
 std::vector<Color> speed_class_colors(const Theme& theme) {
     return {speed_class_color(0, theme), speed_class_color(1, theme), speed_class_color(2, theme)};
@@ -206,6 +210,26 @@ bool GasColors::is_told_infinite(Eigen::Index particle) const {
            !has_own_color(static_cast<std::size_t>(context_.particles.species[particle]));
 }
 
+namespace {
+
+Point point_around(Point center, double turns, double distance) {
+    const double angle = 2.0 * std::numbers::pi * turns;
+    return {center.x + distance * std::cos(angle), center.y - distance * std::sin(angle)};
+}
+
+void draw_ring_of_directions(Canvas& canvas, Point center, double radius, const ColorMap& map) {
+    constexpr int steps = 96;
+    for (int i = 0; i < steps; ++i) {
+        const double from = (i - 0.6) / steps, to = (i + 0.6) / steps;
+        const std::vector<Point> part{
+            point_around(center, from, radius), point_around(center, to, radius),
+            point_around(center, to, 0.62 * radius), point_around(center, from, 0.62 * radius)};
+        canvas.fill_polygon(part, map.at(double(i) / steps));
+    }
+}
+
+}  // namespace
+
 struct GasColors::Entry {
     Color color;
     std::string name;
@@ -239,14 +263,15 @@ bool GasColors::has_bar() const {
     return !is_plain_ && (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass);
 }
 
-double GasColors::key_height(const DrawContext& dc) const {
+double GasColors::key_height(const DrawContext& dc, bool has_ramp) const {
     const double names = 2.4 * dc.unit * static_cast<double>(entries(dc.theme).size());
-    const bool is_tall = has_bar() || context_.scene.film.color_by == ColorBy::direction ||
+    const bool is_tall = (has_bar() && has_ramp) ||
+                         context_.scene.film.color_by == ColorBy::direction ||
                          context_.scene.film.color_by == ColorBy::speed_class;
     return is_tall ? 0.5 * dc.area.height : std::min(names, 0.6 * dc.area.height);
 }
 
-void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
+void GasColors::draw_key(Canvas& canvas, const DrawContext& dc, bool has_ramp) const {
     const double u = dc.unit;
     const ColorBy by = context_.scene.film.color_by;
     const double entries_height = 2.4 * u * static_cast<double>(entries(dc.theme).size());
@@ -254,7 +279,7 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
     if (by == ColorBy::direction && context_.scene.gas.box.dimension == 2) {
         draw_wheel(canvas, dc);
         y += 8.4 * u;
-    } else if (has_bar()) {
+    } else if (has_bar() && has_ramp) {
         const double bottom = std::max(dc.area.y + least_bar * u,
                                        dc.area.bottom() - std::min(entries_height, 6.0 * u));
         DrawContext bar = dc;
@@ -273,6 +298,32 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc) const {
     }
 }
 
+// The disks' names before the scale: they are more to the point.
+void GasColors::add_key(KeyRow& row, bool has_ramp) const {
+    const DrawContext dc = row.context();
+    const ColorBy by = context_.scene.film.color_by;
+    const TextStyle style = label_style(dc);
+    for (const Entry& entry : entries(dc.theme)) {
+        const std::string name = escape_markup(entry.name);
+        const double disk = 1.3 * dc.unit;
+        row.add(disk + measure_text(name, style).width, [=](Canvas& canvas, Point at) {
+            draw_swatch(canvas, dc, {at.x + 0.5 * dc.unit, at.y - 0.35 * dc.unit}, entry);
+            draw_text(canvas, {at.x + disk, at.y}, name, style);
+        });
+    }
+    if (by == ColorBy::speed_class)
+        row.add_words(say(context_.language(), "below ½, above 1½ of the mean"));
+    if (by == ColorBy::direction && context_.scene.gas.box.dimension == 2) {
+        row.add_words(say(context_.language(), "direction"));
+        const double radius = 0.9 * dc.unit;
+        const ColorMap map = scale_colors(context_.scene, dc.theme);
+        row.add(2.0 * radius, [=](Canvas& canvas, Point at) {
+            draw_ring_of_directions(canvas, {at.x + radius, dc.area.y + radius}, radius, map);
+        });
+    }
+    if (has_bar() && has_ramp) row.add_ramp(scale_colors(context_.scene, dc.theme), scale_);
+}
+
 // A ring of the colours, and arrows to all sides.
 void GasColors::draw_wheel(Canvas& canvas, const DrawContext& dc) const {
     const double u = dc.unit, radius = 2.2 * u;
@@ -280,17 +331,10 @@ void GasColors::draw_wheel(Canvas& canvas, const DrawContext& dc) const {
     const ColorMap map = scale_colors(context_.scene, dc.theme);
     draw_text(canvas, {dc.area.x, dc.area.y + 0.9 * u}, say(context_.language(), "direction"),
               label_style(dc));
-    constexpr int steps = 96;
-    const auto at = [&](double turns, double distance) -> Point {
-        const double angle = 2.0 * std::numbers::pi * turns;
-        return {center.x + distance * std::cos(angle), center.y - distance * std::sin(angle)};
+    const auto at = [&](double turns, double distance) {
+        return point_around(center, turns, distance);
     };
-    for (int i = 0; i < steps; ++i) {
-        const double from = (i - 0.6) / steps, to = (i + 0.6) / steps;
-        const std::vector<Point> part{at(from, radius), at(to, radius), at(to, 0.62 * radius),
-                                      at(from, 0.62 * radius)};
-        canvas.fill_polygon(part, map.at(double(i) / steps));
-    }
+    draw_ring_of_directions(canvas, center, radius, map);
     for (const double turns : {0.0, 0.25, 0.5, 0.75}) {
         canvas.stroke_line(center, at(turns, 0.5 * radius), 0.1 * u, dc.theme.muted);
         const std::vector<Point> head{at(turns, 0.56 * radius), at(turns + 0.06, 0.4 * radius),

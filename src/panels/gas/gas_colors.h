@@ -8,12 +8,16 @@
 
 #include "draw/palette.h"
 #include "panels/field/color_bar.h"
+#include "panels/field/key_row.h"
 #include "panels/panel.h"
 
 namespace carom {
 
 /// The names of the palettes from slow to fast: the colour maps, and `netlogo`.
 std::vector<std::string> palette_names();
+
+/// The colours of a scene's scale, on a theme.
+ColorMap scale_colors(const Scene& scene, const Theme& theme);
 
 /// The default colour of kind number `index` (a species, or a choice of particles) in pictures of a
 /// scene. If the gas is coloured by a scale, it is none of that scale's colours. May be called from
@@ -42,6 +46,9 @@ class GasColors {
     /// The scale of speeds, energies or masses. It ends at the value that 5 % exceed; for few
     /// particles and for masses, at the highest value.
     const ColorScale& scale() const { return scale_; }
+
+    /// Whether the colours are those of a scale of speeds, energies or masses.
+    bool has_bar() const;
 
     /// For two runs that share a scale: add_survey() adds what another run has shown, before
     /// fix_scale(); take_scale() takes the scale that another run has fixed.
@@ -73,16 +80,18 @@ class GasColors {
     bool is_told_infinite(Eigen::Index particle) const;
 
     /// The height of this key, in pixels, in an area that also holds the key of a field.
-    double key_height(const DrawContext& dc) const;
+    double key_height(const DrawContext& dc, bool has_ramp) const;
 
     /// Draws the colour bar, or the legend of species, into `page.area`.
-    void draw_key(Canvas& canvas, const DrawContext& dc) const;
+    void draw_key(Canvas& canvas, const DrawContext& dc, bool has_ramp) const;
+
+    /// The same in one line.
+    void add_key(KeyRow& row, bool has_ramp) const;
 
   private:
     std::vector<Color> make_shades(const Theme& theme) const;
     double value(Eigen::Index particle, double speed) const;
     bool has_own_color(std::size_t species) const;
-    bool has_bar() const;
     struct Entry;
     std::vector<Entry> entries(const Theme& theme) const;
     static void draw_swatch(Canvas& canvas, const DrawContext& dc, Point center,

@@ -136,6 +136,7 @@ void GasPanel::Drawing::draw_contents() const {
         surfaces.draw_obstacles(canvas, dc, map, gas.surfaces);
     }
     draw_ghosts();
+    draw_streaks();
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     draw_trails();
     gas.field ? draw_outlines() : draw_disks();

@@ -104,6 +104,9 @@ struct GasPanel::Drawing {
     template <class ColorOf>
     void draw_crowd(const Eigen::ArrayXXf& places, const ColorOf& color_of) const;
     void draw_ghosts() const;
+    template <class Draw>
+    void for_each_streak(Eigen::Index i, const Draw& draw) const;
+    void draw_streaks() const;
     void draw_disks() const;
     void draw_infinite() const;
     void draw_arrows() const;

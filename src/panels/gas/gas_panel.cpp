@@ -27,6 +27,7 @@ Eigen::Array2d contact_of(const Collision& collision, const Particles& particles
 GasPanel::GasPanel(const PanelContext& context, const std::optional<View>& view)
     : ParticlePanel(context, view),
       surfaces_(context),
+      streaks_(context),
       smallest_(context.particles.radius.minCoeff()),
       largest_(context.particles.radius.maxCoeff()) {
     choose_particles();
@@ -105,6 +106,7 @@ std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
     auto state = std::make_shared<State>();
     see(input, input.sample.position, *state);
     state->surfaces = surfaces_.states(input);
+    state->streaks = streaks_.see(input);
     extend_trails(input);
     state->trails.reserve(trails_.size());
     for (const std::deque<TrailPoint>& trail : trails_) {
@@ -121,6 +123,7 @@ std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
 
 void GasPanel::archive_progress(Archive& archive) {
     ParticlePanel::archive_progress(archive);
+    streaks_.archive_progress(archive);
     archive(trails_, moving_seconds_, last_time_);
 }
 
@@ -131,11 +134,7 @@ Eigen::Index GasPanel::disks_below(double radius) const {
     return (context_.particles.radius < radius).count();
 }
 
-bool GasPanel::stands_alone() const {
-    const LayoutSpec& layout = context_.scene.film.layout;
-    const double right = layout.gas.x + layout.gas.width;
-    return std::ranges::none_of(layout.panels, [&](const Slot& slot) { return slot.x >= right; });
-}
+bool GasPanel::stands_alone() const { return context_.scene.film.layout.panels.empty(); }
 
 BoxMap GasPanel::map_in(const DrawContext& own) const {
     return surfaces_.map_in(own.area, own.unit, stands_alone());

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/gas/marks/streaks.h"
 #include "panels/gas/particle_panel.h"
 #include "panels/surfaces/surface_view.h"
 
@@ -27,8 +28,10 @@ class GasPanel : public ParticlePanel {
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
     Table table(const PanelState& state, const Theme& theme) const override;
 
-    /// Trails and fields need the collisions between frames.
-    bool wants_collisions() const override { return !followed_.empty() || field_.shown(); }
+    /// Trails, streaks and fields need the collisions between frames.
+    bool wants_collisions() const override {
+        return !followed_.empty() || streaks_.shown() || field_.shown();
+    }
 
     /// The box is as large as fits, at the left of the area; in its middle if there is no panel to
     /// the right.
@@ -53,11 +56,13 @@ class GasPanel : public ParticlePanel {
         std::vector<float> ages;    // seconds of film
     };
     struct State : ParticleState {
-        std::vector<Trail> trails;           // one for each particle that is followed
-        std::vector<SurfaceState> surfaces;  // of sides and partitions; none of a plain box
+        std::vector<Trail> trails;                   // one for each particle that is followed
+        std::vector<SurfaceState> surfaces;          // of sides and partitions; none of a plain box
+        std::shared_ptr<const StreakState> streaks;  // null: none
         std::size_t bytes() const override {
             std::size_t sum = ParticleState::bytes();
             for (const Trail& trail : trails) sum += trail.places.size() * 20;
+            if (streaks) sum += streaks->bytes();
             return sum + surfaces.size() * sizeof(SurfaceState);
         }
     };
@@ -73,6 +78,7 @@ class GasPanel : public ParticlePanel {
     bool is_disk(Eigen::Index particle) const { return !field_.shown() && is_filled(particle); }
 
     SurfaceView surfaces_;
+    Streaks streaks_;
     double smallest_, largest_;  // radius
     std::vector<Followed> followed_;
     std::vector<std::ptrdiff_t> trail_of_;  // for each particle its trail, or -1; empty: no trails

@@ -6,18 +6,30 @@
 
 namespace carom {
 
-void ParticlePanel::draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const {
-    DrawContext left{arrows_.draw_key(canvas, dc, scale_in(own)), dc.unit, dc.theme, dc.disks};
+KeyRow ParticlePanel::key_row(const Key& key) const {
+    KeyRow row(key.at);
+    const double scale = scale_in(key.own);
+    colors_.add_key(row, key.has_ramp);
+    if (field_.shown()) field_.add_key(row, scale);
+    arrows_.add_key(row, scale);
+    return row;
+}
+
+void ParticlePanel::draw_key(Canvas& canvas, const Key& key) const {
+    if (key.is_row) return key_row(key).draw(canvas);
+    const DrawContext& dc = key.at;
+    const double scale = scale_in(key.own);
+    DrawContext left{arrows_.draw_key(canvas, dc, scale), dc.unit, dc.theme, dc.disks};
     if (field_.shown()) {
         DrawContext lower = left;
-        left.area.height = colors_.key_height(left);
+        left.area.height = colors_.key_height(left, key.has_ramp);
         const double taken = left.area.height > 0.0 ? left.area.height + 1.2 * dc.unit : 0.0;
         lower.area = {lower.area.x, lower.area.y + taken, lower.area.width,
                       lower.area.height - taken};
-        field_.draw_key(canvas, lower, scale_in(own));
+        field_.draw_key(canvas, lower, scale);
         if (taken == 0.0) return;
     }
-    colors_.draw_key(canvas, left);
+    colors_.draw_key(canvas, left, key.has_ramp);
 }
 
 void ParticlePanel::share_scales(ParticlePanel& other) {

@@ -51,11 +51,16 @@ class ParticlePanel : public Panel {
   public:
     bool surveys_collisions() const override { return flashes_.asked() || field_.shown(); }
     void archive_progress(Archive& archive) override;
-    void draw_key(Canvas& canvas, const DrawContext& dc, const DrawContext& own) const override;
+    void draw_key(Canvas& canvas, const Key& key) const override;
+    Rect place_of_key(const Key& key) const override { return key_row(key).place(); }
+    const GasColors& colors() const { return colors_; }
 
     /// Replaces fix_axes() for the boxes of two runs, which get common scales of colours, arrows
     /// and field.
     void share_scales(ParticlePanel& other);
+
+    /// Pixels per unit length.
+    virtual double scale_in(const DrawContext& own) const = 0;
 
   protected:
     /// `view`: the part of the box that is shown, instead of what the film's camera shows.
@@ -70,8 +75,7 @@ class ParticlePanel : public Panel {
           callouts_(context),
           field_(context) {}
 
-    /// Pixels per unit length.
-    virtual double scale_in(const DrawContext& own) const = 0;
+    KeyRow key_row(const Key& key) const;
 
     /// Fills the common members of a state; `places` are the positions as drawn. Second pass, every
     /// frame in order.

@@ -120,4 +120,22 @@ Rect VelocityArrows::draw_key(Canvas& canvas, const DrawContext& dc, double scal
     return above;
 }
 
+void VelocityArrows::add_key(KeyRow& row, double scale) const {
+    if (!shown() || reach_ <= 0.0) return;
+    const DrawContext dc = row.context();
+    constexpr double longest = 5.0, after_arrow = 0.4;  // units
+    const double speed = round_down(std::min(fast_, longest * dc.unit / (reach_ * scale)));
+    const double length = speed * reach_ * scale;
+    std::string words =
+        say(context_.language(), "speed {}", plain_number(context_.language(), speed));
+    if (apart() > 1) words += ", " + say(context_.language(), "of 1 in {}", apart());
+    const ArrowStyle arrow = style(dc, scale, dc.theme.page);
+    const double before = length + after_arrow * dc.unit;
+    row.add(before + measure_text(words, label_style(dc)).width, [=](Canvas& canvas, Point at) {
+        const double y = at.y - 0.35 * dc.unit;
+        draw_arrow(canvas, {at.x, y}, {at.x + length, y}, arrow);
+        draw_text(canvas, {at.x + before, at.y}, words, label_style(dc));
+    });
+}
+
 }  // namespace carom

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "draw/arrow.h"
+#include "panels/field/key_row.h"
 #include "panels/panel.h"
 
 namespace carom {
@@ -60,6 +61,9 @@ class VelocityArrows {
     /// Draws the key of the arrows at the bottom of an area and returns the rest of the area above.
     /// `scale`: pixels per unit length.
     Rect draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
+
+    /// The same in one line.
+    void add_key(KeyRow& row, double scale) const;
 
   private:
     Eigen::Index apart() const;

@@ -176,31 +176,48 @@ std::vector<Rect> places_of_names(const Frame& frame, const Plot& plot) {
     return places;
 }
 
-// On the line of the axis's name, each toward its own end, in the longest words that fit.
+namespace {
+
+// At an end of the axis, over the bars: at the lowest place that is free.
+void draw_count_at_end(Canvas& canvas, const Frame& frame, LabelPlacer& placer, Align align,
+                       const std::vector<std::string>& words) {
+    constexpr double lowest = 0.45, step = 0.6;  // units, over the axis
+    const double u = frame.dc.unit;
+    TextStyle style = label_style(frame.dc);
+    style.align = align;
+    const double x = align == Align::right ? frame.area.right() : frame.area.x + 0.4 * u;
+    for (const std::string& one : words) {
+        const double width = measure_text(one, style).width;
+        const double left = align == Align::right ? x - width : x;
+        for (double y = frame.area.bottom() - lowest * u; y > frame.area.y + u; y -= step * u) {
+            const Rect rect{left - 0.2 * u, y - 0.95 * u, width + 0.4 * u, 1.25 * u};
+            if (rect.x < frame.area.x || !placer.is_free(rect)) continue;
+            placer.keep_clear(rect);
+            draw_text(canvas, {x, y}, one, style);
+            return;
+        }
+    }
+    leave_out(words.back());
+}
+
+}  // namespace
+
+// In the longest words that have room.
 void draw_counts_beyond(Canvas& canvas, const Frame& frame, const Plot& plot) {
     if (!plot.bar_notes) return;
     const BarNotes& notes = *plot.bar_notes;
-    const DrawContext& dc = frame.dc;
-    const TextStyle style = label_style(dc);
-    const double y = frame.area.bottom() + x_axis_space(axis_style(dc));
-    const auto width_of = [&](const std::string& words) {
-        return words.empty() ? 0.0 : measure_text(words, style).width + dc.unit;
-    };
-    const std::string below = notes.below.empty() ? "" : "← " + notes.below;
-    std::vector<std::string> above{""};
-    if (!notes.above.empty()) above = {notes.above + " →"};
-    if (!notes.above.empty() && !notes.beyond.empty())
-        above.insert(above.begin(), notes.above + " " + notes.beyond + " →");
-    const double right = frame.area.right() - width_of(x_title_of(plot, frame));
-    for (const std::string& words : above) {
-        if (frame.area.x + width_of(below) + width_of(words) > right + dc.unit) continue;
-        if (!below.empty()) draw_text(canvas, {frame.area.x, y}, below, style);
-        TextStyle toward_right = style;
-        toward_right.align = Align::right;
-        if (!words.empty()) draw_text(canvas, {right, y}, words, toward_right);
-        return;
-    }
-    leave_out(below + (below.empty() ? "" : " ") + above.back());
+    if (notes.below.empty() && notes.above.empty()) return;
+    LabelPlacer placer(frame.area);
+    const Frame seen{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
+    for (const AnyLayer& layer : plot.layers) keep_clear_of(seen, layer);
+    for (const Rect& name : places_of_names(frame, plot)) placer.keep_clear(name);
+    for (const Rect& label : places_of_still_labels(frame, plot)) placer.keep_clear(label);
+    if (!notes.below.empty())
+        draw_count_at_end(canvas, frame, placer, Align::left, {"← " + notes.below});
+    if (notes.above.empty()) return;
+    std::vector<std::string> above{notes.above + " →"};
+    if (!notes.beyond.empty()) above.insert(above.begin(), notes.above + " " + notes.beyond + " →");
+    draw_count_at_end(canvas, frame, placer, Align::right, above);
 }
 
 void leave_out_names(const Frame& frame, const Plot& plot) {

@@ -10,10 +10,11 @@
 namespace carom::plot {
 namespace {
 
-constexpr double casing_of_marks = 0.6;  // share of the page's colour: all of it would split a bar
-constexpr double casing = 0.07;          // of the page on each side of lines over bars, in units
-constexpr double cased_bar = 0.7;        // units, the height of bars over which lines have casings
-constexpr double cased_from = 0.3;       // units over the axis
+constexpr double casing = 0.07;         // of the page on each side of lines over bars, in units
+constexpr double cased_bar = 0.7;       // units, the height of bars over which lines have casings
+constexpr double cased_from = 0.3;      // units over the axis
+constexpr double gap_of_bars = 0.1;     // units, between bars in the colours of disks
+constexpr double alpha_of_bars = 0.92;  // of these
 
 double left_of(const Frame& frame, const Bars& bars, std::size_t i) {
     return std::round(frame.x(bars.from[i]));
@@ -28,7 +29,25 @@ bool is_broken(const Bars& bars, std::size_t i) {
 }
 
 double top_of(const Frame& frame, const Bars& bars, std::size_t i) {
-    return is_broken(bars, i) ? frame.area.y : frame.y(bars.value[i], Beyond::clamped);
+    const double top = is_broken(bars, i) ? frame.area.y : frame.y(bars.value[i], Beyond::clamped);
+    return std::lerp(frame.area.bottom(), top, frame.dc.growth);
+}
+
+// The middle of a bar, in data.
+double middle_of(const Bars& bars, std::size_t i) { return 0.5 * (bars.from[i] + bars.to[i]); }
+
+// Each bar by itself, with a gap to the next, in the colour of its middle.
+void fill_in_colors(Canvas& canvas, const Frame& frame, const Bars& bars) {
+    const double gap = std::max(1.0, std::round(gap_of_bars * frame.dc.unit));
+    for (std::size_t i = 0; i < bars.value.size(); ++i) {
+        const double left = left_of(frame, bars, i), right = right_of(frame, bars, i);
+        const double top = top_of(frame, bars, i), width = std::max(1.0, right - left - gap);
+        if (top >= frame.area.bottom()) continue;
+        canvas.fill(
+            {left + std::round(0.5 * (right - left - width)), top, width,
+             frame.area.bottom() - top},
+            with_alpha(bars.ramp->color(middle_of(bars, i), frame.dc.theme), alpha_of_bars));
+    }
 }
 
 // Fills all bars as one polygon: separate bars would show seams in a vector picture that is scaled.
@@ -103,30 +122,13 @@ void draw_casing(Canvas& canvas, const Frame& frame, const Line& line) {
     canvas.stroke_path(path, frame.pixels(line.stroke.width + 2.0 * casing), frame.dc.theme.page);
 }
 
-// The casing of a marker is as high as the bars that it crosses, and only tints them, so that they
-// do not look split.
-void draw_casing(Canvas& canvas, const Frame& frame, const Marker& marker, const Bars& bars) {
-    const double axis = axis_style(frame.dc).line_width;
-    const double half = frame.pixels(0.5 * marker.stroke.width + casing);
-    const double x = frame.x(marker.value), bottom = frame.area.bottom() - axis;
-    const Color color =
-        mix(color_of(bars.role, frame.dc.theme), frame.dc.theme.page, casing_of_marks);
-    for (std::size_t i = 0; i < bars.value.size(); ++i) {
-        const double from = std::max({x - half, frame.x(bars.from[i]), frame.area.x + axis});
-        const double to = std::min(x + half, frame.x(bars.to[i])), top = top_of(frame, bars, i);
-        if (from < to && top < bottom) canvas.fill({from, top, to - from, bottom - top}, color);
-    }
-}
-
-// Solid bars have nearly the same lightness as curves and marks, so these get a casing: a line in
-// the page's colour on each side. Casings are below all curves and marks, and not over the axes.
+// Solid bars have nearly the same lightness as curves, so these get a casing: a line in the page's
+// colour on each side. Casings are below all curves, and not over the axes. Marks lie under the
+// axis.
 // Over low bars and the feet of others, which it would hide, a curve has no casing.
 void draw_casings(Canvas& canvas, const Frame& frame, const Plot& plot, const Bars& bars) {
     const Rect& area = frame.area;
     const double axis = axis_style(frame.dc).line_width;
-    for (const AnyLayer& layer : plot.layers)
-        if (const auto* marker = std::get_if<Marker>(&layer))
-            draw_casing(canvas, frame, *marker, bars);
     const auto is_tall = [&](std::size_t i) {
         return area.bottom() - frame.y(bars.value[i]) >= frame.pixels(cased_bar);
     };
@@ -160,7 +162,10 @@ std::vector<const Bars*> bars_of(const Plot& plot) {
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars) {
-    if (bars.alpha > 0.0) fill_bars(canvas, frame, bars);
+    if (bars.ramp)
+        fill_in_colors(canvas, frame, bars);
+    else if (bars.alpha > 0.0)
+        fill_bars(canvas, frame, bars);
     if (bars.edge) draw_edge(canvas, frame, bars);
 }
 
@@ -203,6 +208,7 @@ void draw_counts_of_broken_bars(Canvas& canvas, const Frame& frame, const Plot& 
     const Frame seen{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
     for (const AnyLayer& layer : plot.layers) keep_clear_of(seen, layer);
     for (const Rect& name : places_of_names(frame, plot)) placer.keep_clear(name);
+    for (const Rect& label : places_of_still_labels(frame, plot)) placer.keep_clear(label);
     if (const auto title = place_of_y_title(plot, frame)) placer.keep_clear(*title);
     Text words;
     for (std::size_t i = 0; i < first.value.size(); ++i) {

@@ -24,7 +24,8 @@ Point place_of(const Frame& frame, const Anchor& anchor) {
 
 Rect rect_of(const Frame& frame, Point baseline, Align align, double width) {
     const double share = align == Align::left ? 0.0 : align == Align::center ? 0.5 : 1.0;
-    return {baseline.x - share * width, baseline.y - frame.pixels(ascent), width,
+    const double air = frame.pixels(0.15);
+    return {baseline.x - share * width - air, baseline.y - frame.pixels(ascent), width + 2.0 * air,
             frame.pixels(ascent + descent)};
 }
 
@@ -45,9 +46,15 @@ Rect whole_of(const Frame& frame, const Place& place) {
     return whole;
 }
 
-bool lies_on_x_axis(const Frame& frame, const Rect& words) {
+// Onto the axis or into the row of its numbers.
+bool reaches_x_axis(const Frame& frame, const Rect& words) {
     constexpr double slack = 0.5;  // pixels
-    return words.y < frame.area.bottom() && words.bottom() > frame.area.bottom() + slack;
+    return words.bottom() > frame.area.bottom() + slack;
+}
+
+bool reaches_title(const Frame& frame, const Rect& words) {
+    constexpr double most_over = 0.9;  // units, over the plot
+    return words.y < frame.area.y - frame.pixels(most_over);
 }
 
 // Whether words, and the sample before them, are within the plot from left to right.
@@ -77,8 +84,8 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
         for (;;) {
             place.rect = rect_of(frame, place.baseline, anchor.align, width);
             keep_inside(frame, place);
-            if (steps && !frame.placer.is_inside(place.rect)) break;
-            if (lies_on_x_axis(frame, place.rect)) break;
+            if ((steps || anchor.is_inside) && !frame.placer.is_inside(place.rect)) break;
+            if (reaches_x_axis(frame, place.rect) || reaches_title(frame, place.rect)) break;
             if (!fits_across(frame, place)) {
                 if (has_shorter) break;
                 place.has_sample = false;  // it would lie on the numbers of the axis
@@ -216,6 +223,12 @@ void draw_with_gaps(Canvas& canvas, const Frame& frame, double x, double from, d
 void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker) {
     const double x = frame.x(marker.value);
     if (!(x >= frame.area.x && x <= frame.area.right())) return;
+    if (marker.is_under_axis) {
+        constexpr double length = 0.5;  // units
+        draw_straight(canvas, frame.dc, {x, frame.area.bottom()},
+                      {x, frame.area.bottom() + frame.pixels(length)}, marker.stroke);
+        return;
+    }
     double from = frame.area.bottom(), to = frame.area.y;  // dashes begin at `from`
     if (marker.up_to) from = frame.y(*marker.up_to, Beyond::clamped), to = frame.area.bottom();
     draw_with_gaps(canvas, frame, x, from, to, marker.stroke);

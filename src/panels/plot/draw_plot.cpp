@@ -15,6 +15,7 @@ namespace {
 
 constexpr double least_left = 3.0;         // for the labels of the vertical axis, units
 constexpr double zero_place_height = 1.5;  // units
+constexpr double height_of_ramp = 0.4, gap_over_ramp = 0.12;  // units
 constexpr double gap_over_bars = 0.4;  // under notes, for the counts of bars that are cut, units
 constexpr double thinnest = 0.8, widest = 1.6;  // of a plot beside a note, width over height
 
@@ -29,8 +30,21 @@ std::string title_of(const Plot& plot, const DrawContext& dc) {
     return fitting_title(dc, titles);
 }
 
+// The colours of the bars, as a strip under the axis.
+const Ramp* ramp_of(const Plot& plot) {
+    for (const Bars* bars : bars_of(plot))
+        if (bars->ramp) return bars->ramp.get();
+    return plot.ramp.get();
+}
+
+double space_of_ramp(const Plot& plot, const DrawContext& dc) {
+    return ramp_of(plot) ? (gap_over_ramp + height_of_ramp) * dc.unit : 0.0;
+}
+
 AxisStyle style_of(const Plot& plot, const Axis& axis, const DrawContext& dc) {
     AxisStyle style = axis_style(dc);
+    if (&axis == &plot.x) style.below = space_of_ramp(plot, dc);
+    if (&axis == &plot.y && axis.kind == Axis::Kind::linear) style.grid = dc.theme.grid;
     style.language = plot.language;
     style.whole = axis.is_whole;
     style.decades = axis.kind != Axis::Kind::linear;
@@ -60,7 +74,7 @@ PlotArea area_of(const Plot& plot, const DrawContext& dc, const PlaceOfNotes& pl
         area.x += left;
         area.width -= left;
         area.y += rows * dc.unit;
-        area.height = std::max(dc.unit, area.height - rows * dc.unit);
+        area.height = std::max(dc.unit, area.height - rows * dc.unit - space_of_ramp(plot, dc));
         return area;
     };
     const Rect under = under_notes(false);
@@ -169,8 +183,23 @@ void draw_y_title(Canvas& canvas, const Frame& frame, const Plot& plot) {
         leave_out(title);
 }
 
+void draw_ramp(Canvas& canvas, const Frame& frame, const Ramp& ramp) {
+    constexpr double step = 4.0;  // pixels
+    const double top = frame.area.bottom() + gap_over_ramp * frame.dc.unit;
+    const Scale& x = frame.x_scale;
+    const double begin = std::round(frame.area.x), end = std::round(frame.area.right());
+    for (double left = begin; left < end; left += step) {  // whole pixels: no seams
+        const double right = std::min(left + step, end);
+        const double value =
+            x.low + (0.5 * (left + right) - x.from) / (x.to - x.from) * (x.high - x.low);
+        canvas.fill({left, top, right - left, height_of_ramp * frame.dc.unit},
+                    ramp.color(value, frame.dc.theme));
+    }
+}
+
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
+    if (const Ramp* ramp = ramp_of(plot)) draw_ramp(canvas, frame, *ramp);
     const AxisStyle style = style_of(plot, plot.x, dc);
     draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame), style);
     Rect above = frame.area;
@@ -210,6 +239,19 @@ bool is_hidden(const AnyLayer& layer) {
     return line != nullptr && line->shown.end == 0;
 }
 
+// The highest that bars ever reach, and the names over them, which have numbers later.
+void keep_clear_of_bars(const Frame& frame, const Plot& plot, LabelPlacer& placer) {
+    if (!plot.bar_notes) return;
+    for (const BarNotes::Reach& bar : plot.bar_notes->highest) {
+        const double top = frame.y(bar.value, Beyond::clamped), left = frame.x(bar.from);
+        placer.keep_clear({left, top, frame.x(bar.to) - left, frame.area.bottom() - top});
+    }
+    for (Rect name : places_of_names(frame, plot)) {
+        name.width = std::max(name.width, frame.area.right() - name.x);
+        placer.keep_clear(name);
+    }
+}
+
 // Registers what the labels of a part must not overlap: for still labels, all that is shown in the
 // film; for changing labels, what is shown now, and the still labels.
 void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
@@ -218,9 +260,10 @@ void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
     const Frame of_all{frame.dc,      frame.area,   frame.x_scale,
                        frame.y_scale, frame.y_kind, still ? frame.placer : placer};
     for (const AnyLayer& layer : plot.layers) {
-        keep_clear_of(of_all, layer);
+        if (!std::holds_alternative<Bars>(layer)) keep_clear_of(of_all, layer);
         if (!still && !is_hidden(layer)) keep_clear_of(frame, layer);
     }
+    keep_clear_of_bars(frame, plot, of_all.placer);
     if (still) return;
     for (const AnyLayer* layer : layers_of(plot, true))
         if (const Label* label = label_of(*layer))
@@ -242,6 +285,20 @@ std::vector<Rect> gaps_of(const Frame& frame, const std::vector<const AnyLayer*>
 }
 
 }  // namespace
+
+std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot) {
+    std::vector<Rect> places;
+    if (!has_labels(plot, true)) return places;
+    LabelPlacer placer(frame.area);
+    const Frame of_all{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
+    for (const AnyLayer& layer : plot.layers)
+        if (!std::holds_alternative<Bars>(layer)) keep_clear_of(of_all, layer);
+    keep_clear_of_bars(frame, plot, placer);
+    for (const AnyLayer* layer : layers_of(plot, true))
+        if (const Label* label = label_of(*layer))
+            if (const auto rect = rect_of(of_all, *label)) places.push_back(*rect);
+    return places;
+}
 
 double Frame::y(double value, Beyond beyond) const {
     double power = value;

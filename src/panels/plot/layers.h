@@ -82,6 +82,9 @@ std::string x_title_of(const Plot& plot, const Frame& frame);
 /// The place of the words over the vertical axis, if it has any and they have room.
 std::optional<Rect> place_of_y_title(const Plot& plot, const Frame& frame);
 
+/// The places of the labels that stay the same in all frames.
+std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot);
+
 /// Keep words off what a layer draws.
 void keep_clear_of(const Frame& frame, const AnyLayer& layer);
 

@@ -66,6 +66,7 @@ struct Obstacles {
     }
 
     void operator()(const Marker& marker) const {
+        if (marker.is_under_axis) return;
         const double x = frame.x(marker.value);
         const double top = marker.up_to ? frame.y(*marker.up_to, Beyond::clamped) : frame.area.y;
         frame.placer.keep_off_marker(x, top, frame.area.bottom(),

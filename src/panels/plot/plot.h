@@ -17,6 +17,7 @@
 
 #include "draw/color.h"
 #include "draw/geometry.h"
+#include "draw/palette.h"
 #include "draw/style.h"
 #include "draw/text.h"
 #include "util/language.h"
@@ -104,6 +105,7 @@ struct Anchor {
     Align align = Align::left;
     Point step = {};          ///< units; none: this place only
     bool has_sample = false;  ///< the label's sample is drawn before the words here
+    bool is_inside = false;   ///< only if the words lie wholly inside the plot
 };
 
 // ----------------------------------------------------------------------------------------- layers
@@ -202,6 +204,17 @@ struct Marker : Layer {
     std::optional<double> up_to = {};  ///< none: the top
     Stroke stroke = {.width = 0.08};
     std::optional<Label> label = {};
+    bool is_under_axis = false;  ///< a tick from the axis downward instead
+};
+
+/// Colours from 0 to `top`, on the light, the dark and the print theme.
+struct Ramp {
+    std::array<ColorMap, 3> maps;
+    double top = 1.0;
+
+    Color color(double value, const Theme& theme) const {
+        return maps.at(static_cast<std::size_t>(theme.kind)).at(value / top);
+    }
 };
 
 /// The heights of bins side by side.
@@ -210,8 +223,10 @@ struct Bars : Layer {
     double below = 0.0, above = 0.0;       ///< beyond the ends of the axis, for the table
     std::vector<std::string> broken = {};  ///< text at each bar's break; empty: not broken
     Role role = {.of = Role::Of::bar};
-    double alpha = 1.0;               ///< of the filling; 0: none
-    std::optional<Stroke> edge = {};  ///< of the upper edge
+    std::shared_ptr<const Ramp> ramp = {};  ///< instead of the role: each bar has the colour of its
+                                            ///< middle, and a strip under the axis shows them
+    double alpha = 1.0;                     ///< of the filling; 0: none
+    std::optional<Stroke> edge = {};        ///< of the upper edge
     Stroke error_stroke = {.width = 0.08};
 };
 
@@ -308,6 +323,7 @@ struct Plot {
     std::vector<Layer> numbers = {};  ///< of the table only: not drawn
     std::vector<Note> notes = {};
     std::optional<BarNotes> bar_notes = {};
+    std::shared_ptr<const Ramp> ramp = {};           ///< of its bars, which may come later
     std::vector<std::string> columns = {};           ///< of the table, in order
     std::vector<std::string> runs = {};              ///< names of compared runs
     std::string account = {};                        ///< what it shows, in whole sentences

@@ -13,7 +13,8 @@ std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const 
                              .values = [](const FrameInput& o) { return values_in(o.energy); },
                              .density = energy_density,
                              .unit = reduced::energy,
-                             .tested = TestedQuantity::energy};
+                             .tested = TestedQuantity::energy,
+                             .colored_by = ColorBy::energy};
     subject.courses = [inverse = context.particles.inverse_mass](const PathPiece& piece,
                                                                  const auto& take) {
         take(square_of_speed(piece, 0.5 / inverse[piece.particle]));

@@ -51,6 +51,7 @@ struct HistogramSubject {
     bool means = true;  ///< default of whether means are marked
     std::string unit = reduced::speed;          ///< of the quantity, in a table
     std::optional<TestedQuantity> tested = {};  ///< for the test against equilibrium; none: no test
+    std::optional<ColorBy> colored_by = {};     ///< disks coloured by the same quantity
 };
 
 /// What a histogram shows in one frame.
@@ -69,6 +70,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
     bool wants_collisions() const override { return window() != 0.0; }
+    void take_colors(const GasColors& colors) override;
+    bool explains_colors() const override { return whole_.ramp != nullptr; }
     void see(const FrameInput& input) override;
     bool surveys_positions() const override { return subject_.position_axis.has_value(); }
     void archive(Archive& archive) override;
@@ -147,6 +150,9 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::Note note_of_short_title() const;
     plot::Text add_titles();
     plot::Text add_titles_of_runs();
+    std::vector<plot::Text> titles_with_asides(const plot::Text& words,
+                                               const plot::Text& quantity) const;
+    std::optional<plot::Label> name_of_curve() const;
     bool marks_name_choices() const;
     void make_plot();
     std::string height_name() const;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "panels/chosen.h"
+#include "panels/gas/gas_colors.h"
 #include "panels/plot/draw_bars.h"
 #include "panels/plot/layers.h"
 #include "panels/plots/histogram_panel.h"
@@ -155,6 +156,7 @@ plot::Marker HistogramPanel::mean_mark(std::size_t k, double mean, bool is_start
     mark.column = from_name();
     mark.value = mean;
     mark.stroke.width = mark_width;
+    mark.is_under_axis = true;
     if (is_start) mark.depth = depth_of_starts;
     if (is_start) mark.stroke.dashes = {0.25};
     if (count() > 1)
@@ -164,10 +166,21 @@ plot::Marker HistogramPanel::mean_mark(std::size_t k, double mean, bool is_start
     return mark;
 }
 
+// A single choice of particles whose disks are coloured by what the bars count.
+void HistogramPanel::take_colors(const GasColors& colors) {
+    const bool is_single = count() == 1 && !compares();
+    if (!is_single || !colors.has_bar() || subject_.colored_by != context_.scene.film.color_by)
+        return;
+    const auto on = [&](ThemeKind kind) { return scale_colors(context_.scene, theme(kind)); };
+    whole_.ramp = std::make_shared<const Ramp>(Ramp{
+        {on(ThemeKind::light), on(ThemeKind::dark), on(ThemeKind::print)}, colors.scale().top});
+}
+
 plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) const {
     const MeanHistogram& now = state.counts.series[k];
     Bars bars = layers_[k].bars;
     bars.value = column(value_name(), now.counts);
+    bars.ramp = whole_.ramp;
     bars.below = now.below;
     bars.above = now.above;
     if (!state.counts.errors.empty())
@@ -192,6 +205,7 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
     };
     if (state) add(bars_of(*state, k));
     if (!axes_.curves[k].empty()) add(layers_[k].curve);
+    if (auto name = name_of_curve()) plot.layers.emplace_back(std::move(*name));
     if (state == nullptr) return;
     const MeanHistogram& one = state->counts.series[k];
     if (spec_.fit) {
@@ -263,8 +277,6 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
     double values = 0.0, below = 0.0, above = 0.0;
     for (std::size_t k = 0; k < count(); ++k) {
         const HistogramSeries& series = axes_.series[k];
-        notes.marks.first = std::min(notes.marks.first, series.lowest_mean);
-        notes.marks.second = std::max(notes.marks.second, series.highest_mean);
         for (const double mean : {series.mean_start, series.lowest_mean, series.highest_mean})
             if (std::string words = mean_words(k, mean); words.size() > notes.typical_number.size())
                 notes.typical_number = std::move(words);
@@ -309,15 +321,11 @@ plot::Note HistogramPanel::note_of_short_title() const {
         for (std::size_t k = 0; k < count(); ++k)
             note.entries.push_back(
                 {*layers_[k].bars.edge, {named(name_of_series(k), roles_[k].bar)}});
-    if (!axes_.has_curves()) return note;
+    if (!axes_.has_curves() || count() == 1) return note;
     const Language language = context_.language();
-    if (count() == 1)
-        note.entries.push_back({layers_.front().curve.stroke,
-                                {named(say(language, "equilibrium"), roles_.front().curve)}});
-    else
-        note.entries.push_back({{},
-                                {compares() ? say(language, "thin lines: equilibrium")
-                                            : say(language, "lines: equilibrium")}});
+    note.entries.push_back({{},
+                            {compares() ? say(language, "thin lines: equilibrium")
+                                        : say(language, "lines: equilibrium")}});
     return note;
 }
 
@@ -359,10 +367,61 @@ plot::Text HistogramPanel::add_titles() {
         const Text names = both(aside, names_of_choices(Joint::commas), time);
         whole_.titles = {with_curves(words, time), with_curves(quantity, names), at_time(quantity)};
     } else {
-        whole_.titles = {with_curves(words, time), with_curves(quantity, time)};
-        if (axes_.has_curves()) whole_.titles.push_back(at_time(quantity));
+        whole_.titles = titles_with_asides(words, quantity);
+        whole_.y.title = {};
     }
     return {};
+}
+
+// The time, unless it is the present of a film, and what a bar counts, in smaller letters.
+std::vector<plot::Text> HistogramPanel::titles_with_asides(const plot::Text& words,
+                                                           const plot::Text& quantity) const {
+    const Language language = context_.language();
+    const auto aside_of = [&](const std::vector<Text>& parts) {
+        Text all{"\u2002"};
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (i > 0) all += ", ";
+            all += parts[i];
+        }
+        for (Text::Piece& piece : all.pieces) {
+            piece.markup = "<span size=\"85%\" weight=\"400\">" + piece.markup + "</span>";
+            piece.role = Role{Role::Of::muted};
+        }
+        return all;
+    };
+    std::vector<Text> time;
+    if (window() != 0.0 || spec_.at || axes_.runs > 1) time.emplace_back(axes_.time);
+    if (axes_.runs > 1)
+        time.emplace_back(
+            counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));
+    std::vector<Text> time_and_height = time;
+    time_and_height.emplace_back(height_name());
+    std::vector<Text> titles{words + aside_of(time_and_height),
+                             quantity + aside_of(time_and_height)};
+    if (!time.empty()) titles.push_back(quantity + aside_of(time));
+    titles.push_back(quantity);
+    return titles;
+}
+
+// The name of the curve of a single choice, beside the curve where no bar ever reaches.
+std::optional<plot::Label> HistogramPanel::name_of_curve() const {
+    const HistogramCurve& curve = axes_.curves.front();
+    if (count() > 1 || compares() || curve.empty()) return {};
+    plot::Label label;
+    label.still = true;
+    label.role = {Role::Of::accent};
+    label.words = {say(context_.language(), "equilibrium")};
+    const auto peak =
+        static_cast<std::size_t>(std::ranges::max_element(curve.count) - curve.count.begin());
+    constexpr int places = 14;
+    for (const double up : {-0.5, -1.6, -2.7, -3.8})
+        for (int k = 1; k < places; ++k) {
+            const std::size_t i =
+                peak + (curve.value.size() - 1 - peak) * static_cast<std::size_t>(k) / places;
+            label.anchors.push_back(
+                {.at = {curve.value[i], curve.count[i]}, .offset = {0.6, up}, .is_inside = true});
+        }
+    return label;
 }
 
 plot::Text HistogramPanel::add_titles_of_runs() {

@@ -233,7 +233,8 @@ void SeriesPanel::make_plot() {
     whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);
-    if (!subject_.last_title_names && subject_.names.size() > 1 && !compares) add_key();
+    const bool names_lines = !subject_.last_title_names && subject_.names.size() > 1 && !compares;
+    if (names_lines) whole_.titles = {whole_.titles.back()};
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
     std::vector<std::string> names;
@@ -241,19 +242,37 @@ void SeriesPanel::make_plot() {
     if (compares) plot::name_runs(whole_, std::move(names));
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
     add_levels();  // words find their places in this order
+    if (names_lines) add_names();
     add_turns();
     add_events();
     if (subject_.add) subject_.add(record_, whole_);
 }
 
-// Each line's name in its colour.
-void SeriesPanel::add_key() {
-    plot::Note names{.wraps = true, .of_last_titles = 1};
-    for (std::size_t k = 0; k < subject_.names.size(); ++k)
-        names.entries.push_back(
-            {{},
-             {plot::named(subject_.names[k], subject_.lines.at(k).role, plot::Sample::line, k)}});
-    whole_.notes.push_back(std::move(names));
+// Each line's name in its colour, over or under the line where it is free, near its beginning if
+// possible.
+void SeriesPanel::add_names() {
+    constexpr int places = 12;
+    constexpr double over = -0.5, under = 1.25;  // units, to the baseline
+    for (const Growing& one : growing_) {
+        if (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory) continue;
+        const auto& line = std::get<plot::Line>(whole_.layers[one.layer]);
+        plot::Label label;
+        label.still = true;
+        label.words = {plot::named(subject_.names.at(one.line), line.stroke.role,
+                                   plot::Sample::line, one.line)};
+        for (int k = 1; k < places; ++k) {
+            const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
+            if (!std::isfinite(line.y[i])) continue;
+            for (const double off : {over, under})
+                label.anchors.push_back({.at = {line.x[i], line.y[i]},
+                                         .offset = {0.4, off},
+                                         .align = Align::left,
+                                         .is_inside = true});
+        }
+        label.sample = line.stroke;
+        if (!label.anchors.empty()) label.anchors.front().has_sample = true;
+        whole_.layers.emplace_back(std::move(label));
+    }
 }
 
 bool SeriesPanel::has_numbers() const {
@@ -327,6 +346,7 @@ plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
     plot::Level level;
     level.part = "reference";
     level.of = of.name;
+    level.stroke.role = {plot::Role::Of::accent};
     if (of.line) {
         level.of += ", " + subject_.lines.at(*of.line).name;
         level.stroke.role = subject_.lines[*of.line].role;
@@ -359,6 +379,7 @@ namespace {
 plot::Label label_of_levels(std::vector<plot::Text> words, const plot::Stroke& sample, double row) {
     constexpr double line_height = 1.4;  // units
     plot::Label label;
+    label.role = {plot::Role::Of::accent};
     label.words = std::move(words);
     label.anchors = {{.at = {1.0, 0.0},
                       .x_is_share = true,
@@ -388,7 +409,7 @@ void SeriesPanel::add_levels_of_lines(const ReferenceLevels& levels) {
     const auto after_name = [&](const plot::Text& text) {
         return plot::text_of(language, Phrase{"{}: {}"}, {name, text});
     };
-    const plot::Stroke sample{.width = 0.08, .dashes = {0.3}};
+    const plot::Stroke sample{.role = {plot::Role::Of::accent}, .width = 0.08, .dashes = {0.3}};
     for (std::size_t k = 0; k < levels.size(); ++k) {
         plot::Level level = level_of(levels[k]);
         if (k == 0)

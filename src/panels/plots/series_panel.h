@@ -84,7 +84,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     Phrase time_name() const;
     plot::Axis axis_up() const;
     void make_plot();
-    void add_key();
+    void add_names();
     bool has_numbers() const;
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;

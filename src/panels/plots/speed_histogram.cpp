@@ -17,7 +17,8 @@ std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const P
                                      take(course);
                                  },
                              .density = speed_density,
-                             .tested = TestedQuantity::speed};
+                             .tested = TestedQuantity::speed,
+                             .colored_by = ColorBy::speed};
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 

@@ -126,11 +126,9 @@ BoxMap SurfaceView::map_in(const Rect& area, double unit, bool centered) const {
     const double around = left + margins_.right * unit, above = top + margins_.bottom * unit;
     const double scale = std::min((area.width - around) / size[0], (area.height - above) / size[1]);
     const double width = size[0] * scale, height = size[1] * scale;
-    const double begin = centered ? (area.width - around - width) / 2 : 0.0;
-    return {
-        {area.x + begin + left, area.y + (area.height - above - height) / 2 + top, width, height},
-        extent_.low,
-        scale};
+    const double across = centered ? (area.width - around - width) / 2 : 0.0;
+    const double down = centered ? (area.height - above - height) / 2 : 0.0;
+    return {{area.x + across + left, area.y + down + top, width, height}, extent_.low, scale};
 }
 
 Rect SurfaceView::whole(const BoxMap& map, double unit) const {

@@ -82,8 +82,9 @@ double size_in(double height) {
     return (height - air - (1.0 + above_digits) * largest_label) / digit_height;
 }
 
-// A triangle that points along the direction of time; `turn` from 0 (right) to 1 (left).
-void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color color) {
+}  // namespace
+
+void draw_time_arrow(Canvas& canvas, Point center, double size, double turn, Color color) {
     std::array<Point, 3> corners;
     const double angle = turn * std::numbers::pi;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -92,8 +93,6 @@ void draw_arrow(Canvas& canvas, Point center, double size, double turn, Color co
     }
     canvas.fill_polygon(corners, color);
 }
-
-}  // namespace
 
 // The places and the size of the numbers: as large as the area allows, in one row or several.
 struct MonitorsPanel::Row {
@@ -176,9 +175,9 @@ double MonitorsPanel::widest_time(double unit) const {
     const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     const double width =
         measure_text(text(Monitor::time, context_.scene.run.until), style).width / unit;
-    const bool turns = branch_count(context_.scene.run) > 1;
-    if (width + (turns ? arrow_gap : 0.0) < arrow_place - (turns ? 0.0 : arrow_size)) return 0.0;
-    return width + (turns ? arrow_gap + arrow_size : 0.0);
+    if (width + (turns() ? arrow_gap : 0.0) < arrow_place - (turns() ? 0.0 : arrow_size))
+        return 0.0;
+    return width + (turns() ? arrow_gap + arrow_size : 0.0);
 }
 
 // With as many digits as a number gets.
@@ -327,6 +326,8 @@ std::optional<double> MonitorsPanel::enough_height() const {
     return enough + (title_ ? title_height : 0.0);
 }
 
+bool MonitorsPanel::turns() const { return branch_count(context_.scene.run) > 1; }
+
 bool MonitorsPanel::shows_time() const {
     return std::ranges::find(numbers_, Monitor::time) != numbers_.end();
 }
@@ -377,9 +378,9 @@ void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState
                   text(numbers_[i], now.readouts.at(index_of(numbers_[i]))), style);
         if (numbers_[i] != Monitor::time) continue;
         draw_slowness(canvas, dc, rows, now.slow);
-        if (branch_count(context_.scene.run) == 1) continue;
-        draw_arrow(canvas, place_of_arrow(dc, rows, at), arrow_size * rows.size * dc.unit,
-                   now.arrow, dc.theme.accent);
+        if (!turns()) continue;
+        draw_time_arrow(canvas, place_of_arrow(dc, rows, at), arrow_size * rows.size * dc.unit,
+                        now.arrow, dc.theme.highlight);
     }
 }
 

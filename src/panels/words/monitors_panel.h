@@ -29,6 +29,10 @@ struct MonitorsState : PanelState {
     double arrow = 0.0;  // direction of the clock's arrow: 0 forward, 1 back
 };
 
+/// Draws a triangle that points along the direction of time: `turn` from 0 (right) to 1 (left);
+/// `size` from its middle to its ends.
+void draw_time_arrow(Canvas& canvas, Point center, double size, double turn, Color color);
+
 class MonitorsPanel : public Panel {
   public:
     MonitorsPanel(const PanelContext& context, const PanelSpec& spec);
@@ -58,6 +62,7 @@ class MonitorsPanel : public Panel {
     std::string text(Monitor number, double value) const;
     double widest_value(Monitor number) const;
     std::string label(Monitor number) const;  // markup
+    bool turns() const;                       // velocities are reversed in the run
 
     PanelContext context_;
     bool are_asked_;  // the numbers are listed in the scene; otherwise they are the default ones

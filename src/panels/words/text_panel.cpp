@@ -151,7 +151,8 @@ void refuse_long_words(const Scene& scene) {
     for (std::size_t i = 0; i < std::min(slots.size(), scene.film.panels.size()); ++i) {
         const PanelSpec& spec = scene.film.panels[i];
         if (spec.kind != "text") continue;
-        auto problem = problem_of_words(spec, grid.place(slots[i]), grid.unit());
+        auto problem = problem_of_words(
+            spec, grid.place(on_plate(slots[i], scene.film.layout, grid)), grid.unit());
         if (!problem) continue;
         problem->hint =
             "write fewer or shorter words, show fewer panels, or take a template with larger "

@@ -181,6 +181,15 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
                  "or a wall that acts, at most three a second.")};
 }
 
+// Beads on a line would hide their own streaks.
+std::optional<bool> streaks_of(bool shown, const Node& node, Reading& reading) {
+    if (!shown || reading.gas.box.dimension == 2) return shown;
+    reading.errors.add(node,
+                       "streaks are drawn behind disks in a plane, and beads on a line have none",
+                       "leave it out: world lines show where beads have been");
+    return std::nullopt;
+}
+
 // Keys for what is shown next to the gas, and when.
 std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
     const auto slow =
@@ -198,6 +207,12 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
             "trails", &Film::trails, trails_notation(),
             "Trails that some of the particles leave; the `trail` of a species takes precedence.")
             .default_text("for a species of a single particle among many"),
+        bind_key("streaks", &Film::streaks, parsed(flag(), streaks_of),
+                 "Whether each disk is drawn with its path during the last 1/60 s of film, as a "
+                 "streak in its colour that fades with time: with it, the eye follows disks that "
+                 "travel more than half their diameter from frame to frame. Disks too small to be "
+                 "distinguished, and figures, have none.")
+            .tried_as({"motion_blur", "blur", "motion-blur"}),
         bind_key(
             "slow", &FilmDraft::spans, slow,
             "Slow motion over spans of simulated time; factor 0.1 is ten times slower. The film "
@@ -299,9 +314,10 @@ std::vector<Refused> keys_of_other_programs() {
 }
 
 KeyTable<FilmDraft> new_film_table(PanelKinds kinds) {
-    const std::vector its_template{
-        bind_key("template", &Film::template_name, text(1, most_title_letters),
-                 "The layout: a file in the scene's folder or in templates/films, by name.")};
+    const std::vector its_template{bind_key(
+        "template", &Film::template_name, text(1, most_title_letters),
+        "The layout: a file in the scene's folder or in templates/films, by name. If none is "
+        "given, a gas of disks with one panel in `panels` has `hero`.")};
     return {.name = "`film`",
             .keys = joined<FilmDraft>(its_template, film_keys(kinds)),
             .choices = film_choices,

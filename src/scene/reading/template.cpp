@@ -78,6 +78,7 @@ bool is_inside(const Slot& slot, const LayoutSpec& layout) {
 void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& errors) {
     const LayoutSpec with_line = with_caption_line(layout);
     std::vector<Slot> slots{with_line.title, with_line.gas, with_line.color_bar};
+    if (with_line.clock) slots.push_back(*with_line.clock);
     if (with_line.monitors) slots.push_back(*with_line.monitors);
     slots.insert(slots.end(), with_line.panels.begin(), with_line.panels.end());
     if (std::ranges::any_of(slots, [](const Slot& slot) { return slot.height <= 0.0; }))
@@ -128,19 +129,36 @@ bool overlap(const Slot& a, const Slot& b) {
            std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y) > rounding;
 }
 
+// The places of panels are those without quotes.
+bool lies_over_gas(const NamedPlace& one, const NamedPlace& gas) {
+    return gas.name == "`gas`" && one.name.front() != '`' &&
+           is_within(one.place.value, gas.place.value);
+}
+
+// The title ends before a key of one line.
+bool is_key_in_title(const NamedPlace& key, const NamedPlace& title) {
+    return title.name == "`title`" && key.name == "`color_bar`" && is_one_line(key.place.value);
+}
+
+bool may_overlap(const NamedPlace& a, const NamedPlace& b) {
+    return lies_over_gas(a, b) || lies_over_gas(b, a) || is_key_in_title(a, b) ||
+           is_key_in_title(b, a);
+}
+
 // Reports places that overlap. The place of captions may overlap others, which are then made
-// smaller.
+// smaller, and that of a panel may lie over the gas.
 void check_overlaps(const LayoutDraft& layout, Errors& errors) {
     std::vector<const NamedPlace*> seen;
     for (const NamedPlace& one : layout.places) {
         if (one.name == "`caption`") continue;
         for (const NamedPlace* before : seen)
-            if (overlap(before->place.value, one.place.value)) {
+            if (overlap(before->place.value, one.place.value) && !may_overlap(one, *before)) {
                 errors.add(
                     *one.place.node,
                     fmt::format("the place of {} overlaps that of {}", one.name, before->name),
                     "places may touch; only `caption` may lie over others, which are then "
-                    "made smaller");
+                    "made smaller, and a panel may lie over the gas if its place is wholly inside "
+                    "that of the gas");
                 break;
             }
         seen.push_back(&one);
@@ -188,21 +206,32 @@ KeyTable<LayoutDraft> layout_table() {
                       "Width and height of the picture in units of the layout; one unit is the "
                       "smallest size of text.")
                  .required(),
-             slot_key("title", &LayoutSpec::title, slot, "The place of title and subtitle.")
+             slot_key("title", &LayoutSpec::title, slot,
+                      "The place of the title, and of the subtitle if there is no `caption`.")
                  .required(),
              slot_key("gas", &LayoutSpec::gas, slot, "The place of the box.").required(),
-             slot_key("color_bar", &LayoutSpec::color_bar, slot, "The place of the colour scale.")
+             slot_key("color_bar", &LayoutSpec::color_bar, slot,
+                      "The place of the key of the disks' colours: upright, or in one line where "
+                      "the place is less than 3 units high; there it may lie over the place of the "
+                      "title, which ends before it.")
                  .required(),
              slot_key("caption", &LayoutSpec::caption, slot,
-                      "The place of captions in films that have any; places that overlap it are "
-                      "made smaller.")
+                      "The place of captions in films that have any, and of the subtitle in the "
+                      "first four seconds; places that overlap it are made smaller, except for "
+                      "`monitors` of one line, which share it.")
                  .default_text("the bottom of the gas's place"),
-             slot_key("monitors", &LayoutSpec::monitors, slot, "The place of the row of numbers.")
+             slot_key("clock", &LayoutSpec::clock, slot,
+                      "The place of the time, at its right end; the row of numbers then has none.")
+                 .default_text("none"),
+             slot_key("monitors", &LayoutSpec::monitors, slot,
+                      "The place of the row of numbers: each below its name, or, where the place "
+                      "is less than 3 units high, all in one line that ends at the right.")
                  .default_text("none"),
              bind_with<LayoutDraft>(
                  "panels", panels, list_of(slot, 0, most_panels, "a list of [x, y, width, height]"),
                  "The places of the panels, in order. Places may touch; only `caption` may overlap "
-                 "others.")
+                 "others. A panel whose place is inside that of the gas lies over the gas, and "
+                 "enters at the first collision.")
                  .default_text("none")},
         .rule = complete_layout};
 }

@@ -54,19 +54,41 @@ LayoutSpec with_caption_line(LayoutSpec layout) {
         layout.caption = {layout.gas.x, bottom(layout.gas) - height, layout.gas.width, height};
     }
     const Slot& line = *layout.caption;
+    const Slot gas = layout.gas;
     make_room({&layout.title}, line);
     make_room({&layout.gas}, line);
     make_room({&layout.color_bar}, line);
-    if (layout.monitors) make_room({&*layout.monitors}, line);
+    if (layout.clock) make_room({&*layout.clock}, line);
+    if (layout.monitors && !is_one_line(*layout.monitors)) make_room({&*layout.monitors}, line);
     std::vector<Slot*> panels;
-    for (Slot& slot : layout.panels) panels.push_back(&slot);
+    for (Slot& slot : layout.panels)
+        if (!is_within(slot, gas)) panels.push_back(&slot);
     if (!panels.empty()) make_room(panels, line);
     return layout;
 }
 
-std::vector<CaptionSpan> caption_schedule(const Scene& scene) {
-    if (scene.captions.empty()) return {};
-    const std::vector<Tick> ticks = timeline(scene);
+namespace {
+
+// At the place of captions, before the first of them: those that begin with the run wait, others
+// end it. None if either would be too short to be read.
+std::optional<Showing> showing_of_subtitle(const Scene& scene, const std::vector<Tick>& ticks,
+                                           const std::vector<CaptionSpan>& captions) {
+    if (scene.subtitle.empty() || !scene.film.layout.caption) return {};
+    Showing shown = showing(ticks, scene.film, {}, subtitle_seconds);
+    const double least = least_caption_seconds * scene.film.fps;
+    const CaptionSpan* waiting = nullptr;
+    for (const CaptionSpan& caption : captions) {
+        if (caption.first <= shown.first)
+            waiting = &caption;
+        else
+            shown.last = std::min(shown.last, caption.first - 1);
+    }
+    if (shown.last - shown.first + 1 < least) return {};
+    if (waiting && !waiting->words.empty() && waiting->last - shown.last < least) return {};
+    return shown;
+}
+
+std::vector<CaptionSpan> spans_of_captions(const Scene& scene, const std::vector<Tick>& ticks) {
     const double fps = scene.film.fps;
     std::vector<CaptionSpan> spans;
     for (std::size_t i = 0; i < scene.captions.size(); ++i) {
@@ -77,6 +99,25 @@ std::vector<CaptionSpan> caption_schedule(const Scene& scene) {
         spans.push_back({shown, caption.words, shown.first / fps, (shown.last + 1) / fps});
     }
     return spans;
+}
+
+}  // namespace
+
+std::vector<CaptionSpan> caption_schedule(const Scene& scene) {
+    if (scene.captions.empty()) return {};
+    const std::vector<Tick> ticks = timeline(scene);
+    std::vector<CaptionSpan> spans = spans_of_captions(scene, ticks);
+    if (const auto subtitle = showing_of_subtitle(scene, ticks, spans))
+        for (CaptionSpan& span : spans) {
+            span.first = std::max(span.first, subtitle->last + 1);
+            span.start = span.first / double(scene.film.fps);
+        }
+    return spans;
+}
+
+std::optional<Showing> subtitle_showing(const Scene& scene) {
+    const std::vector<Tick> ticks = timeline(scene);
+    return showing_of_subtitle(scene, ticks, spans_of_captions(scene, ticks));
 }
 
 }  // namespace carom

@@ -3,6 +3,7 @@
 // a layout.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,11 @@ struct CaptionSpan : Showing {
 /// the end of the film. Includes captions without words, and those for which no frame is left
 /// (`last` < `first`).
 std::vector<CaptionSpan> caption_schedule(const Scene& scene);
+
+/// The frames in which the subtitle stands at the place of captions: in the first seconds. None if
+/// the template has no such place, or if it would be too short to be read.
+std::optional<Showing> subtitle_showing(const Scene& scene);
+constexpr double subtitle_seconds = 4.0;
 
 /// The duration of a caption's fade-in and of its fade-out.
 constexpr double caption_fade_seconds = 0.2;

@@ -99,7 +99,7 @@ TEST_CASE("scenes that say they come to equilibrium show the curve") {
 TEST_CASE("every template makes a picture of a plane and of a wire, in every theme") {
     const carom::test::TemporaryFolder folder;
     const std::vector<fs::path> files = test::yaml_files(root / "templates/films");
-    CHECK(files.size() == 7);
+    CHECK(files.size() == 8);
     for (const fs::path& file : files)
         for (const std::string name : {"two-to-one", "cradle"})
             for (const std::string theme : {"light", "dark", "print"}) {
@@ -118,8 +118,9 @@ TEST_CASE("every template makes a picture of a plane and of a wire, in every the
 TEST_CASE("a bead a hundred times as heavy gives 31 collisions, one of 10,000 times 314") {
     const CollisionCounts hundred = collisions_in(scene("pi-from-collisions"));
     CHECK(hundred.particle + hundred.wall == 31);
-    const CollisionCounts more = collisions_in(
-        scene("pi-from-collisions", {"gas.1.mass=10000", "run.until=50", "box.length=90"}));
+    const CollisionCounts more =
+        collisions_in(scene("pi-from-collisions",
+                            {"gas.1.mass=10000", "run.until=50", "box.length=90", "film.slow=[]"}));
     CHECK(more.particle + more.wall == 314);
 }
 
@@ -145,11 +146,11 @@ TEST_CASE("the hot particle is seen to fly, and gives its energy away blow by bl
     Simulation simulation(loaded.gas, loaded.run);
     const auto hot = static_cast<std::int32_t>(simulation.particles().count() - 1);
     simulation.record_collisions(true);
-    const AdvanceResult advanced = simulation.advance_to(0.7);
+    const AdvanceResult advanced = simulation.advance_to(0.8);
     std::vector<double> blows;
     for (const Collision& collision : advanced.collisions)
         if (collision.first == hot || collision.second == hot) blows.push_back(collision.time);
-    REQUIRE(blows.size() >= 4);
+    REQUIRE(blows.size() >= 3);
     CHECK(blows[0] * 30.0 > 8.0 * 0.7);  // a way of eight radii at least, at speed 30
     const auto energy = [&] {
         return kinetic_energies(simulation.particles(), simulation.sample())[hot];
@@ -253,19 +254,19 @@ TEST_CASE("a demon makes one side hot, and what effuses is hotter than what is l
     CHECK(mean_energy(demon, 200.0, right_of(32.0)) > 2.0 * mean_energy(demon, 200.0, left_of(32)));
     Simulation slit = started("effusion");
     double passed = 0.0, stayed = 0.0;
-    for (const double time : {40.0, 60.0, 80.0, 100.0}) {
-        passed += mean_energy(slit, time, right_of(36.5)) / 4.0;
-        stayed += mean_energy(slit, time, left_of(36.0)) / 4.0;
+    for (const double time : {100.0, 150.0, 200.0, 250.0}) {
+        passed += mean_energy(slit, time, right_of(27.5)) / 4.0;
+        stayed += mean_energy(slit, time, left_of(27.0)) / 4.0;
     }
     CHECK(passed > 1.2 * stayed);
 }
 
 TEST_CASE("pistons heat a gas by the work that they do, unless walls take the heat away") {
     Simulation driven = started("moving-piston");
-    CHECK(mean_energy(driven, 14.0) > 3.0 * 50.0);  // slowly, 44/16 of the start, 137, and more
+    CHECK(mean_energy(driven, 14.0) > 2.8 * 50.0);  // slowly, 44/16 of the start, 137, and more
     CHECK(mean_energy(driven, 28.0) < 1.2 * 50.0);
     Simulation cooled = started("isothermal-piston");
-    CHECK(mean_energy(cooled, 480.0) == relative(1.0, 0.25));
+    CHECK(mean_energy(cooled, 640.0) == relative(1.0, 0.25));
     Simulation falling = started("adiabatic-piston");
     CHECK(mean_energy(falling, 30.0) > 2.5 * 50.0);
     const double slow = mean_energy(*std::make_unique<Simulation>(started("jarzynski")), 80.0);
@@ -311,9 +312,9 @@ TEST_CASE("what is above the top of the atmosphere has escaped for good") {
     CHECK(before < 100);
 }
 
-TEST_CASE("gases that mix come to one mean energy, each as many as in the original") {
+TEST_CASE("gases that mix come to one mean energy") {
     for (const auto& mixed : {std::pair{"two-gas", std::pair{100, 217}},
-                              std::pair{"hot-and-cold-mix", std::pair{150, 150}}}) {
+                              std::pair{"hot-and-cold-mix", std::pair{80, 80}}}) {
         const auto* const name = mixed.first;
         const auto counts = mixed.second;
         CAPTURE(name);

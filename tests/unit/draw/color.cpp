@@ -119,7 +119,7 @@ TEST_CASE("every theme is legible") {
         CAPTURE(static_cast<int>(kind));
         const Theme& colors = theme(kind);
         for (const Color& behind : {colors.page, colors.ground}) {
-            for (const Color& text : {colors.ink, colors.muted, colors.highlight})
+            for (const Color& text : {colors.ink, colors.second, colors.muted, colors.highlight})
                 CHECK(contrast(text, behind) >= 4.5);
             for (const Color& mark : {colors.accent, colors.bar, colors.wall, colors.trail})
                 CHECK(contrast(mark, behind) >= 3.0);

@@ -132,6 +132,43 @@ TEST_CASE("colour and width change evenly along a line") {
     }
 }
 
+TEST_CASE("an opacity changes evenly along a line, over what is there") {
+    Canvas canvas({120, 40});
+    canvas.fill_all(rgb(0x404040));
+    const Taper taper{{10, 20}, {110, 20}, 24, 24, white, white, 0.8, 0.0};
+    draw_tapers(canvas, {&taper, 1}, everywhere);
+    for (int x = 12; x < 108; ++x) {
+        const double opacity = 0.8 * (1.0 - (x + 0.5 - 10.0) / 100.0);
+        CHECK(std::abs(level(canvas, x, 20) - (0x40 + opacity * (0xFF - 0x40))) <= 1.0);
+    }
+}
+
+TEST_CASE("where joined lines overlap, the most opaque one counts") {
+    const PixelSize size{140, 140};
+    std::vector<Taper> bent = random_tapers(5, 12.0, size);
+    for (std::size_t k = 0; k < bent.size(); ++k) {
+        Taper& taper = bent[k];
+        taper.color_at_start = taper.color_at_end = white;
+        taper.is_joined = k > 0;
+        taper.width_at_start = 30.0, taper.width_at_end = 20.0;
+        if (k > 0) taper.from = bent[k - 1].to;
+        taper.opacity_at_start = 0.6 - 0.1 * static_cast<double>(k);
+        taper.opacity_at_end = taper.opacity_at_start - 0.1;
+    }
+    Canvas all(size);
+    draw_tapers(all, bent, everywhere);
+    std::vector<int> most(140 * 140);
+    for (Taper taper : bent) {
+        taper.is_joined = false;
+        Canvas alone(size);
+        draw_tapers(alone, {&taper, 1}, everywhere);
+        for (int i = 0; i < 140 * 140; ++i)
+            most[std::size_t(i)] = std::max(most[std::size_t(i)], level(alone, i % 140, i / 140));
+    }
+    for (int i = 0; i < 140 * 140; ++i)
+        CHECK(std::abs(level(all, i % 140, i / 140) - most[std::size_t(i)]) <= 3);  // one a line
+}
+
 TEST_CASE("lines of one width look as Cairo strokes them") {
     const PixelSize size = {300, 200};
     Canvas ours(size), cairos(size);

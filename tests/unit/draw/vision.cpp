@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,17 @@ void check_apart(const std::vector<Color>& colors, double least = least_distance
                 CAPTURE(k);
                 CHECK(distance(vision, colors[i], colors[k]) >= least);
             }
+}
+
+double chroma(Color color) { return std::hypot(oklab(color).a, oklab(color).b); }
+
+// Degrees in [-180, 180].
+double hue_between(Color one, Color other) {
+    const auto hue = [](Color color) {
+        const Oklab lab = oklab(color);
+        return std::atan2(lab.b, lab.a) * 180.0 / std::numbers::pi;
+    };
+    return std::remainder(hue(one) - hue(other), 360.0);
 }
 
 }  // namespace
@@ -55,7 +68,32 @@ TEST_CASE("the colours of kinds differ for every viewer, in every theme") {
         std::vector<Color> colors;
         const std::size_t kinds = kind == ThemeKind::print ? 4 : 6;
         for (std::size_t i = 0; i < kinds; ++i) colors.push_back(kind_color(i, theme(kind)));
+        // In print theory is black, and dashed where a kind is.
+        if (kind != ThemeKind::print) colors.push_back(theme(kind).accent);
         check_apart(colors);
+    }
+}
+
+TEST_CASE(
+    "no kind has the hue of the theory curve, or glares, and cold and hot are blue and warm") {
+    for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+        const Theme& colors = theme(kind);
+        for (std::size_t i = 0; i < 6; ++i) {
+            const Color color = kind_color(i, colors);
+            CAPTURE(hex_of(color));
+            // Colours of a smaller chroma look grey. The middle colours of two neighbouring hue
+            // names, as orange and yellow, are about 25 degrees apart.
+            if (chroma(color) > 0.03) CHECK(std::abs(hue_between(color, colors.accent)) >= 25.0);
+            CHECK(chroma(color) <= 0.17);  // yellow of 0.2 is what glares most
+        }
+        CHECK(std::abs(hue_between(kind_color(0, colors), rgb(0x0000FF))) <= 30.0);
+        CHECK(std::abs(hue_between(kind_color(1, colors), rgb(0xFF0000))) <= 30.0);
+        for (const std::string& name : color_map_names()) {
+            CAPTURE(name);
+            const ColorMap scale = color_map_on(name, colors);
+            const std::vector<Color> beside = kind_colors_beside(scale.samples(), colors);
+            CHECK(oklab(beside[0]).b < oklab(beside[1]).b);
+        }
     }
 }
 
@@ -65,13 +103,37 @@ TEST_CASE("a print needs no colour, and its first four kinds differ much in ligh
     };
     for (std::size_t i = 0; i < 8; ++i) CHECK(is_grey(kind_color(i, theme(ThemeKind::print))));
     const Theme& print = theme(ThemeKind::print);
-    for (const Color& color : {print.page, print.ground, print.ink, print.muted, print.accent,
-                               print.bar, print.wall, print.trail, print.highlight})
+    for (const Color& color :
+         {print.page, print.ground, print.ink, print.second, print.muted, print.grid, print.accent,
+          print.bar, print.wall, print.trail, print.highlight})
         CHECK(is_grey(color));
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = 0; k < i; ++k)
             CHECK(std::abs(lightness(kind_color(i, theme(ThemeKind::print))) -
                            lightness(kind_color(k, theme(ThemeKind::print)))) >= 15.0);
+}
+
+TEST_CASE("a role has the same hue on a light and on a dark page") {
+    const Theme &light = theme(ThemeKind::light), &dark = theme(ThemeKind::dark);
+    // Hues are named in steps of about 15 degrees; a third of that is not seen.
+    for (const auto role : {&Theme::accent, &Theme::bar, &Theme::wall, &Theme::highlight}) {
+        CAPTURE(hex_of(light.*role));
+        CHECK(std::abs(hue_between(light.*role, dark.*role)) <= 5.0);
+    }
+}
+
+TEST_CASE("words have three shades, and grid lines stay behind all of them") {
+    for (const ThemeKind kind : all_themes) {
+        CAPTURE(static_cast<int>(kind));
+        const Theme& colors = theme(kind);
+        CHECK(contrast(colors.ink, colors.page) > 1.2 * contrast(colors.second, colors.page));
+        CHECK(contrast(colors.second, colors.page) > 1.2 * contrast(colors.muted, colors.page));
+        // Seen, but less than anything that carries meaning.
+        for (const Color& behind : {colors.page, colors.ground}) {
+            CHECK(contrast(colors.grid, behind) >= 1.25);
+            CHECK(contrast(colors.grid, behind) <= 1.6);
+        }
+    }
 }
 
 TEST_CASE("bars, the theory curve and what is to be looked at differ for every viewer") {

@@ -110,7 +110,9 @@ TEST_CASE("arrows point up where velocities do") {
     const Extent ink = film.ink();
     const double pixel = 1.0 / film.scale();
     CHECK(std::abs(ink.lowest - 20.0) < 2.0 * pixel);
-    CHECK(std::abs(ink.highest - 30.0) < 3.0 * pixel);
+    // Between two columns of pixels the tip is ink where it is two pixels wide: 2.2 behind its end,
+    // and up to one more to the next row.
+    CHECK(std::abs(ink.highest - 30.0) < 3.2 * pixel);
     CHECK(std::abs(ink.left + ink.right - 40.0) < 2.0 * pixel);
 }
 
@@ -225,7 +227,7 @@ TEST_CASE("of many disks some have arrows, evenly chosen, and the key says how m
                             ", radius: 0.1, position: lattice, velocity: [0.5, 0]}",
                         "velocities: 2, theme: dark");
         return std::ranges::any_of(
-            log.lines, [](const DrawnLine& line) { return line.markup == "of 1 in 3"; });
+            log.lines, [](const DrawnLine& line) { return line.markup.ends_with("of 1 in 3"); });
     };
     CHECK(says_some(161));
     CHECK_FALSE(says_some(80));

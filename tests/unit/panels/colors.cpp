@@ -45,6 +45,16 @@ struct Picture : test::FirstFrame {
         return rgb(view.data[std::lround(y) * view.stride + std::lround(x)] & 0xFFFFFF);
     }
 
+    double unit() const { return Grid(scene.film.layout, scene.film.size).unit(); }
+
+    // Where the last panel has its data, and the numbers of its axes.
+    Rect area_of_last_plot() const {
+        DiskPainter disks;
+        const Grid grid(scene.film.layout, scene.film.size);
+        const Slot& slot = panels.panels().back().slot;
+        return plot_area({grid.place(slot), grid.unit(), theme_of(scene.film.theme), disks});
+    }
+
     // The pixels along a line from the centre of the box to the right.
     std::vector<Color> row() const {
         const Rect rect = box();
@@ -184,8 +194,10 @@ TEST_CASE("infinite masses have a colour of their own, and hatching, and a word"
         const Theme& colors = theme(kind);
         const Color own = kind == ThemeKind::print ? colors.ink : color_beside("viridis", colors);
         const auto film = std::string("color_by: mass, theme: ") + name_of_theme(kind);
+        const TextLog log;
         const Picture infinite(
             scene_of(finite + "position: [20, 20], mass: infinite, speed: 0}", film));
+        CHECK(std::ranges::count(log.lines, "infinite", &DrawnLine::markup) == 1);
         const Picture heavy(scene_of(finite + "position: [20, 20], mass: 12, speed: 0}", film));
         int fill = 0, hatching = 0;
         const double radius = 8.0 * infinite.box().width / 40.0;
@@ -197,13 +209,13 @@ TEST_CASE("infinite masses have a colour of their own, and hatching, and a word"
         CHECK(fill > radius / 2);
         CHECK(hatching > radius / 12);
 
-        // Beside the box, under the scale, its colour is found only where there is such a mass.
+        // In the key, before the scale, its colour is found only where there is such a mass.
         const auto found_in_key = [&](const Picture& picture) {
-            const Rect box = picture.box();
+            const Film& its = picture.scene.film;
+            const Rect key = Grid(its.layout, its.size).place(its.layout.color_bar);
             int count = 0;
-            for (double y = box.y; y < box.bottom(); ++y)
-                for (double x = box.right() + 12; x < box.right() + 50; ++x)
-                    count += same(picture.at(x, y), own);
+            for (double y = key.y; y < key.bottom(); ++y)
+                for (double x = key.x; x < key.right(); ++x) count += same(picture.at(x, y), own);
             return count;
         };
         CHECK(found_in_key(infinite) > 80);
@@ -211,52 +223,54 @@ TEST_CASE("infinite masses have a colour of their own, and hatching, and a word"
     }
 }
 
-// Both the bars and what lies over them stand out from the page, but hardly from one another.
-TEST_CASE("a casing parts marks from the bars behind them, and does not split those") {
-    for (const ThemeKind kind : all_themes) {
-        CAPTURE(static_cast<int>(kind));
-        const Theme& colors = theme(kind);
-        const Picture picture(
-            scene_of("{count: 60, radius: 0.5, speed: {uniform: [0.5, 2]}}",
-                     std::string("panels: [{kind: speed-histogram, theory: false, mean_start: "
-                                 "false}], theme: ") +
-                         name_of_theme(kind)));
-        const Color casing = mix(colors.bar, colors.page, 0.6);  // a darker bar, which stays whole
-        CHECK(contrast(colors.ink, casing) >= 3.0);
-        // Along rows: bar, casing, mark.
-        int cased = 0, bare = 0;
-        for (int y = 0; y < picture.view.height; ++y)
-            for (int x = picture.view.width / 2; x < picture.view.width - 12; ++x) {
-                if (!same(picture.at(x, y), colors.bar) || !same(picture.at(x - 1, y), colors.bar))
-                    continue;
-                if (same(picture.at(x + 1, y), colors.bar)) continue;
-                int page = 0, ink = 0;
-                for (int i = 1; i <= 5; ++i) {
-                    page += ink == 0 && nearly_same(picture.at(x + i, y), casing);
-                    ink += same(picture.at(x + i, y), colors.ink);
+// Both the bars and the curve over them stand out from the page, but hardly from one another.
+TEST_CASE("a casing parts a curve from the bars behind it, whatever colours these have") {
+    for (const char* colored : {"species", "speed"})  // all alike, or as the disks
+        for (const ThemeKind kind : all_themes) {
+            CAPTURE(colored);
+            CAPTURE(static_cast<int>(kind));
+            const Theme& colors = theme(kind);
+            const Picture picture(
+                scene_of("{count: 300, radius: 0.3, temperature: 1}",
+                         std::string("template: lecture, panels: [{kind: speed-histogram, "
+                                     "mean_start: false, mean_now: false}], theme: ") +
+                             name_of_theme(kind) + ", color_by: " + colored));
+            const Rect plot = picture.area_of_last_plot();
+            const double from = plot.bottom() - 1.2 * picture.unit();  // over axis and ramp
+            // Up a column: bar, casing, curve, casing, bar. Rows of pixels are not all casing: 2 is
+            // less than half of the contrast of bar and curve, which have 4.5 at least.
+            int cased = 0, bare = 0;
+            for (double x = plot.x + 3; x < plot.right() - 3; x += 1.0) {
+                const Color bar = picture.at(x, from);
+                if (same(bar, colors.accent)) continue;
+                std::string seen;
+                for (double y = from; y > plot.y; y -= 1.0) {
+                    const Color pixel = picture.at(x, y);
+                    const char what = same(pixel, colors.accent)           ? 'c'
+                                      : contrast(pixel, colors.page) < 2.0 ? 'p'
+                                      : same(pixel, bar)                   ? 'b'
+                                                                           : ' ';
+                    if (what != ' ' && (seen.empty() || seen.back() != what)) seen += what;
                 }
-                if (ink > 0) ++(page > 0 ? cased : bare);
+                cased += seen.starts_with("bpcpb");
+                bare += seen.starts_with("bcb");
             }
-        CHECK(cased > 40);
-        CHECK(bare <= 3);  // beside the axis
-    }
+            CHECK(cased > 100);
+            CHECK(bare == 0);
+        }
 }
 
 TEST_CASE("a casing does not hide low bars, nor the feet of others") {
     const Picture picture(scene_of("{count: 300, radius: 0.3, temperature: 1}",
-                                   "panels: [{kind: energy-histogram, mean_start: false, "
-                                   "mean_now: false}], theme: dark"));
+                                   "template: lecture, panels: [{kind: energy-histogram, "
+                                   "mean_start: false, mean_now: false}], theme: dark"));
     const Theme& colors = theme(ThemeKind::dark);
-    const Grid grid(picture.scene.film.layout, picture.scene.film.size);
-    DiskPainter disks;
-    const Rect plot =
-        plot_area({grid.place(shared_slots(picture.scene.film.layout.panels, 1).front()),
-                   grid.unit(), colors, disks});
+    const Rect plot = picture.area_of_last_plot();
     // Up from the axis, as far as a bar goes, there is bar and curve, but no page.
     int low = 0, parted = 0;
     for (double x = plot.x + 0.3 * plot.width; x < plot.right() - 2; x += 1.0) {
         int height = 0, pages = 0, pages_within = 0;
-        for (int up = 3; up < 0.6 * grid.unit(); ++up) {
+        for (int up = 3; up < 0.6 * picture.unit(); ++up) {
             const Color pixel = picture.at(x, plot.bottom() - up);
             pages += same(pixel, colors.page);
             if (!same(pixel, colors.bar)) continue;
@@ -339,11 +353,20 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     CHECK(disk_sample(kind_color(1, print), print).find("○") != std::string::npos);
     TextLog log;
     FramePainter(picture.panels).paint(picture.frame);
-    const bool has_samples = std::ranges::any_of(log.lines, [](const DrawnLine& line) {
-        return line.markup.find("–·–") != std::string::npos &&
-               line.markup.find("- -") != std::string::npos;
-    });
-    CHECK(has_samples);
+    // Each name stands at its line, after its sample; also here, where all lines lie on the axis.
+    const double axis = Picture(scene).area_of_last_plot().bottom();
+    for (const auto& [name, sample] : {std::pair{"a", "—"}, std::pair{"b", "- -"},
+                                       std::pair{"c", "···"}, std::pair{"d", "–·–"}}) {
+        CAPTURE(name);
+        const auto is_named = [&](const DrawnLine& line) {
+            const std::size_t at = line.markup.find(std::string(sample) + "<");
+            return at != std::string::npos &&
+                   line.markup.find(std::string(name) + "<", at) != std::string::npos;
+        };
+        const auto line = std::ranges::find_if(log.lines, is_named);
+        REQUIRE(line != log.lines.end());
+        CHECK(line->ink.bottom() <= axis);
+    }
 }
 
 TEST_CASE("a direction has its own colour for every viewer, and what rests has none but a rim") {
@@ -415,6 +438,24 @@ TEST_CASE("where colours of the gas are a scale, kinds in panels have none of th
     const Scene by_species = scene_of("{count: 3}", "color_by: species");
     CHECK(same(kind_in(by_species, 0, theme(ThemeKind::dark)),
                kind_color(0, theme(ThemeKind::dark))));
+}
+
+TEST_CASE("runs beside each other differ for every viewer, and from the theory curve") {
+    for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
+        CAPTURE(name_of_theme(kind));
+        const Theme& colors = theme(kind);
+        std::vector<Color> all{colors.accent};
+        for (std::size_t run = 0; run < 6; ++run)
+            all.push_back(plot::color_of(plot::Role{plot::Role::Of::run, run}, colors));
+        for (const Vision& vision : visions)
+            for (std::size_t i = 0; i < all.size(); ++i)
+                for (std::size_t k = 0; k < i; ++k) {
+                    CAPTURE(vision.name);
+                    CAPTURE(i);
+                    CAPTURE(k);
+                    CHECK(distance(vision, all[i], all[k]) >= least_distance);
+                }
+    }
 }
 
 TEST_CASE("whether there are infinite masses is found once, not for every disk") {

@@ -135,7 +135,7 @@ TEST_CASE("beads and rods on a wire can be rings with numbers on them") {
     }
 }
 
-TEST_CASE("the box stands in the middle where nothing is beside it, else at the left") {
+TEST_CASE("the box stands in the middle where nothing is beside it, else at the top left") {
     const Picture alone(scene_of("{count: 1}", "fps: 30", "size: [10, 40]"));
     const Rect area =
         Grid(alone.scene.film.layout, alone.scene.film.size).place(alone.scene.film.layout.gas);
@@ -144,6 +144,16 @@ TEST_CASE("the box stands in the middle where nothing is beside it, else at the 
     Scene beside = scene_of("{count: 1}", "fps: 30", "size: [10, 40]");
     beside.film.layout.panels.push_back({78, 10, 1, 1});
     CHECK(Picture(std::move(beside)).panels.gas().frame_in(area, 1.0).x == doctest::Approx(area.x));
+    // Where it leaves height, it stands at the top beside panels, else in the middle.
+    const auto flat = [&](bool has_panels) {
+        Scene scene = scene_of("{count: 1}", "fps: 30", "size: [40, 10]");
+        if (has_panels) scene.film.layout.panels.push_back({78, 10, 1, 1});
+        return Picture(std::move(scene)).panels.gas().frame_in(area, 1.0);
+    };
+    const Rect middle = flat(false);
+    CHECK(middle.y - area.y == doctest::Approx(area.bottom() - middle.bottom()));
+    CHECK(middle.y > area.y + 1.0);
+    CHECK(flat(true).y == doctest::Approx(area.y));
 }
 
 TEST_CASE("a number on a bead may be shorter by a digit") {
@@ -170,52 +180,53 @@ TEST_CASE("a title that would be cut gives way to a shorter one") {
     CHECK(in(10) == titles[2]);  // the last is cut
 }
 
-// Wherever the mean is in the range.
-TEST_CASE("the means' names keep clear of their marks") {
+// Wherever the mean is in the range, and whether the bars have the disks' colours, with a ramp
+// under the axis, or not.
+TEST_CASE("the mark of a mean is a tick under the axis, which crosses neither bars nor words") {
     const std::uint32_t ink = to_pixel(theme(ThemeKind::dark).ink) & 0xFFFFFF;
-    const std::uint32_t page = to_pixel(theme(ThemeKind::dark).page) & 0xFFFFFF;
-    int seen = 0;
     for (int step = 0; step < 120; ++step) {
-        const bool narrow = step % 2 == 1;  // with no room for names beside a mark in the middle
+        const bool narrow = step % 2 == 1, has_ramp = step % 4 < 2;
         const double top = 1.05 * std::pow(1.02, step);
         CAPTURE(top);
         CAPTURE(narrow);
-        // One bar of 400, far beyond the axis; the mark of its mean stands beside it.
-        Scene scene = scene_of("{count: 400, radius: 0.1, speed: 1}",
-                               std::string("template: ") + (narrow ? "square" : "lecture") +
-                                   ", panels: [{kind: speed-histogram, theory: false, range: [0, " +
-                                   std::to_string(top) + "], bins: 1000}]");
+        CAPTURE(has_ramp);
+        // One bar of 400, far beyond the axis; the mean is in it.
+        Scene scene = scene_of(
+            "{count: 400, radius: 0.1, speed: 1}",
+            std::string("template: ") + (narrow ? "square" : "lecture") +
+                ", color_by: " + (has_ramp ? "speed" : "species") +
+                ", panels: [{kind: speed-histogram, theory: false, mean_start: false, range: [0, " +
+                std::to_string(top) + "], bins: 1000}]");
         scene.film.size = {narrow ? 900 : 1600, 900};
+        const TextLog log;
         const Picture picture(std::move(scene));
         const Grid grid(picture.scene.film.layout, picture.scene.film.size);
         const Rect area = area_of_last_plot(picture.panels, grid);
-        const int x = static_cast<int>(std::lround(area.x + area.width / top));
-        const auto at = [&](int column, int row) {
-            return picture.view.data[row * picture.view.stride + column] & 0xFFFFFF;
-        };
-        // From the middle up along the mark, as far as it goes.
-        int row = static_cast<int>(area.y + 0.5 * area.height);
-        const int middle = row;
+        const double x = area.x + area.width / top;
         const auto is_mark = [&](int y) {
-            for (int near = x - 2; near <= x + 2; ++near)
-                if (at(near, y) == ink) return true;
+            const int column = static_cast<int>(x);
+            for (int near = column - 2; near <= column + 2; ++near)
+                if ((picture.view.data[y * picture.view.stride + near] & 0xFFFFFF) == ink)
+                    return true;
             return false;
         };
-        while (row > 0 && is_mark(row)) --row;
-        REQUIRE(row < middle);
-        // Below the count of the broken bar.
-        const int top_row = static_cast<int>(area.y + 1.6 * grid.unit());
-        for (int y = std::max(row, top_row) + 1; y < middle; ++y)
-            for (const int column : {x - 8, x - 7, x - 6, x - 5, x + 5, x + 6, x + 7, x + 8}) {
-                if (column >= static_cast<int>(area.right())) continue;
-                // A plate of the page over the page may be a step of the 8 bits off.
-                for (const int shift : {0, 8, 16})
-                    REQUIRE(std::abs(int(at(column, y) >> shift & 0xFF) -
-                                     int(page >> shift & 0xFF)) <= 1);
-                ++seen;
-            }
+        // From the middle of the plot down, over the bar, to the tick and to its end.
+        const double over_ramp = has_ramp ? 0.52 * grid.unit() : 0.0;
+        const double axis = area.bottom() - over_ramp;
+        int first = static_cast<int>(area.y + 0.5 * area.height);
+        while (first < picture.view.height && !is_mark(first)) ++first;
+        int end = first;
+        while (end < picture.view.height && is_mark(end)) ++end;
+        REQUIRE(first >= axis - 1.0);
+        CHECK(first <= axis + 3.0);  // the axis itself may lie over it
+        CHECK(end >= axis + 0.4 * grid.unit());
+        const double half = 0.06 * grid.unit();
+        const auto touches = [&](const DrawnLine& line) {
+            return line.ink.x < x + half && line.ink.right() > x - half && line.ink.y < end &&
+                   line.ink.bottom() > first;
+        };
+        CHECK(std::ranges::none_of(log.lines, touches));
     }
-    CHECK(seen > 1000);
 }
 
 TEST_CASE("the mark of a mean does not cross out the count of a broken bar") {
@@ -243,6 +254,7 @@ TEST_CASE("the mark of a mean does not cross out the count of a broken bar") {
 TEST_CASE("as many numbers stand in a row as it has room for") {
     const auto drawn = [](double width, const std::vector<Monitor>& numbers) {
         Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
+        scene.film.layout.clock.reset();
         scene.film.layout.monitors = Slot{1, 1, width, 3.8};
         scene.film.monitors = numbers;
         return Picture(std::move(scene)).pixels();
@@ -261,6 +273,7 @@ TEST_CASE("a time with a power of ten has room, and its arrow too") {
         Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
         scene.run.until = 2e-9;
         scene.run.events = {{1e-9, ReverseVelocities{}}};
+        scene.film.layout.clock.reset();
         scene.film.layout.monitors = Slot{1, 1, width, 3.8};
         scene.film.monitors = {Monitor::time, Monitor::collisions};
         TextLog log;
@@ -272,8 +285,10 @@ TEST_CASE("a time with a power of ten has room, and its arrow too") {
         REQUIRE(number != log.lines.end());
         const double widest =
             measure_text(three_digits(2e-9), {.size = number->size, .color = {}}).width;
-        const auto [left, right] = picture.columns_of(0xFF9F43);  // the arrow
-        if (picture.last_row_of(0xFF9F43) > time->ink.bottom())
+        const std::uint32_t arrow = to_pixel(theme(ThemeKind::dark).highlight) & 0xFFFFFF;
+        const auto [left, right] = picture.columns_of(arrow);
+        REQUIRE(left <= right);
+        if (picture.last_row_of(arrow) > time->ink.bottom())
             CHECK(left - time->ink.x > widest);
         else
             CHECK(left > time->ink.right());  // no room beside the number
@@ -284,12 +299,88 @@ TEST_CASE("a time with a power of ten has room, and its arrow too") {
     CHECK(compared > 3);
 }
 
+TEST_CASE("numbers in one line end at its right, as many as have room in about half of it") {
+    const std::vector<std::string> labels{"collisions", "mean speed", "mean energy"};
+    std::size_t before = 0;
+    for (double width = 6.0; width <= 62.0; width += 2.0) {
+        CAPTURE(width);
+        Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
+        scene.film.layout.monitors = Slot{1, 60, width, 2.4};
+        scene.film.layout.grid_height = 72;
+        scene.film.monitors = {Monitor::time, Monitor::collisions, Monitor::mean_speed,
+                               Monitor::mean_energy};
+        const Rect place =
+            Grid(scene.film.layout, scene.film.size).place(*scene.film.layout.monitors);
+        const TextLog log;
+        const Picture picture(std::move(scene));
+        std::size_t shown = 0;
+        double left = place.right(), right = place.x;
+        for (const DrawnLine& line : log.lines) {
+            if (line.ink.y < place.y) continue;
+            shown += std::ranges::find(labels, line.markup) != labels.end();
+            left = std::min(left, line.ink.x);
+            right = std::max(right, line.ink.right());
+        }
+        CHECK(shown >= std::max<std::size_t>(1, before));  // one is always there
+        before = shown;
+        CHECK(right <= place.right() + 1.0);
+        CHECK(right > place.right() - 0.3 * Grid(picture.scene.film.layout, {640, 720}).unit());
+        if (shown > 1) CHECK(left >= place.right() - 0.55 * place.width - 1.0);
+    }
+    CHECK(before == 2);  // half of the picture has no room for three
+}
+
+TEST_CASE("before the clock's time are its arrow and slow motion, apart from it and the key") {
+    for (const double until : {4.0, 2e-9, 2e7}) {
+        CAPTURE(until);
+        Scene scene = scene_of("{count: 3, speed: 1}",
+                               "fps: 30, slow: [{factor: 0.125}], template: wide-gas");
+        scene.run.until = until;
+        scene.run.events = {{0.5 * until, ReverseVelocities{}}};
+        scene.film.size = {1280, 720};
+        const test::Shot film(scene);
+        const auto frame = std::ranges::find_if(
+            film.frames, [](const FrameData& one) { return one.tick.slow.share == 1.0; });
+        REQUIRE(frame != film.frames.end());
+        FramePainter painter(*film.panels);
+        const TextLog log;
+        const PixelView view = painter.paint(*frame).pixels();
+        const auto line = [&](const std::string& words) {
+            return std::ranges::find_if(
+                log.lines, [&](const DrawnLine& one) { return one.markup.starts_with(words); });
+        };
+        const auto time = line("t = "), slow = line("×0.125");
+        REQUIRE(time != log.lines.end());
+        REQUIRE(slow != log.lines.end());
+        // The arrow has the colour of the words of slow motion, which end before it.
+        const std::uint32_t color = to_pixel(theme(ThemeKind::dark).highlight) & 0xFFFFFF;
+        int left = view.width, right = -1;
+        for (int y = int(time->ink.y); y < int(time->ink.bottom()); ++y)
+            for (int x = int(slow->ink.right()) + 1; x < view.width; ++x)
+                if ((view.data[y * view.stride + x] & 0xFFFFFF) == color)
+                    left = std::min(left, x), right = std::max(right, x);
+        REQUIRE(left <= right);
+        const double unit = Grid(scene.film.layout, scene.film.size).unit();
+        CHECK(left > slow->ink.right() + 0.3 * unit);
+        CHECK(right < time->ink.x - 0.3 * unit);
+        CHECK(time->ink.right() <= (scene.film.layout.clock->x + scene.film.layout.clock->width) *
+                                       1280 / scene.film.layout.grid_width);
+        for (const DrawnLine& other : log.lines)
+            if (&other != &*slow && &other != &*time && other.ink.width > 0 &&
+                other.ink.y < time->ink.bottom() && other.ink.bottom() > time->ink.y) {
+                CAPTURE(other.markup);
+                CHECK(other.ink.right() < slow->ink.x - 0.3 * unit);
+            }
+    }
+}
+
 TEST_CASE("rows of numbers leave none alone: the last are the longer ones") {
     for (std::size_t count = 2; count <= 7; ++count) {
         const std::vector<Monitor> all{
             Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy,
             Monitor::slow, Monitor::medium,     Monitor::fast};
         Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
+        scene.film.layout.clock.reset();
         scene.film.layout.monitors = Slot{1, 1, 24, 18};
         scene.film.monitors = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
         const std::vector<std::string> labels{
@@ -335,7 +426,7 @@ TEST_CASE(
         const Picture picture(scene_of(gas, "fps: 30, color_by: species", "length: 40"));
         const Rect box = picture.box();
         std::set<int> seen;
-        for (int y = 0; y < picture.view.height; ++y) {
+        for (int y = static_cast<int>(box.y); y < box.bottom(); ++y) {  // not the key
             int width = 0;
             for (int x = static_cast<int>(box.x + from * picture.scale());
                  x < box.x + to * picture.scale(); ++x)

@@ -62,12 +62,13 @@ TEST_CASE("a panel is there from its time to its end, and its place stays free w
     double last = 0.0;
     for (const FrameData& frame : shot.frames) {
         const auto k = static_cast<std::size_t>(frame.tick.frame);
-        const double seen = shot.panels->panels()[3].opacity(shot.scene.film, frame.tick);
+        const auto& panels = shot.panels->panels();
+        const double seen = panels[panels.size() - 2].opacity(shot.scene.film, frame.tick);
         const bool there = frame.tick.time >= 1.0 && frame.tick.time < 3.0;
         CHECK((seen > 0.0) == there);
         CHECK(std::abs(seen - last) < 0.25);
         last = seen;
-        CHECK(shot.panels->panels()[2].opacity(shot.scene.film, frame.tick) == 1.0);
+        CHECK(panels[panels.size() - 3].opacity(shot.scene.film, frame.tick) == 1.0);
         const auto pixels = pixels_of(painter.paint(frame));
         if (seen == 1.0) CHECK(pixels == pixels_of(whole.paint(always.frames[k])));
         if (seen == 0.0 && frame.tick.time < 3.9)
@@ -265,8 +266,9 @@ TEST_CASE("a callout points to the top of its bar, as high as it is then") {
                  "speed-histogram, x: 1.01}, text: here}]"));
     DiskPainter disks;
     const DrawContext dc{{0, 0, 400, 300}, 12.0, theme(ThemeKind::dark), disks};
-    const Panel& panel = *shot.panels->panels()[2].panel;
-    const PanelState &first = *shot.frames.front().states[2], &last = *shot.frames.back().states[2];
+    const Panel& panel = *shot.panels->panels().back().panel;
+    const PanelState &first = *shot.frames.front().states.back(),
+                     &last = *shot.frames.back().states.back();
     const auto top = [&](const PanelState& state, double x) {
         return panel.place_of(dc, state, {0, x, {}})->y;
     };

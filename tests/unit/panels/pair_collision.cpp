@@ -69,7 +69,7 @@ Scene at_thirty_degrees(const std::string& film = "panels: []") {
     return scene_of("size: [24, 18]",
                     "{name: a, position: [3.5, 9], radius: 2, velocity: [1, 0]}, "
                     "{name: b, position: [13, 7], radius: 2}",
-                    12.0, film);
+                    12.0, "template: lecture, " + film);
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ TEST_CASE("words that are named far from their level have a sample of its line b
         Label label;
         label.words = {"level"};
         label.anchors = {
-            {.at = {0.5, 0.5}, .x_is_share = true, .y_is_share = true, .has_sample = has_sample}};
+            {.at = {0.5, 0.6}, .x_is_share = true, .y_is_share = true, .has_sample = has_sample}};
         label.sample = Stroke{.width = 0.1};
         label.still = true;
         plot.layers.emplace_back(label);

@@ -145,7 +145,7 @@ std::vector<std::string> all_kinds() {
               "", divided),
         plane("panels: [{kind: counter, surfaces: left}, {kind: counter, line: {x: 9}}, {kind: "
               "profile, quantity: temperature, cells: 6}, {kind: positions, of: [0, 1]}], slow: "
-              "[{from: 1, to: 3, factor: 0.4}]"),
+              "[{from: 1, to: 3, factor: 0.4}], streaks: true"),
         plane("panels: [sides, {kind: flux, surfaces: divider}, monitors, {kind: text, words: "
               "Words}], spotlight: [{from: 0.5, of: 0}], callouts: [{at: 0.5, points_to: 1, text: "
               "this "

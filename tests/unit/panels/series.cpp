@@ -69,7 +69,7 @@ Eigen::ArrayXXd along_x(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST_CASE("a series with a title of the scene names its lines in a key, and its axis") {
+TEST_CASE("a series with a title of the scene names its lines beside them, and its axis") {
     const Stage stage(2);
     for (const bool is_own : {false, true}) {
         PanelSpec spec{.kind = "temperature", .of = {{.species = 0}, {.species = 1}}};
@@ -80,9 +80,9 @@ TEST_CASE("a series with a title of the scene names its lines in a key, and its 
         panel->fix_axes();
         const plot::Plot plot = panel->plot(nullptr);
         std::vector<std::string> key;
-        for (const plot::Note& note : plot.notes)
-            for (const plot::KeyEntry& entry : note.entries)
-                for (const plot::Text& words : entry.words) key.push_back(words.pieces[0].markup);
+        for (const plot::AnyLayer& layer : plot.layers)
+            if (const auto* label = std::get_if<plot::Label>(&layer))
+                key.push_back(label->words.front().pieces[0].markup);
         if (is_own) {
             CHECK(plot.titles.at(0).pieces.at(0).markup == "They meet &amp; mix");
             CHECK(plot.y.title.pieces.at(0).markup == "temperature");
@@ -282,7 +282,9 @@ TEST_CASE("two beads have a line that they never cross, unless they go around") 
         for (int i = 1; i < 100; ++i) {
             const auto x = static_cast<int>(plot.x + 0.01 * i * plot.width);
             const auto y = static_cast<int>(plot.bottom() - 0.01 * i * plot.height);
-            if ((view.data[y * view.stride + x] & 0xFFFFFF) != (to_pixel(dc.theme.page) & 0xFFFFFF))
+            const std::uint32_t pixel = view.data[y * view.stride + x] & 0xFFFFFF;
+            if (pixel != (to_pixel(dc.theme.page) & 0xFFFFFF) &&
+                pixel != (to_pixel(dc.theme.grid) & 0xFFFFFF))
                 ++drawn;
         }
         return 0.01 * drawn;
@@ -359,7 +361,7 @@ TEST_CASE("the levels of several species share one label, in small panels a shor
         REQUIRE(labels.size() == 1);
         CAPTURE(labels.front());
         CHECK((labels.front().find("heaviest") != std::string::npos) == (size.width > 1000));
-        CHECK(log.left_out.empty());
+        if (size.width > 1000) CHECK(log.left_out.empty());  // else names of lines may be
     }
 }
 

@@ -232,8 +232,10 @@ TEST_CASE("what is written on surfaces lies in the picture, and on nothing else 
         painter.paint(shot.frames[0]);
         std::size_t marks = 0;
         for (const DrawnLine& line : log.lines)
-            marks += line.markup.find(" = ") != std::string::npos;
-        CHECK(marks == 6);
+            marks +=
+                line.markup.find(" = ") != std::string::npos && !line.markup.starts_with("t = ");
+        // The boxes of pictures that are not wide have room for one less.
+        CHECK(marks == (name == "lecture" || name == "minimal" ? 6 : 5));
         for (std::size_t i = 0; i < log.lines.size(); ++i) {
             const Rect& a = log.lines[i].ink;
             CAPTURE(log.lines[i].markup);
@@ -283,8 +285,9 @@ TEST_CASE("axes of positions are as wide as the box gets") {
         "[{kind: position-histogram}, {kind: phase}]}\n");
     scene.gas.box.surfaces.sides[1] = Driven{2.0};
     const test::Shot shot(scene);
-    for (const std::size_t k : {std::size_t{2}, std::size_t{3}}) {
-        const auto& panel = static_cast<const PlotPanel&>(*shot.panels->panels().at(k).panel);
+    const auto& panels = shot.panels->panels();
+    for (const std::size_t k : {panels.size() - 2, panels.size() - 1}) {
+        const auto& panel = static_cast<const PlotPanel&>(*panels.at(k).panel);
         CHECK(panel.plot(nullptr).x.high >= 27.5);
     }
 }
@@ -318,7 +321,7 @@ TEST_CASE("events of surfaces are marked on time axes, and one bath is a level o
     PanelSet panels(scene, start.particles(), Simulation(start).sample());
     panels.record(start, timeline(scene), [](const Tick&, const Sample&, const AdvanceResult&) {});
     panels.fix_axes();
-    const auto& panel = static_cast<const PlotPanel&>(*panels.panels().at(2).panel);
+    const auto& panel = static_cast<const PlotPanel&>(*panels.panels().back().panel);
     std::string marks;
     const plot::Plot plot = panel.plot(nullptr);
     for (const plot::AnyLayer& layer : plot.layers) {
@@ -337,7 +340,7 @@ TEST_CASE("words on events lie on nothing, or are left out") {
         "gas: [{count: 20, radius: 0.4, temperature: 1, position: {side: left, of: door}}]\n"
         "run: {until: 40, events: [{at: 8, open: door}, {at: 10, move: right, velocity: -0.3}, "
         "{at: 13, move: right, velocity: 0}, {at: 16, wall: top, temperature: 2}]}\n"
-        "film: {seconds: 1, fps: 5, size: [2900, 1080], template: data, panels: [temperature, "
+        "film: {seconds: 1, fps: 5, size: [3100, 1080], template: data, panels: [temperature, "
         "entropy, "
         "pressure]}\n");
     const test::Shot shot(scene);
@@ -415,7 +418,8 @@ TEST_CASE("the ends of a wire are drawn where they are, and as what they do") {
     const std::vector<std::uint32_t> first = test::pixels_of(painter.paint(frames.front()));
     std::string marks;
     for (const DrawnLine& line : log.lines)
-        if (line.markup.find(" = ") != std::string::npos) marks += line.markup + "; ";
+        if (line.markup.find(" = ") != std::string::npos && !line.markup.starts_with("t = "))
+            marks += line.markup + "; ";
     CHECK(marks == "T = 2; M = 5, F = −1; ");
     const PixelView last = painter.paint(frames.back()).pixels();
     // The end is at the right of the plot at last, and was at three quarters of the way.
@@ -437,8 +441,8 @@ TEST_CASE("the ends of a wire are drawn where they are, and as what they do") {
 TEST_CASE("a narrow box has as many words on its surfaces as it has room for") {
     Scene scene = test::scene_from(
         "title: T\nbox: {size: [5, 16]}\ngas: [{name: a, count: 5, radius: 0.2, speed: 1}]\n"
-        "run: {until: 4}\nfilm: {seconds: 4, fps: 5, size: [960, 540], panels: [{kind: "
-        "pressure}]}\n");
+        "run: {until: 4}\nfilm: {seconds: 4, fps: 5, size: [960, 540], template: lecture, "
+        "panels: [{kind: pressure}]}\n");
     scene.gas.box.surfaces.sides = {Bath{2.0}, Bath{1.5}, Reflecting{}, Piston{200.0, -0.5}};
     const test::Shot shot(scene, 1);
     TextLog log;  // from the first on, as some is drawn once for all frames
@@ -446,7 +450,8 @@ TEST_CASE("a narrow box has as many words on its surfaces as it has room for") {
     painter.paint(shot.frames[0]);
     std::string marks;
     for (const DrawnLine& line : log.lines) {
-        if (line.markup.find(" = ") != std::string::npos) marks += line.markup + "; ";
+        if (line.markup.find(" = ") != std::string::npos && !line.markup.starts_with("t = "))
+            marks += line.markup + "; ";
         CAPTURE(line.markup);
         CHECK_FALSE(line.is_cut);
         CHECK(line.ink.x >= 0.0);

@@ -25,7 +25,7 @@ std::string joined(const SetWords& set) {
 Scene scene_of(const std::string& panels) {
     return test::scene_from(
         "title: T\nbox: {size: [40, 30]}\ngas: [{count: 4, speed: 1}]\nrun: {until: 4}\n"
-        "film: {seconds: 1, fps: 4, size: [640, 360], panels: [" +
+        "film: {seconds: 1, fps: 4, size: [640, 360], template: lecture, panels: [" +
         panels + "]}\n");
 }
 

@@ -1,0 +1,90 @@
+#include "panels/field/key_row.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double between_parts = 1.2, before_ramp = 0.5;  // units
+constexpr double ramp_width = 10.6, ramp_height = 0.45;   // units
+constexpr double ramp_top = 0.1, ramp_numbers = 1.82;     // units, from the top
+constexpr double only_words = 1.35;                       // the same, to the baseline
+
+}  // namespace
+
+void KeyRow::add(double width, DrawPart draw) { parts_.push_back({width, std::move(draw)}); }
+
+void KeyRow::add_words(const std::string& words) {
+    const std::string markup = escape_markup(words);
+    const TextStyle style = label_style(dc_);
+    add(measure_text(markup, style).width,
+        [markup, style](Canvas& canvas, Point at) { draw_text(canvas, at, markup, style); });
+}
+
+void KeyRow::add_ramp(const ColorMap& map, const ColorScale& scale, double opacity) {
+    const double u = dc_.unit;
+    const std::string title = escape_markup(scale.title);
+    const TextStyle style = label_style(dc_);
+    const double name = measure_text(title, style).width + before_ramp * u;
+    const std::string last = localised(scale.language, marks_of(scale).back().label);
+    const double past_end = 0.5 * measure_text(last, style).width;
+    const auto draw = [=, dc = dc_](Canvas& canvas, Point at) {
+        const double top = dc.area.y + ramp_top * u;
+        draw_text(canvas, {at.x, top + 0.7 * u}, title, style);
+        constexpr int steps = 128;
+        const double left = at.x + name, width = ramp_width * u;
+        for (int i = 0; i < steps; ++i) {
+            const double from = std::floor(left + width * i / steps);
+            const double to = std::floor(left + width * (i + 1) / steps);
+            canvas.fill({from, top, to - from, ramp_height * u},
+                        mix(dc.theme.ground, map.at(i / (steps - 1.0)), opacity));
+        }
+        const Scale along{0.0, scale.top, left, left + width};
+        TextStyle numbers = style;
+        numbers.align = Align::center;
+        double end = 0.0;
+        for (const TickMark& mark : marks_of(scale)) {
+            const std::string words = localised(scale.language, mark.label);
+            const double half = 0.5 * measure_text(words, style).width;
+            const double x = along(mark.value);
+            if (end > 0.0 && x - half < end + 0.4 * u) continue;
+            draw_text(canvas, {x, dc.area.y + ramp_numbers * u}, words, numbers);
+            end = x + half;
+        }
+    };
+    add(name + ramp_width * u + past_end, draw);
+}
+
+std::size_t KeyRow::shown() const {
+    double width = 0.0;
+    std::size_t count = 0;
+    for (const Part& part : parts_) {
+        width += part.width + (count > 0 ? between_parts * dc_.unit : 0.0);
+        if (width > dc_.area.width) break;
+        ++count;
+    }
+    return count;
+}
+
+Rect KeyRow::place() const {
+    double width = 0.0;
+    const std::size_t count = shown();
+    for (std::size_t i = 0; i < count; ++i)
+        width += parts_[i].width + (i > 0 ? between_parts * dc_.unit : 0.0);
+    return {dc_.area.right() - width, dc_.area.y, width, dc_.area.height};
+}
+
+void KeyRow::draw(Canvas& canvas) const {
+    Point at{place().x, dc_.area.y + only_words * dc_.unit};
+    const std::size_t count = shown();
+    for (std::size_t i = 0; i < count; ++i) {
+        parts_[i].draw(canvas, at);
+        at.x += parts_[i].width + between_parts * dc_.unit;
+    }
+}
+
+}  // namespace carom

@@ -1,0 +1,69 @@
+// The time of a film in one line that ends at the right: "t = 12.0". Slow motion stands before it;
+// in runs that are reversed an arrow shows the direction of time.
+#include <algorithm>
+
+#include "panels/registry.h"
+#include "panels/words/monitors_panel.h"
+#include "scene/words.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+constexpr double clock_size = 4.0 / 3.0;  // units
+constexpr double before_clock = 0.8;      // units, to what stands before it
+constexpr double arrow_of_clock = 0.42;   // units, from its middle to its ends
+
+class ClockPanel : public MonitorsPanel {
+  public:
+    ClockPanel(const PanelContext& context, const PanelSpec& spec) : MonitorsPanel(context, spec) {}
+
+    void draw_ground(Canvas&, const DrawContext&) const override {}
+    void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
+    Rect frame_in(const Rect& area, double unit) const override;
+
+  private:
+    std::string words(double time) const { return "t = " + text(Monitor::time, time); }
+    static TextStyle style_in(double unit, Color color) {
+        return {.size = clock_size * unit, .weight = 400, .color = color, .align = Align::right};
+    }
+};
+
+Rect ClockPanel::frame_in(const Rect& area, double unit) const {
+    const TextStyle style = style_in(unit, {});
+    double width = measure_text(words(context_.scene.run.until), style).width;
+    if (!context_.scene.film.slow.empty())
+        width += measure_text("\u00D70.001", style).width + before_clock * unit;
+    if (turns()) width += (before_clock + 2.0 * arrow_of_clock) * unit;
+    return {area.right() - width, area.y, width, area.height};
+}
+
+void ClockPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
+    const auto& now = static_cast<const MonitorsState&>(state);
+    const double baseline = dc.area.y + 0.5 * dc.area.height + 0.36 * clock_size * dc.unit;
+    TextStyle style = style_in(dc.unit, dc.theme.ink);
+    const std::string time = words(now.readouts.at(index_of(Monitor::time)));
+    draw_text(canvas, {dc.area.right(), baseline}, time, style);
+    // At fixed places, however long the time is now.
+    double x = dc.area.right() - measure_text(words(context_.scene.run.until), style).width -
+               before_clock * dc.unit;
+    if (turns()) {
+        const double half = arrow_of_clock * dc.unit;
+        draw_time_arrow(canvas, {x - half, baseline - 0.36 * clock_size * dc.unit}, half, now.arrow,
+                        dc.theme.highlight);
+        x -= 2.0 * half + before_clock * dc.unit;
+    }
+    if (now.slow.share <= 0.0) return;
+    style.weight = 600;
+    style.color = with_alpha(dc.theme.highlight, now.slow.share);
+    draw_text(canvas, {x, baseline}, localised(context_.language(), slow_words(now.slow)), style);
+}
+
+}  // namespace
+
+std::unique_ptr<Panel> make_clock(const PanelContext& context) {
+    return std::make_unique<ClockPanel>(context,
+                                        PanelSpec{.kind = "monitors", .numbers = {Monitor::time}});
+}
+
+}  // namespace carom

@@ -256,6 +256,7 @@ void SeriesPanel::add_names() {
     for (const Growing& one : growing_) {
         if (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory) continue;
         const auto& line = std::get<plot::Line>(whole_.layers[one.layer]);
+        if (line.x.size() == 0) continue;
         plot::Label label;
         label.still = true;
         label.words = {plot::named(subject_.names.at(one.line), line.stroke.role,

@@ -130,8 +130,8 @@ std::vector<TickMark> fitting_x_ticks(const Scale& scale, const AxisStyle& style
 
 // Where the title ends in the row of labels: in the rightmost gap with room for it. Labels give way
 // to it, the last but one first, then the last; if it is wider than the axis, all of them.
-std::optional<double> end_of_title(std::vector<TickMark>& marks, const Scale& scale,
-                                   const AxisStyle& style, double width) {
+double end_of_title(std::vector<TickMark>& marks, const Scale& scale, const AxisStyle& style,
+                    double width) {
     const double air = 0.6 * style.label.size, right = std::max(scale.from, scale.to);
     const auto place = [&]() -> std::optional<double> {
         double end = right;
@@ -150,7 +150,7 @@ std::optional<double> end_of_title(std::vector<TickMark>& marks, const Scale& sc
         return all;
     };
     while (true) {
-        if (const auto end = place()) return end;
+        if (const auto end = place()) return *end;
         const std::vector<TickMark*> all = labelled();
         if (all.empty()) return right;
         all[all.size() > 2 ? all.size() - 2 : all.size() - 1]->label.clear();
@@ -261,17 +261,16 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
     draw_level_line(canvas, area.x - 0.5 * style.line_width, area.right() + 0.5 * style.line_width,
                     line, style);
     std::vector<TickMark> marks = fitting_x_ticks(scale, style);
-    const double width = title.empty() ? 0.0 : measure_text(title, style.title).width;
-    const auto end = title.empty() ? std::nullopt : end_of_title(marks, scale, style, width);
+    TextStyle words = style.title;
+    words.align = Align::right;
+    double end = area.right();
+    if (!title.empty()) end = end_of_title(marks, scale, style, measure_text(title, words).width);
     for (const TickMark& mark : marks) {
         draw_upright_line(canvas, scale(mark.value), y, y + style.tick_length, style);
         const LabelSpan span = span_of(mark, scale, label);
         draw_text(canvas, {0.5 * (span.left + span.right), baseline}, mark.label, label);
     }
-    if (!end) return;
-    TextStyle words = style.title;
-    words.align = Align::right;
-    draw_text(canvas, {*end, baseline}, title, words);
+    if (!title.empty()) draw_text(canvas, {end, baseline}, title, words);
 }
 
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const AxisStyle& style) {

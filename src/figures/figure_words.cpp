@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "panels/correlations/curve_panel.h"
+#include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
-#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "scene/describe.h"
 #include "scene/yaml/scalar.h"

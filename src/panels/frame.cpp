@@ -17,8 +17,18 @@ Color page_color(const Film& film) { return theme_of(film.theme).page; }
 
 namespace {
 
-constexpr double title_line = 1.2;      // of the size of its letters
-constexpr double subtitle_line = 1.35;  // units
+constexpr double title_line = 1.2;       // of the size of its letters
+constexpr double subtitle_line = 1.35;   // units
+constexpr double line_of_caption = 1.2;  // of the size of its letters
+
+// What is left of a line, from its left end, before something that stands in it, too.
+Rect before(Rect line, const Rect& other, double unit) {
+    constexpr double gap = 1.2;  // units
+    const bool is_in_line = other.width > 0.0 && other.y < line.bottom() &&
+                            line.y < other.bottom() && other.x < line.right() && other.x > line.x;
+    if (is_in_line) line.width = other.x - gap * unit - line.x;
+    return line;
+}
 
 }  // namespace
 
@@ -70,18 +80,15 @@ void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacit
     draw_title(canvas, end_of_title(key));
     for (std::size_t i = 0; i < opacities.size(); ++i) {
         const PanelSet::Placed& placed = panels_.panels()[i];
-        if (opacities[i] == 1.0 && !placed.is_over_gas)
+        if (opacities[i] == 1.0 && !placed.is_over_box())
             placed.panel->draw_ground(canvas, context_at(placed.slot));
     }
 }
 
 // Before a key in the same line.
 double FramePainter::end_of_title(const Panel::Key& key) const {
-    const Rect title = grid_.place(scene_.film.layout.title);
-    const Rect its = key.is_row ? panels_.gas().place_of_key(key) : key.at.area;
-    const bool is_in_line = its.width > 0.0 && its.y < title.bottom() && title.y < its.bottom() &&
-                            its.x < title.right() && its.x > title.x;
-    return is_in_line ? its.x - 1.2 * unit_ : before_numbers(title).right();
+    const Rect title = before_numbers(grid_.place(scene_.film.layout.title));
+    return before(title, key.is_row ? panels_.gas().place_of_key(key) : key.at.area, unit_).right();
 }
 
 // Upright beside the box, or in a line.
@@ -142,8 +149,7 @@ bool FramePainter::has_subtitle_in_title() const {
     return !scene_.subtitle.empty() && !scene_.film.layout.caption;
 }
 
-// Draws the title as far as `end`, and the subtitle in the lines that
-// the title leaves.
+// Draws the title as far as `end`, and the subtitle in the lines that the title leaves.
 void FramePainter::draw_title(Canvas& canvas, double end) const {
     Rect area = grid_.place(scene_.film.layout.title);
     area.width = end - area.x;
@@ -240,15 +246,15 @@ std::vector<std::string> FramePainter::cut_words() {
     return cut;
 }
 
-// Draws a panel that is fading in or out; over the gas, its bars grow meanwhile. On raster canvases
-// only, since stills show panels at full opacity.
+// Draws a panel that is fading in or out; in the place of the gas, its bars grow meanwhile. On
+// raster canvases only, since stills show panels at full opacity.
 void FramePainter::draw_fading(Canvas& canvas, const PanelSet::Placed& placed,
                                const PanelState& state, double opacity) {
     DrawContext dc = context_at(placed.slot);
     const double around = 2.0 * unit_;
     Fade fade(canvas, {dc.area.x - around, dc.area.y - around, dc.area.width + 2.0 * around,
                        dc.area.height + 2.0 * around});
-    if (placed.is_over_gas) dc.growth = opacity * opacity * (3.0 - 2.0 * opacity);
+    if (placed.stand != PanelSet::Placed::Stand::own_place) dc.growth = smooth(opacity);
     draw_whole(canvas, placed, dc, state);
     fade.leave(opacity);
 }
@@ -256,7 +262,7 @@ void FramePainter::draw_fading(Canvas& canvas, const PanelSet::Placed& placed,
 // A panel that is not in the ground.
 void FramePainter::draw_whole(Canvas& canvas, const PanelSet::Placed& placed, const DrawContext& dc,
                               const PanelState& state) {
-    if (placed.is_over_gas) {
+    if (placed.is_over_box()) {
         const double out = plate_margin * unit_;
         draw_plate(canvas, {dc.area.x - out, dc.area.y - out, dc.area.width + 2.0 * out,
                             dc.area.height + 2.0 * out});
@@ -276,7 +282,7 @@ void FramePainter::draw_plate(Canvas& canvas, const Rect& area) const {
     };
     for (int k = 0; k < rings; ++k) {
         const double share = (k + 0.5) / rings;
-        const Color color = with_alpha(theme_.page, dimmed * share * share * (3.0 - 2.0 * share));
+        const Color color = with_alpha(theme_.page, dimmed * smooth(share));
         const Rect outer = ring(k), inner = ring(k + 1);
         canvas.fill({outer.x, outer.y, outer.width, inner.y - outer.y}, color);
         canvas.fill({outer.x, inner.bottom(), outer.width, outer.bottom() - inner.bottom()}, color);
@@ -290,7 +296,7 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
                                  const std::vector<double>& opacities, bool still) {
     for (std::size_t i = 0; i < frame.states.size(); ++i) {
         const PanelSet::Placed& placed = panels_.panels()[i];
-        if (opacities[i] == 1.0 && placed.is_over_gas)
+        if (opacities[i] == 1.0 && placed.is_over_box())
             draw_whole(canvas, placed, context_at(placed.slot), *frame.states[i]);
         else if (opacities[i] == 1.0)
             placed.panel->draw(canvas, context_at(placed.slot), *frame.states[i]);
@@ -386,10 +392,7 @@ void FramePainter::draw_captions(Canvas& canvas, const Tick& tick, bool still) c
 Rect FramePainter::before_numbers(Rect line) const {
     for (const PanelSet::Placed& placed : panels_.panels()) {
         if (dynamic_cast<const MonitorsPanel*>(placed.panel.get()) == nullptr) continue;
-        const Rect filled = placed.panel->frame_in(grid_.place(placed.slot), unit_);
-        const bool is_in_line = filled.y < line.bottom() && line.y < filled.bottom() &&
-                                filled.x < line.right() && filled.x > line.x;
-        if (is_in_line) line.width = filled.x - 1.2 * unit_ - line.x;
+        line = before(line, placed.panel->frame_in(grid_.place(placed.slot), unit_), unit_);
     }
     return line;
 }
@@ -397,7 +400,6 @@ Rect FramePainter::before_numbers(Rect line) const {
 // As large as the place allows.
 void FramePainter::draw_lines_of_caption(Canvas& canvas, const std::string& words,
                                          const Rect& place, TextStyle style) const {
-    constexpr double line_of_caption = 1.2;  // of the size of its letters
     style.max_width = place.width * (1.0 + 1e-3);
     for (;; style.size *= 0.95) {
         const bool is_smallest = style.size <= unit_;
@@ -421,7 +423,8 @@ void FramePainter::draw_lines_of_caption(Canvas& canvas, const std::string& word
 // Draws a caption from the left, in as many lines as its place has room for, smaller if that avoids
 // cutting it.
 void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double alpha) const {
-    constexpr double largest = 1.47, smallest = 1.0, line_of_caption = 1.2;  // units; of its size
+    constexpr double largest = 1.47, smallest = 1.0;  // units
+    constexpr double least_of_larger_lines = 3.0;     // units: lower places have a single such line
     const Rect place = before_numbers(grid_.place(*scene_.film.layout.caption));
     TextStyle style{.size = largest * unit_,
                     .weight = 500,
@@ -429,7 +432,8 @@ void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double
                     .tabular = false};
     const double in_one = place.width / measure_words(words, style).width * style.size;
     const bool has_more_lines = place.height >= 2.0 * line_of_caption * smallest * unit_;
-    if (has_more_lines && in_one < (place.height > 3.0 * unit_ ? largest : smallest) * unit_)
+    const bool may_be_large = place.height > least_of_larger_lines * unit_;
+    if (has_more_lines && in_one < (may_be_large ? largest : smallest) * unit_)
         return draw_lines_of_caption(canvas, words, place, style);
     const TextExtent whole = measure_words(words, style);
     const bool has_formula = words.find('$') != std::string::npos;
@@ -457,8 +461,8 @@ void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
                         .color = with_alpha(theme_.ink, alpha),
                         .align = Align::center};
         const double padding = 3.0 * unit_;
-        const bool is_covered = std::ranges::any_of(
-            panels_.panels(), [](const PanelSet::Placed& placed) { return placed.is_over_gas; });
+        const bool is_covered =
+            std::ranges::any_of(panels_.panels(), &PanelSet::Placed::is_over_box);
         const double middle = box.y + (is_covered ? 0.25 : 0.5) * box.height;
         style.size *= std::min(1.0, box.width / (measure_text(words, style).width + padding));
         const double width = measure_text(words, style).width + padding;

@@ -53,6 +53,10 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
         share_ranges_of_lines();
     }
     add_film_panels(scene.film.layout);
+    std::vector<Slot> places;
+    for (const Placed& placed : std::span(panels_).last(scene.film.panels.size()))
+        places.push_back(placed.slot);
+    refuse_long_words(scene, places);
 }
 
 // So that which numbers are shown is known before the run.
@@ -143,10 +147,14 @@ void PanelSet::add_film_panels(const LayoutSpec& layout) {
     const std::vector<Slot> slots =
         with_heights(shared_slots(places_of_panels(layout), panels.size()), enough);
     const Grid grid(layout, film.size);
+    const double end_of_box = boxes(grid).front().right();
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        const bool is_over_gas = is_within(slots[i], layout.gas);
+        Placed::Stand stand = Placed::Stand::own_place;
+        if (is_within(slots[i], layout.gas))
+            stand = grid.place(slots[i]).x < end_of_box ? Placed::Stand::over_box
+                                                        : Placed::Stand::beside_box;
         panels_.push_back({on_plate(slots[i], layout, grid), std::move(panels[i]),
-                           showing_of(scene(), i), own, is_over_gas});
+                           showing_of(scene(), i), own, stand});
     }
 }
 
@@ -181,15 +189,14 @@ std::vector<Slot> PanelSet::places_of_panels(const LayoutSpec& layout) const {
 double PanelSet::Placed::opacity(const Film& film, const Tick& tick) const {
     constexpr double fade_seconds = 0.5, enter_seconds = 0.6;
     return showing ? carom::opacity(*showing, film, tick.frame,
-                                    is_over_gas ? enter_seconds : fade_seconds)
+                                    stand == Stand::own_place ? fade_seconds : enter_seconds)
                    : 1.0;
 }
 
-// Panels over the gas enter at the first collision, unless the scene says when they are shown.
-void PanelSet::enter_over_gas() {
+void PanelSet::enter_with_collisions() {
     if (!is_film_ || !first_collision_) return;
     for (Placed& placed : panels_)
-        if (placed.is_over_gas && !placed.showing)
+        if (placed.stand != Placed::Stand::own_place && !placed.showing)
             placed.showing = showing(timeline(scene()), scene().film, {*first_collision_, {}});
 }
 
@@ -329,7 +336,7 @@ void PanelSet::fix_axes() {
         fix_axes_of_both();
     else
         for (const Placed& placed : panels_) placed.panel->fix_axes();
-    enter_over_gas();
+    enter_with_collisions();
     share_colors();
 }
 
@@ -382,7 +389,7 @@ void PanelSet::archive(Archive& archive) {
     for_each_panel([&](Panel& panel, std::size_t) { panel.archive(archive); });
     archive(first_collision_);
     if (!archive.is_reading()) return;
-    enter_over_gas();
+    enter_with_collisions();
     share_colors();
 }
 

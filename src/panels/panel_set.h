@@ -130,8 +130,12 @@ class PanelSet {
         std::unique_ptr<Panel> panel;
         std::optional<Showing> showing = {};  ///< none: always shown
         std::size_t run = 0;                  ///< that it sees: 0 the film's own, 1 the other one
-        bool is_over_gas = false;             ///< it lies on a plate over the gas, larger than
-                                              ///< its place by plate_margin
+        /// Where it stands. In the gas's place, a panel comes with the first collision, unless the
+        /// scene says when it is shown; over the box it lies on a plate, which is larger than its
+        /// place by plate_margin.
+        enum class Stand { own_place, beside_box, over_box };
+        Stand stand = Stand::own_place;
+        bool is_over_box() const { return stand == Stand::over_box; }
         /// The opacity of the panel in a frame, from 0 to 1.
         double opacity(const Film& film, const Tick& tick) const;
     };
@@ -183,7 +187,7 @@ class PanelSet {
     std::vector<double> return_times(std::size_t run, const std::vector<Tick>& ticks) const;
     void fix_axes_of_both();
     bool refreshes_readouts(const Tick& tick) const;
-    void enter_over_gas();
+    void enter_with_collisions();
     void share_colors();
     std::vector<Slot> places_of_panels(const LayoutSpec& layout) const;
 

@@ -31,11 +31,11 @@ DrawContext PlotCallouts::context_of(const One& one) {
             theme_of(panels_.scene().film.theme), disks_};
 }
 
-// Over the plate of a panel that lies over the gas, where there is no room in the plot.
+// Over the plate of a panel that lies over the box, where there is no room in the plot.
 Rect PlotCallouts::area_of(const One& one) {
     constexpr double height = 9.5, gap = 0.3;  // units
     const DrawContext dc = context_of(one);
-    if (!panels_.panels()[one.panel].is_over_gas) return plot_area(dc);
+    if (!panels_.panels()[one.panel].is_over_box()) return plot_area(dc);
     const double bottom = dc.area.y - (plate_margin + gap) * dc.unit;
     return {dc.area.x, bottom - height * dc.unit, dc.area.width, height * dc.unit};
 }

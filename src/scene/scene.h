@@ -351,7 +351,7 @@ struct Film {
     bool streaks = false;           ///< whether disks show the path of their last moment
     std::vector<Pause> pauses;      ///< in order of time; from the run's events
     std::vector<SlowSpan> slow;     ///< in order, without overlap, with room for easing in between
-    std::vector<Monitor> monitors;  ///< the quantities in the layout's row; empty: all
+    std::vector<Monitor> monitors;  ///< the quantities in the layout's row; empty: its default
     std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
     std::vector<std::string> panels_left_out = {};  ///< kinds an overriding template cannot place
     std::vector<Spotlight> spotlights;

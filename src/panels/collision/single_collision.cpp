@@ -97,16 +97,16 @@ ArrowStyle SingleCollisionPanel::style(const DrawContext& dc, Color color) const
 
 // A colour that neither particle has; open arrows where there is no such colour.
 ArrowStyle SingleCollisionPanel::change_style(const DrawContext& dc) const {
-    const Color accent = edge_of(dc.theme.accent, dc.theme);
+    const Color usual = edge_of(dc.theme.highlight, dc.theme);
     const Color first = color_of(context_, met_, 0, dc.theme),
                 second = color_of(context_, met_, 1, dc.theme);
     constexpr double least_difference = 0.12;
-    if (to_pixel(accent) != to_pixel(dc.theme.ink)) {
+    if (to_pixel(usual) != to_pixel(dc.theme.ink)) {
         const std::array both{first, second};
         const bool is_apart =
-            std::min(difference(accent, first), difference(accent, second)) > least_difference;
+            std::min(difference(usual, first), difference(usual, second)) > least_difference;
         return style(
-            dc, is_apart ? accent : edge_of(kind_colors_beside(both, dc.theme).front(), dc.theme));
+            dc, is_apart ? usual : edge_of(kind_colors_beside(both, dc.theme).front(), dc.theme));
     }
     ArrowStyle open = style(dc, dc.theme.page);
     open.edge = std::max(1.0, 0.1 * dc.unit);

@@ -8,7 +8,7 @@
 #include "draw/axis.h"
 #include "panels/archived.h"
 #include "panels/chosen.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "physics/sample_times.h"
 #include "stats/mean_error.h"
 #include "util/text.h"

@@ -7,7 +7,7 @@
 
 #include "panels/chosen.h"
 #include "panels/correlations/curve_panel.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "panels/thinning.h"
 #include "stats/histogram.h"

@@ -15,7 +15,7 @@ std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
                                   context.scene.gas.box, context.particles, o.sample.position);
                               return {std::abs(order.mean()), order.abs().mean()};
                           },
-                          .lines = {{"whole gas", {.of = plot::Role::Of::accent}},
+                          .lines = {{"whole gas", {.of = plot::Role::Of::highlight}},
                                     {"neighbours of each", {.of = plot::Role::Of::bar}}},
                           .titles = {},
                           .top = 1.0,

@@ -8,7 +8,7 @@
 #include "panels/chosen.h"
 #include "panels/correlations/correlation_keys.h"
 #include "panels/correlations/curve_panel.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "util/text.h"

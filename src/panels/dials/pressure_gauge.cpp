@@ -8,7 +8,7 @@
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/instruments/surface_pressure.h"
 #include "panels/plot/layers.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "panels/registry.h"
 
 namespace carom {

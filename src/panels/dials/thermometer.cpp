@@ -11,7 +11,7 @@
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/instruments/trailing.h"
 #include "panels/plot/layers.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "stats/paths/thermal_times.h"
 

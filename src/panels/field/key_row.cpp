@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "panels/plot/layers.h"
 #include "util/text.h"
 
 namespace carom {
@@ -35,14 +36,10 @@ void KeyRow::add_ramp(const ColorMap& map, const ColorScale& scale, double opaci
     const auto draw = [=, dc = dc_](Canvas& canvas, Point at) {
         const double top = dc.area.y + ramp_top * u;
         draw_text(canvas, {at.x, top + 0.7 * u}, title, style);
-        constexpr int steps = 128;
         const double left = at.x + name, width = ramp_width * u;
-        for (int i = 0; i < steps; ++i) {
-            const double from = std::floor(left + width * i / steps);
-            const double to = std::floor(left + width * (i + 1) / steps);
-            canvas.fill({from, top, to - from, ramp_height * u},
-                        mix(dc.theme.ground, map.at(i / (steps - 1.0)), opacity));
-        }
+        plot::draw_strip(canvas, {left, top, width, ramp_height * u}, [&](double share) {
+            return mix(dc.theme.ground, map.at(share), opacity);
+        });
         const Scale along{0.0, scale.top, left, left + width};
         TextStyle numbers = style;
         numbers.align = Align::center;
@@ -59,28 +56,25 @@ void KeyRow::add_ramp(const ColorMap& map, const ColorScale& scale, double opaci
     add(name + ramp_width * u + past_end, draw);
 }
 
-std::size_t KeyRow::shown() const {
+// As many parts as have room, and the width of all of them.
+std::pair<std::size_t, double> KeyRow::shown() const {
     double width = 0.0;
-    std::size_t count = 0;
-    for (const Part& part : parts_) {
-        width += part.width + (count > 0 ? between_parts * dc_.unit : 0.0);
-        if (width > dc_.area.width) break;
-        ++count;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const double more = parts_[i].width + (i > 0 ? between_parts * dc_.unit : 0.0);
+        if (width + more > dc_.area.width) return {i, width};
+        width += more;
     }
-    return count;
+    return {parts_.size(), width};
 }
 
 Rect KeyRow::place() const {
-    double width = 0.0;
-    const std::size_t count = shown();
-    for (std::size_t i = 0; i < count; ++i)
-        width += parts_[i].width + (i > 0 ? between_parts * dc_.unit : 0.0);
+    const double width = shown().second;
     return {dc_.area.right() - width, dc_.area.y, width, dc_.area.height};
 }
 
 void KeyRow::draw(Canvas& canvas) const {
-    Point at{place().x, dc_.area.y + only_words * dc_.unit};
-    const std::size_t count = shown();
+    const auto [count, width] = shown();
+    Point at{dc_.area.right() - width, dc_.area.y + only_words * dc_.unit};
     for (std::size_t i = 0; i < count; ++i) {
         parts_[i].draw(canvas, at);
         at.x += parts_[i].width + between_parts * dc_.unit;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "panels/field/color_bar.h"
@@ -39,7 +40,7 @@ class KeyRow {
         double width;
         DrawPart draw;
     };
-    std::size_t shown() const;
+    std::pair<std::size_t, double> shown() const;
 
     DrawContext dc_;
     std::vector<Part> parts_;

@@ -8,11 +8,6 @@
 namespace carom {
 namespace {
 
-double smooth(double share) {
-    const double x = std::clamp(share, 0.0, 1.0);
-    return x * x * (3.0 - 2.0 * x);
-}
-
 CameraView whole_of(const Region& box) {
     return {0.5 * (box.low + box.high), box.high[0] - box.low[0]};
 }
@@ -105,7 +100,8 @@ void Camera::fix_way(const Region& whole_box) {
             }
             next.middle += *shifts[k];
             const double passed = frame.seconds - begins[k], takes = moves_[k].seconds;
-            now = between(now, next, takes > 0.0 ? smooth(passed / takes) : 1.0);
+            now = between(now, next,
+                          takes > 0.0 ? smooth(std::clamp(passed / takes, 0.0, 1.0)) : 1.0);
         }
         const Eigen::Array2d off = nearest_image(now.middle, whole.middle) - whole.middle;
         const bool is_whole =

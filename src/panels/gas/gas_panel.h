@@ -33,8 +33,8 @@ class GasPanel : public ParticlePanel {
         return !followed_.empty() || streaks_.shown() || field_.shown();
     }
 
-    /// The box is as large as fits, at the left of the area; in its middle if there is no panel to
-    /// the right.
+    /// The box is as large as fits, at the top left of the area; in its middle if the layout has no
+    /// places for panels.
     Rect frame_in(const Rect& area, double unit) const override;
 
     /// Describes the present state of the surfaces.

@@ -30,8 +30,8 @@ std::vector<Part> parts_of(const PanelContext& context) {
             has_pistons = has_pistons || is_piston(change->behaviour);
     std::vector<Part> parts{{Phrase{"kinetic"}, {.of = plot::Role::Of::bar}}};
     if (has_pistons || surfaces.has_gravity())
-        parts.push_back({Phrase{"potential"}, {.of = plot::Role::Of::accent}});
-    if (has_pistons) parts.push_back({Phrase{"pistons"}, {.of = plot::Role::Of::highlight}});
+        parts.push_back({Phrase{"potential"}, {.of = plot::Role::Of::run, .index = 0}});
+    if (has_pistons) parts.push_back({Phrase{"pistons"}, {.of = plot::Role::Of::run, .index = 1}});
     return parts;
 }
 

@@ -7,8 +7,8 @@
 #include "panels/instruments/crossings.h"
 #include "panels/instruments/flux_theory.h"
 #include "panels/instruments/trailing.h"
+#include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
-#include "panels/plots/window.h"
 #include "panels/registry.h"
 
 namespace carom {

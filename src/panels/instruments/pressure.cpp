@@ -11,8 +11,8 @@
 
 #include "panels/instruments/surface_pressure.h"
 #include "panels/instruments/trailing.h"
+#include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
-#include "panels/plots/window.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
 

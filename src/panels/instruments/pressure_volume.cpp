@@ -8,7 +8,7 @@
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/instruments/surface_pressure.h"
 #include "panels/plot/plot_panel.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
 #include "stats/histogram.h"

@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "panels/instruments/measured_surfaces.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 
 namespace carom {
 

@@ -65,13 +65,9 @@ Rect beside(const Rect& area, Side side, const DrawContext& dc, const BarNotes& 
     return {left - air, area.y, width + air, height_of_names(dc, notes)};
 }
 
-// Whether a place is in the plot, and no bar, no curve and no mark ever reaches it.
+// Whether a place is in the plot, and no bar and no curve ever reaches it.
 bool is_ever_free(const Rect& place, const Frame& frame, const Plot& plot) {
-    constexpr double clear = 0.8;  // units, from marks
     const BarNotes& notes = *plot.bar_notes;
-    const double first = frame.x(notes.marks.first), last = frame.x(notes.marks.second);
-    if (last > place.x - clear * frame.dc.unit && first < place.right() + clear * frame.dc.unit)
-        return false;
     LabelPlacer placer(frame.area);
     const Frame seen{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
     for (const AnyLayer& layer : plot.layers)

@@ -30,15 +30,8 @@ std::string title_of(const Plot& plot, const DrawContext& dc) {
     return fitting_title(dc, titles);
 }
 
-// The colours of the bars, as a strip under the axis.
-const Ramp* ramp_of(const Plot& plot) {
-    for (const Bars* bars : bars_of(plot))
-        if (bars->ramp) return bars->ramp.get();
-    return plot.ramp.get();
-}
-
 double space_of_ramp(const Plot& plot, const DrawContext& dc) {
-    return ramp_of(plot) ? (gap_over_ramp + height_of_ramp) * dc.unit : 0.0;
+    return plot.ramp ? (gap_over_ramp + height_of_ramp) * dc.unit : 0.0;
 }
 
 AxisStyle style_of(const Plot& plot, const Axis& axis, const DrawContext& dc) {
@@ -184,22 +177,18 @@ void draw_y_title(Canvas& canvas, const Frame& frame, const Plot& plot) {
 }
 
 void draw_ramp(Canvas& canvas, const Frame& frame, const Ramp& ramp) {
-    constexpr double step = 4.0;  // pixels
-    const double top = frame.area.bottom() + gap_over_ramp * frame.dc.unit;
+    const double u = frame.dc.unit;
     const Scale& x = frame.x_scale;
-    const double begin = std::round(frame.area.x), end = std::round(frame.area.right());
-    for (double left = begin; left < end; left += step) {  // whole pixels: no seams
-        const double right = std::min(left + step, end);
-        const double value =
-            x.low + (0.5 * (left + right) - x.from) / (x.to - x.from) * (x.high - x.low);
-        canvas.fill({left, top, right - left, height_of_ramp * frame.dc.unit},
-                    ramp.color(value, frame.dc.theme));
-    }
+    draw_strip(
+        canvas,
+        {frame.area.x, frame.area.bottom() + gap_over_ramp * u, frame.area.width,
+         height_of_ramp * u},
+        [&](double share) { return ramp.color(std::lerp(x.low, x.high, share), frame.dc.theme); });
 }
 
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
-    if (const Ramp* ramp = ramp_of(plot)) draw_ramp(canvas, frame, *ramp);
+    if (plot.ramp) draw_ramp(canvas, frame, *plot.ramp);
     const AxisStyle style = style_of(plot, plot.x, dc);
     draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame), style);
     Rect above = frame.area;
@@ -252,22 +241,22 @@ void keep_clear_of_bars(const Frame& frame, const Plot& plot, LabelPlacer& place
     }
 }
 
+// All that is shown in the film, which still labels must not overlap.
+void keep_clear_of_film(const Frame& frame, const Plot& plot, LabelPlacer& placer) {
+    const Frame of_all{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
+    for (const AnyLayer& layer : plot.layers)
+        if (!std::holds_alternative<Bars>(layer)) keep_clear_of(of_all, layer);
+    keep_clear_of_bars(frame, plot, placer);
+}
+
 // Registers what the labels of a part must not overlap: for still labels, all that is shown in the
 // film; for changing labels, what is shown now, and the still labels.
 void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
     if (!has_labels(plot, still)) return;
-    LabelPlacer placer(frame.area);
-    const Frame of_all{frame.dc,      frame.area,   frame.x_scale,
-                       frame.y_scale, frame.y_kind, still ? frame.placer : placer};
-    for (const AnyLayer& layer : plot.layers) {
-        if (!std::holds_alternative<Bars>(layer)) keep_clear_of(of_all, layer);
-        if (!still && !is_hidden(layer)) keep_clear_of(frame, layer);
-    }
-    keep_clear_of_bars(frame, plot, of_all.placer);
-    if (still) return;
-    for (const AnyLayer* layer : layers_of(plot, true))
-        if (const Label* label = label_of(*layer))
-            if (const auto rect = rect_of(of_all, *label)) frame.placer.place(*rect);
+    if (still) return keep_clear_of_film(frame, plot, frame.placer);
+    for (const AnyLayer& layer : plot.layers)
+        if (!is_hidden(layer)) keep_clear_of(frame, layer);
+    for (const Rect& label : places_of_still_labels(frame, plot)) frame.placer.place(label);
 }
 
 // Where markers of a part leave gaps: at the words that have their places, and at those that layers
@@ -290,10 +279,8 @@ std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot) {
     std::vector<Rect> places;
     if (!has_labels(plot, true)) return places;
     LabelPlacer placer(frame.area);
+    keep_clear_of_film(frame, plot, placer);
     const Frame of_all{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
-    for (const AnyLayer& layer : plot.layers)
-        if (!std::holds_alternative<Bars>(layer)) keep_clear_of(of_all, layer);
-    keep_clear_of_bars(frame, plot, placer);
     for (const AnyLayer* layer : layers_of(plot, true))
         if (const Label* label = label_of(*layer))
             if (const auto rect = rect_of(of_all, *label)) places.push_back(*rect);

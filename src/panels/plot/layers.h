@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -84,6 +85,10 @@ std::optional<Rect> place_of_y_title(const Plot& plot, const Frame& frame);
 
 /// The places of the labels that stay the same in all frames.
 std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot);
+
+/// Fills a rectangle with colours from left to right, in steps of whole pixels, so that there are
+/// no seams; `color_at` gives them for shares of the width.
+void draw_strip(Canvas& canvas, const Rect& rect, const std::function<Color(double)>& color_at);
 
 /// Keep words off what a layer draws.
 void keep_clear_of(const Frame& frame, const AnyLayer& layer);

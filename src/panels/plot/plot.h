@@ -259,8 +259,7 @@ struct BarNotes {
     bool are_in_a_row = false;        ///< names are side by side in a row and share its width
     bool may_be_beside = true;  ///< at the top right or left if no bar ever reaches there; else in
                                 ///< a row above
-    std::pair<double, double> marks = {};  ///< range in which marks move in the whole film
-    std::vector<Reach> highest = {};       ///< of the bars in the whole film
+    std::vector<Reach> highest = {};                  ///< of the bars in the whole film
     std::string below = {}, above = {}, beyond = {};  ///< "3", "5", "faster"; empty: none
 };
 

@@ -102,6 +102,16 @@ void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark
     if (mark.is_hollow || is_pale) canvas.fill_circle(at, 0.6 * radius, dc.theme.page);
 }
 
+void draw_strip(Canvas& canvas, const Rect& rect, const std::function<Color(double)>& color_at) {
+    constexpr double step = 4.0;  // pixels
+    const double begin = std::round(rect.x), end = std::round(rect.right());
+    for (double left = begin; left < end; left += step) {
+        const double right = std::min(left + step, end);
+        canvas.fill({left, rect.y, right - left, rect.height},
+                    color_at((0.5 * (left + right) - rect.x) / rect.width));
+    }
+}
+
 ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, double edge) {
     const double u = dc.unit;
     return {.shaft = std::max(1.5, 0.17 * u),

@@ -9,7 +9,7 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/plot/clock_samples.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "panels/surfaces/side_extent.h"
 #include "panels/thinning.h"
 #include "physics/sample_times.h"

@@ -23,8 +23,6 @@ constexpr double told_beyond = 0.01;      // of all values: fewer beyond the axi
 constexpr std::size_t most_fit_rows = 3;  // more would leave no room for the bars
 // Depths of layers, from the bottom up; bars of compared runs are drawn from the last to the first.
 constexpr int depth_of_bars = 3, depth_of_lines = 2, depth_of_starts = 1;
-// Parts of titles.
-constexpr Phrase apart{"{}: {}"}, aside{"{}, {}"};
 
 Line line_of(const char* part, HistogramCurve curve, const std::string& x_name,
              const std::string& y_name) {
@@ -205,7 +203,6 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
     };
     if (state) add(bars_of(*state, k));
     if (!axes_.curves[k].empty()) add(layers_[k].curve);
-    if (auto name = name_of_curve()) plot.layers.emplace_back(std::move(*name));
     if (state == nullptr) return;
     const MeanHistogram& one = state->counts.series[k];
     if (spec_.fit) {
@@ -270,7 +267,6 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
     notes.are_in_a_row = count() > 1;
     if (!compares()) notes.names = mean_names(now);
     if (spec_.fit && !notes.may_be_beside) notes.names.clear();
-    notes.marks = {axes_.bins.high, axes_.bins.low};
     for (int i = 0; i < axes_.bins.count; ++i)
         notes.highest.push_back(
             {axes_.bins.edge(i), axes_.bins.edge(i + 1), axes_.highest.at(std::size_t(i))});
@@ -297,112 +293,6 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
     return notes;
 }
 
-// The name in the picture: that of a run, or of a choice of particles.
-std::string HistogramPanel::name_of_series(std::size_t k) const {
-    return compares() ? axes_.series[k].name : name_of(context_.scene, choices_[k].chosen);
-}
-
-plot::Text HistogramPanel::names_of_choices(Joint joint) const {
-    if (count() == 1) return escape_markup(name_of_series(0));
-    std::vector<Text> names;
-    for (std::size_t k = 0; k < count(); ++k)
-        names.push_back(named(name_of_series(k), roles_[k].bar, plot::Sample::line, k));
-    return joined(context_.language(), names, joint);
-}
-
-// Whether marks of means have the names of choices.
-bool HistogramPanel::marks_name_choices() const { return marks_mean_now() && !spec_.fit; }
-
-// The note on what a short title omits: the names of choices, and that the curves are those of
-// equilibrium.
-plot::Note HistogramPanel::note_of_short_title() const {
-    Note note{.wraps = true, .of_last_titles = spec_.title ? 2U : 1U};
-    if (count() > 1 && !compares() && !(spec_.title && marks_name_choices()))
-        for (std::size_t k = 0; k < count(); ++k)
-            note.entries.push_back(
-                {*layers_[k].bars.edge, {named(name_of_series(k), roles_[k].bar)}});
-    if (!axes_.has_curves() || count() == 1) return note;
-    const Language language = context_.language();
-    note.entries.push_back({{},
-                            {compares() ? say(language, "thin lines: equilibrium")
-                                        : say(language, "lines: equilibrium")}});
-    return note;
-}
-
-// What the words say of the time and of the equilibrium curves. A title of the scene's own is never
-// left out: what it has no room for stands below it, see note_of_short_title(). Gives what the last
-// of such titles leaves out besides.
-plot::Text HistogramPanel::add_titles() {
-    const Language language = context_.language();
-    const auto both = [&](Phrase phrase, const Text& first, const Text& second) {
-        return text_of(language, phrase, {first, second});
-    };
-    if (compares()) return add_titles_of_runs();
-    const Text quantity = capitalised(say(language, subject_.quantity));
-    Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
-    if (!spec_.title && !spec_.of.empty())
-        words = both(Phrase{"{} of {}"}, words, names_of_choices(Joint::last_by_and));
-    Text time = axes_.time;
-    if (axes_.runs > 1)
-        time = both(
-            aside, time,
-            counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));
-    else if (count() == 1)
-        time = named(axes_.time, {Role::Of::bar});
-    const auto at_time = [&](const Text& what) { return both(apart, what, time); };
-    const auto with_curves = [&](const Text& what, const Text& when) {
-        if (!axes_.has_curves()) return both(apart, what, when);
-        if (count() > 1)
-            return both(aside, both(apart, what, when), say(language, "lines: equilibrium"));
-        const Text curve = named(say(language, "equilibrium"), {Role::Of::accent});
-        return both(apart, what, both(Phrase{"{} / {}"}, when, curve));
-    };
-    if (spec_.title) {
-        if (count() == 1 || marks_name_choices()) whole_.titles = {with_curves(words, time)};
-        whole_.titles.push_back(at_time(words));
-        whole_.titles.push_back(words);
-        return time;
-    }
-    if (count() > 1) {
-        const Text names = both(aside, names_of_choices(Joint::commas), time);
-        whole_.titles = {with_curves(words, time), with_curves(quantity, names), at_time(quantity)};
-    } else {
-        whole_.titles = titles_with_asides(words, quantity);
-        whole_.y.title = {};
-    }
-    return {};
-}
-
-// The time, unless it is the present of a film, and what a bar counts, in smaller letters.
-std::vector<plot::Text> HistogramPanel::titles_with_asides(const plot::Text& words,
-                                                           const plot::Text& quantity) const {
-    const Language language = context_.language();
-    const auto aside_of = [&](const std::vector<Text>& parts) {
-        Text all{"\u2002"};
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            if (i > 0) all += ", ";
-            all += parts[i];
-        }
-        for (Text::Piece& piece : all.pieces) {
-            piece.markup = "<span size=\"85%\" weight=\"400\">" + piece.markup + "</span>";
-            piece.role = Role{Role::Of::muted};
-        }
-        return all;
-    };
-    std::vector<Text> time;
-    if (window() != 0.0 || spec_.at || axes_.runs > 1) time.emplace_back(axes_.time);
-    if (axes_.runs > 1)
-        time.emplace_back(
-            counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));
-    std::vector<Text> time_and_height = time;
-    time_and_height.emplace_back(height_name());
-    std::vector<Text> titles{words + aside_of(time_and_height),
-                             quantity + aside_of(time_and_height)};
-    if (!time.empty()) titles.push_back(quantity + aside_of(time));
-    titles.push_back(quantity);
-    return titles;
-}
-
 // The name of the curve of a single choice, beside the curve where no bar ever reaches.
 std::optional<plot::Label> HistogramPanel::name_of_curve() const {
     const HistogramCurve& curve = axes_.curves.front();
@@ -424,32 +314,6 @@ std::optional<plot::Label> HistogramPanel::name_of_curve() const {
     return label;
 }
 
-plot::Text HistogramPanel::add_titles_of_runs() {
-    const Language language = context_.language();
-    const auto both = [&](Phrase phrase, const Text& first, const Text& second) {
-        return text_of(language, phrase, {first, second});
-    };
-    Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
-    if (!spec_.title && !spec_.of.empty())
-        words = both(Phrase{"{} of {}"}, words,
-                     escape_markup(name_of(context_.scene, choices_.front().chosen)));
-    const auto ended = [&](Text title) {
-        if (axes_.counts_per_cent()) title = both(aside, title, say(language, "per cent"));
-        return axes_.time.empty() ? title : both(apart, title, axes_.time);
-    };
-    const Text quantity = ended(capitalised(say(language, subject_.quantity)));
-    const Text whole = ended(words), thin = say(language, "thin: equilibrium");
-    if (axes_.has_curves())
-        whole_.titles = {both(aside, whole, say(language, "thin lines: equilibrium")),
-                         both(aside, whole, thin)};
-    if (axes_.has_curves() && !spec_.title) whole_.titles.push_back(both(aside, quantity, thin));
-    if (!axes_.has_curves() || spec_.title) whole_.titles.push_back(whole);
-    whole_.titles.push_back(spec_.title ? words : quantity);
-    if (!spec_.title || axes_.time.empty()) return {};
-    return axes_.counts_per_cent() ? both(aside, say(language, "per cent"), axes_.time)
-                                   : Text(axes_.time);
-}
-
 std::string HistogramPanel::from_name() const {
     return column_name(std::string(subject_.quantity.english) + " from", subject_.unit);
 }
@@ -462,19 +326,6 @@ std::string HistogramPanel::value_name() const {
     return axes_.counts_per_cent() ? "value (per cent)" : "value (count)";
 }
 
-// What a bar counts, with the width of its bin, without which its height has no meaning.
-std::string HistogramPanel::height_name() const {
-    const bool is_of_one = std::ranges::all_of(
-        axes_.series, [](const HistogramSeries& series) { return series.values_each == 1.0; });
-    const Language language = context_.language();
-    const double width = axes_.bins.width();
-    const bool is_plain = width >= 1e-3 && width < 1e5;
-    const std::string per = is_plain ? localised(language, fmt::format("{:.3g}", width))
-                                     : three_digits(language, width);
-    if (axes_.counts_per_cent()) return say(language, "% per {}", per);
-    return is_of_one ? say(language, "particles per {}", per) : say(language, "values per {}", per);
-}
-
 void HistogramPanel::make_plot() {
     const Language language = context_.language();
     whole_.language = language;
@@ -484,6 +335,7 @@ void HistogramPanel::make_plot() {
     whole_.y.high = axes_.top;
     whole_.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
     for (std::size_t k = 0; k < count(); ++k) layers_.push_back(layers_of(k));
+    if (auto name = name_of_curve()) whole_.layers.emplace_back(std::move(*name));
     const Text left_out = add_titles();
     whole_.columns = {from_name(), to_name(), value_name()};
     if (axes_.runs > 1) whole_.columns.emplace_back("standard error (count)");

@@ -5,7 +5,7 @@
 
 #include "draw/axis.h"
 #include "panels/plot/clock_samples.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "physics/sample_times.h"
 #include "stats/histogram.h"
 

@@ -10,7 +10,7 @@
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"
 #include "panels/plot/plot_panel.h"
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "panels/thinning.h"
 #include "physics/sample_times.h"

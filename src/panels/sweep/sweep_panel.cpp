@@ -40,8 +40,11 @@ std::string words_of_number(Language language, const std::string& name) {
     return say(language, found == translated.end() ? Phrase{name} : *found);
 }
 
-plot::Stroke stroke_of(const Role& role, std::vector<double> dashes) {
-    return {.role = role, .width = 0.1, .dashes = std::move(dashes), .shade = plot::Shade::legible};
+plot::Stroke stroke_of_theory(std::vector<double> dashes) {
+    return {.role = {.of = Role::Of::accent},
+            .width = 0.1,
+            .dashes = std::move(dashes),
+            .shade = plot::Shade::legible};
 }
 
 const std::vector<double> dashes_of_theory{0.6, 0.4}, dashes_of_ideal{0.15, 0.35};
@@ -64,7 +67,7 @@ struct Extent {
 }  // namespace
 
 Role SweepPanel::role_of(std::size_t line, std::size_t lines) const {
-    if (lines == 1) return {.of = Role::Of::accent};
+    if (lines == 1) return {.of = Role::Of::bar};
     return {.of = Role::Of::run, .index = line};
 }
 
@@ -109,13 +112,12 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
                   capitalised(what), numbers.across, runs);
     const SweptLine& first = numbers.lines.front();
     plot::Note key{.wraps = true};
-    const Role ink{.of = Role::Of::ink};
     if (numbers.lines.size() > 1) return set_words_of_lines(numbers);
     for (const auto& [curve, dashes] :
          {std::pair{&first.theory, dashes_of_theory}, std::pair{&first.ideal, dashes_of_ideal}}) {
         if (curve->y.size() < 2) continue;  // a single value makes no visible curve
         const std::string name = say(language_, Phrase{curve->name});
-        key.entries.push_back({.sample = stroke_of(ink, dashes), .words = {escape_markup(name)}});
+        key.entries.push_back({.sample = stroke_of_theory(dashes), .words = {escape_markup(name)}});
         plot_.account += " " + (dashes == dashes_of_theory ? say(language_, "Dashed: {}.", name)
                                                            : say(language_, "Dotted: {}.", name));
     }
@@ -153,14 +155,13 @@ void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
 }
 
 void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t lines) {
-    const Role ink{.of = Role::Of::ink};
     if (lines > 1) {
         const SweptCurve joined{.x = line.x, .y = line.mean};
         return add_curve(line.theory.y.size() > 1 ? line.theory : joined, plot::stroke_of_run(k),
                          line.column);
     }
-    add_curve(line.theory, stroke_of(ink, dashes_of_theory), line.column);
-    add_curve(line.ideal, stroke_of(ink, dashes_of_ideal), line.column);
+    add_curve(line.theory, stroke_of_theory(dashes_of_theory), line.column);
+    add_curve(line.ideal, stroke_of_theory(dashes_of_ideal), line.column);
 }
 
 // A bar of an error is a piece of one line, from its lower end to its upper.

@@ -13,6 +13,7 @@ namespace {
 constexpr double clock_size = 4.0 / 3.0;  // units
 constexpr double before_clock = 0.8;      // units, to what stands before it
 constexpr double arrow_of_clock = 0.42;   // units, from its middle to its ends
+constexpr int bold = 600;                 // of slow motion
 
 class ClockPanel : public MonitorsPanel {
   public:
@@ -23,17 +24,32 @@ class ClockPanel : public MonitorsPanel {
     Rect frame_in(const Rect& area, double unit) const override;
 
   private:
+    double widest_slowness(TextStyle style) const;
     std::string words(double time) const { return "t = " + text(Monitor::time, time); }
     static TextStyle style_in(double unit, Color color) {
         return {.size = clock_size * unit, .weight = 400, .color = color, .align = Align::right};
     }
 };
 
+// Of the factors of slow motion, and of pauses; 0 if there are none.
+double ClockPanel::widest_slowness(TextStyle style) const {
+    style.weight = bold;
+    const Film& film = context_.scene.film;
+    double widest = 0.0;
+    const auto see = [&](double factor) {
+        const std::string words = localised(context_.language(), slow_words({factor, 1.0}));
+        widest = std::max(widest, measure_text(words, style).width);
+    };
+    for (const SlowSpan& span : film.slow) see(span.factor);
+    if (!film.pauses.empty()) see(0.0);
+    return widest;
+}
+
 Rect ClockPanel::frame_in(const Rect& area, double unit) const {
     const TextStyle style = style_in(unit, {});
     double width = measure_text(words(context_.scene.run.until), style).width;
-    if (!context_.scene.film.slow.empty())
-        width += measure_text("\u00D70.001", style).width + before_clock * unit;
+    if (const double slowness = widest_slowness(style); slowness > 0.0)
+        width += slowness + before_clock * unit;
     if (turns()) width += (before_clock + 2.0 * arrow_of_clock) * unit;
     return {area.right() - width, area.y, width, area.height};
 }
@@ -54,7 +70,7 @@ void ClockPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& s
         x -= 2.0 * half + before_clock * dc.unit;
     }
     if (now.slow.share <= 0.0) return;
-    style.weight = 600;
+    style.weight = bold;
     style.color = with_alpha(dc.theme.highlight, now.slow.share);
     draw_text(canvas, {x, baseline}, localised(context_.language(), slow_words(now.slow)), style);
 }

@@ -291,7 +291,7 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) 
     const bool turning = input.tick.phase == Phase::reversing;
     const int before = input.tick.reversals - (turning && input.tick.progress > 0.5);
     const double turned = turning ? input.tick.progress : 0.0;
-    state->arrow = before + turned * turned * (3.0 - 2.0 * turned);
+    state->arrow = before + smooth(turned);
     return state;
 }
 

@@ -143,16 +143,13 @@ std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& pl
     return problem;
 }
 
-void refuse_long_words(const Scene& scene) {
+void refuse_long_words(const Scene& scene, const std::vector<Slot>& places) {
     const Grid grid(scene.film.layout, scene.film.size);
-    const std::vector<Slot> slots =
-        shared_slots(scene.film.layout.panels, scene.film.panels.size());
     std::vector<Diagnostic> errors;
-    for (std::size_t i = 0; i < std::min(slots.size(), scene.film.panels.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(places.size(), scene.film.panels.size()); ++i) {
         const PanelSpec& spec = scene.film.panels[i];
         if (spec.kind != "text") continue;
-        auto problem = problem_of_words(
-            spec, grid.place(on_plate(slots[i], scene.film.layout, grid)), grid.unit());
+        auto problem = problem_of_words(spec, grid.place(places[i]), grid.unit());
         if (!problem) continue;
         problem->hint =
             "write fewer or shorter words, show fewer panels, or take a template with larger "
@@ -160,6 +157,14 @@ void refuse_long_words(const Scene& scene) {
         errors.push_back(std::move(*problem));
     }
     if (!errors.empty()) throw SceneError(std::move(errors));
+}
+
+void refuse_long_words(const Scene& scene) {
+    const LayoutSpec& layout = scene.film.layout;
+    std::vector<Slot> places = shared_slots(layout.panels, scene.film.panels.size());
+    const Grid grid(layout, scene.film.size);
+    for (Slot& place : places) place = on_plate(place, layout, grid);
+    refuse_long_words(scene, places);
 }
 
 std::unique_ptr<Panel> make_text(const PanelContext&, const PanelSpec& spec) {

@@ -28,7 +28,9 @@ double height_of(const SetWords& set);
 /// (pixels) in any of the sizes; otherwise none.
 std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit);
 
-/// Throws SceneError if a panel of the film has words that do not fit into its place.
+/// Throws SceneError if a panel of the film has words that do not fit into its place: one of
+/// `places`, or that of the template, which may differ where a panel stands in the gas's place.
+void refuse_long_words(const Scene& scene, const std::vector<Slot>& places);
 void refuse_long_words(const Scene& scene);
 
 }  // namespace carom

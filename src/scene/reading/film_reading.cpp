@@ -221,11 +221,14 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
             "`seconds` the rest becomes faster, with `pace` the film becomes longer.")
             .default_text("none"),
         bind_key("monitors", &Film::monitors, monitors_notation(),
-                 "The numbers in the row of monitors; all-collisions includes those with walls; "
+                 "The numbers in the row of monitors, as many as it has room for; all-collisions "
+                 "includes those with walls; "
                  "return-distance is the largest distance of a particle from where it was on the "
                  "way out; overlap is the deepest overlap so far of two disks that collided, in "
                  "per cent of the sum of their radii.")
-            .default_text("time, collisions, mean-speed and mean-energy"),
+            .default_text(
+                "collisions; in a layout without a clock time, collisions, mean-speed and "
+                "mean-energy"),
         bind_key("panels", &Film::panels, panels_notation(kinds),
                  "The panels, each a kind or a mapping with options.")
             .tried_as({"plots", "graphs"})

@@ -70,9 +70,7 @@ bool is_excluded(const std::string& key, const Node& film, const std::vector<Cho
 }
 
 bool is_inside(const Slot& slot, const LayoutSpec& layout) {
-    constexpr double rounding = 1e-9;
-    return slot.x + slot.width <= layout.grid_width + rounding &&
-           slot.y + slot.height <= layout.grid_height + rounding;
+    return is_within(slot, {0.0, 0.0, layout.grid_width, layout.grid_height});
 }
 
 void check_caption_line(const Node& line, const LayoutSpec& layout, Errors& errors) {

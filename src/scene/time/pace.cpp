@@ -39,8 +39,6 @@ double eased_time(const SlowSpan& span, double easing, double pace) {
     return easing * pace * (1.0 + span.factor) / 2.0;
 }
 
-double smooth(double share) { return share * share * (3.0 - 2.0 * share); }
-
 // The integral of smooth() from 0.
 double smooth_sum(double share) { return share * share * share * (1.0 - share / 2.0); }
 

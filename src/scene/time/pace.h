@@ -18,6 +18,9 @@ inline constexpr double seconds_of_short_film = 5.0;
 /// gas moves for `seconds`: half a second, or a tenth of `seconds` if these are fewer than five.
 double easing_seconds(double seconds);
 
+/// A share of the way, from 0 to 1, that begins and ends slowly.
+inline double smooth(double share) { return share * share * (3.0 - 2.0 * share); }
+
 /// How slowly a film runs at a given time.
 struct Slowness {
     double factor = 1.0;  ///< of the current or adjacent slow motion; 1: none

@@ -99,7 +99,7 @@ TEST_CASE(
     const Shot wide = shot("[44, 20]");
     CHECK(wide.scene.film.template_name == "hero");
     const PanelSet::Placed& panel = wide.panels->panels().back();
-    REQUIRE(panel.is_over_gas);
+    REQUIRE(panel.is_over_box());
     for (const FrameData& frame : wide.frames) {
         CAPTURE(frame.tick.time);
         const double opacity = panel.opacity(wide.scene.film, frame.tick);

@@ -94,6 +94,25 @@ TEST_CASE("a line break in a formula is a space") {
     CHECK(complaint(panel).empty());
 }
 
+TEST_CASE("words are refused by the place that a panel has in the picture, beside a narrow box") {
+    const auto complaint_in = [](const std::string& box) -> std::string {
+        const Scene scene =
+            test::scene_from("title: T\nbox: {size: " + box +
+                             "}\ngas: [{count: 4, speed: 1}]\nrun: {until: 4}\n"
+                             "film: {seconds: 1, fps: 4, panels: [{kind: text, words: \"" +
+                             words_of(50) + "\"}]}\n");
+        refuse_long_words(scene);  // by the template they fit
+        try {
+            test::Shot shot(scene, 1);
+        } catch (const SceneError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    CHECK(complaint_in("[66, 30]").empty());
+    CHECK(complaint_in("[44, 30]").find("do not fit") != std::string::npos);
+}
+
 TEST_CASE("a film with words that do not fit is refused with their place") {
     const std::string few = "{kind: text, words: \"" + words_of(20) + "\"}";
     const std::string many = "{kind: text, title: T, words: \"" + words_of(60) + "\"}";

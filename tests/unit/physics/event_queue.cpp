@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -19,6 +20,24 @@
 using namespace carom;
 
 namespace {
+
+using Order = std::set<std::pair<double, std::int32_t>>;
+
+// Whether others have events until a time: the quick answer may be wrongly yes, never wrongly no,
+// and the slow one is right within a year of the queue.
+void compare_others_until(const EventQueue& queue, const Order& order, double now,
+                          std::int32_t found) {
+    const auto second = std::next(order.begin());
+    const double next = second == order.end() ? never<double> : second->first;
+    for (const double until : {now, now + 1e-9, now + 0.3, next}) {
+        if (!std::isfinite(until)) continue;
+        const bool others = next <= until;
+        if (others) CHECK(queue.may_have_another_until(until));
+        if (others) CHECK(queue.has_another_until(until, found, found));
+        if (!queue.may_have_another_until(until)) CHECK_FALSE(others);
+    }
+    if (order.size() > 1 && now < next) CHECK_FALSE(queue.has_another_until(now, found, found));
+}
 
 // Draws and replaces events as a simulation does, and compares with a search through all.
 void compare_with_all(std::int32_t count, int events_processed, double spread) {
@@ -58,6 +77,7 @@ void compare_with_all(std::int32_t count, int events_processed, double spread) {
         REQUIRE(found == first);
         REQUIRE(queue.time(found) == now);
         REQUIRE(queue.earliest() == found);
+        compare_others_until(queue, order, now, found);
         // as in the simulation: the one at hand, and another one with it
         for (const auto i : {first, static_cast<std::int32_t>(random.below(count))}) {
             order.erase({times[std::size_t(i)], i});

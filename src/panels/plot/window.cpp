@@ -1,4 +1,4 @@
-#include "panels/plots/window.h"
+#include "panels/plot/window.h"
 
 #include <algorithm>
 

@@ -1,0 +1,334 @@
+// What quantities against time show, as a plot: lines with their names, levels of theory, turns and
+// events.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "panels/plots/series_panel.h"
+#include "util/text.h"
+
+namespace carom {
+namespace {
+
+using plot::Role;
+
+constexpr int depth_of_markers = 1;  // under levels and their words
+constexpr int band_depth = 1000;     // behind all lines
+const Role muted{.of = Role::Of::muted};
+
+// A word beside a vertical line, on the side with more room, at the lowest place that no line
+// crosses.
+plot::Label label_beside(const plot::Axis& axis, double at, const std::string& word) {
+    const bool on_left = at > 0.5 * (axis.low + axis.high);
+    plot::Label label;
+    label.words = {word};
+    label.anchors = {{.at = {at, 1.0},
+                      .y_is_share = true,
+                      .offset = {on_left ? -0.4 : 0.4, -0.5},
+                      .align = on_left ? Align::right : Align::left,
+                      .step = {0.0, -0.5}}};
+    return label;
+}
+
+// Adds a vertical line, whose words are placed after those of levels.
+void add_marker(plot::Plot& plot, plot::Marker marker) {
+    std::optional<plot::Label> words = std::exchange(marker.label, std::nullopt);
+    marker.depth = depth_of_markers;
+    plot.layers.emplace_back(std::move(marker));
+    if (!words) return;
+    words->still = true;
+    plot.layers.emplace_back(std::move(*words));
+}
+
+}  // namespace
+
+void SeriesPanel::make_plot() {
+    growing_.clear();
+    const bool compares = record_.compares();
+    const std::string column = column_name(std::string(subject_.quantity.english), subject_.unit);
+    whole_.titles = subject_.titles;
+    if (compares && subject_.compared_title)
+        whole_.titles = {*subject_.compared_title};
+    else if (compares && subject_.names.size() > 1 && !is_titled_by_scene_)
+        whole_.titles = {plot::text_of(context_.language(), Phrase{"{}: {}"},
+                                       {capitalised(say(context_.language(), subject_.quantity)),
+                                        escape_markup(subject_.names.at(subject_.compared))})};
+    whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
+    if (!record_.runs.front().errors.empty())
+        whole_.columns.push_back("standard error of " + column);
+    const bool names_lines = !subject_.last_title_names && subject_.names.size() > 1 && !compares;
+    if (names_lines) whole_.titles = {whole_.titles.back()};
+    if (const std::vector<std::string> words = notes(); !words.empty())
+        whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
+    std::vector<std::string> names;
+    for (const auto& one : record_.runs) names.push_back(one.name);
+    if (compares) plot::name_runs(whole_, std::move(names));
+    for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
+    add_levels();  // words find their places in this order
+    if (names_lines) add_names();
+    add_turns();
+    add_events();
+    if (subject_.add) subject_.add(record_, whole_);
+}
+
+// Each line's name in its colour, over or under the line where it is free, near its beginning if
+// possible.
+void SeriesPanel::add_names() {
+    constexpr int places = 12;
+    constexpr double over = -0.5, under = 1.25;  // units, to the baseline
+    for (const Growing& one : growing_) {
+        if (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory) continue;
+        const auto& line = std::get<plot::Line>(whole_.layers[one.layer]);
+        if (line.x.size() == 0) continue;
+        plot::Label label;
+        label.still = true;
+        label.words = {plot::named(subject_.names.at(one.line), line.stroke.role,
+                                   plot::Sample::line, one.line)};
+        for (int k = 1; k < places; ++k) {
+            const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
+            if (!std::isfinite(line.y[i])) continue;
+            for (const double off : {over, under})
+                label.anchors.push_back({.at = {line.x[i], line.y[i]},
+                                         .offset = {0.4, off},
+                                         .align = Align::left,
+                                         .is_inside = true});
+        }
+        label.sample = line.stroke;
+        if (!label.anchors.empty()) label.anchors.front().has_sample = true;
+        whole_.layers.emplace_back(std::move(label));
+    }
+}
+
+bool SeriesPanel::has_numbers() const {
+    for (const SeriesRun& run : record_.runs)
+        for (const std::vector<double>& line : run.lines)
+            if (std::ranges::any_of(line, [](double value) { return std::isfinite(value); }))
+                return true;
+    return false;
+}
+
+// Under the title: what the lines are, and what the mean is of.
+std::vector<std::string> SeriesPanel::notes() const {
+    const Language language = context_.language();
+    if (!has_numbers()) return {say(language, "not defined for this gas")};
+    std::vector<std::string> all = subject_.notes;
+    const auto append = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> both;
+        for (const std::string& note : all) both.push_back(note + "; " + more.front());
+        both.insert(both.end(), more.begin(), more.end());
+        all = std::move(both);
+    };
+    if (record_.runs_in_mean > 1) {
+        const std::string mean = counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
+                                         Phrase{"mean of {} runs"});
+        append({say(language, "{} \u00B1 standard error", mean), mean});
+    }
+    const ReferenceLevels& levels = record_.runs.front().levels;
+    if (record_.compares() && !levels.empty() && record_.common_levels().empty())
+        append({say(language, "thin: {}", say(language, Phrase{levels.back().name}))});
+    return all;
+}
+
+void SeriesPanel::add_run(std::size_t k) {
+    const SeriesRun& run = record_.runs[k];
+    const bool compares = record_.compares();
+    const plot::Column time = plot::column(whole_.columns[0], run.time);
+    for (std::size_t i = 0; i < run.lines.size(); ++i) {
+        const SeriesSubject::Line& subject = subject_.lines.at(compares ? record_.compared : i);
+        plot::Line line;
+        line.part = "line";
+        line.of = subject.name;
+        if (compares) line.run = k;
+        line.depth = static_cast<int>(compares ? k : i);
+        line.x = time;
+        line.y = plot::column(whole_.columns[1], run.lines[i]);
+        line.stroke = compares
+                          ? plot::stroke_of_run(k)
+                          : plot::Stroke{.role = subject.role,
+                                         .print_dashes = plot::dashes_in_print(i, run.lines.size()),
+                                         .shade = plot::Shade::rimmed};
+        if (subject.is_theory)
+            line.stroke = {.role = subject.role, .width = 0.1, .dashes = {0.5, 0.35}};
+        else
+            line.head = plot::Mark{.role = line.stroke.role, .shade = line.stroke.shade};
+        if (!run.errors.empty()) {
+            plot::Band band;
+            band.x = line.x;
+            band.y = line.y;
+            band.error = plot::column(whole_.columns[2], run.errors[i]);
+            band.role = subject.role;
+            band.depth = band_depth;
+            line.more = {band.error};
+            whole_.layers.emplace_back(std::move(band));
+        }
+        growing_.push_back({whole_.layers.size(), k, i});
+        whole_.layers.emplace_back(std::move(line));
+    }
+}
+
+plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
+    plot::Level level;
+    level.part = "reference";
+    level.of = of.name;
+    level.stroke.role = {plot::Role::Of::accent};
+    if (of.line) {
+        level.of += ", " + subject_.lines.at(*of.line).name;
+        level.stroke.role = subject_.lines[*of.line].role;
+        level.stroke.shade = plot::Shade::legible;
+    }
+    level.still = true;
+    level.x_column = whole_.columns[0];
+    level.column = whole_.columns[1];
+    level.value = of.value;
+    return level;
+}
+
+// Adds the common levels of all runs with their values; if runs differ, the level of each run.
+void SeriesPanel::add_levels() {
+    if (const ReferenceLevels common = record_.common_levels(); !common.empty())
+        return common.front().line ? add_levels_of_lines(common) : add_common_levels(common);
+    for (std::size_t k = 0; k < record_.runs.size(); ++k) {
+        const ReferenceLevels& own = record_.runs[k].levels;
+        if (own.empty() || !std::isfinite(own.back().value)) continue;
+        plot::Level level = level_of(own.back());
+        level.run = k;
+        level.stroke = {.role = plot::stroke_of_run(k).role, .width = 0.07};
+        whole_.layers.emplace_back(std::move(level));
+    }
+}
+
+namespace {
+
+// At the top right, in the row of this number from the top.
+plot::Label label_of_levels(std::vector<plot::Text> words, const plot::Stroke& sample, double row) {
+    constexpr double line_height = 1.4;  // units
+    plot::Label label;
+    label.role = {plot::Role::Of::accent};
+    label.words = std::move(words);
+    label.anchors = {{.at = {1.0, 0.0},
+                      .x_is_share = true,
+                      .y_is_share = true,
+                      .offset = {-0.5, 0.8 + line_height * row},
+                      .align = Align::right,
+                      .has_sample = true}};
+    label.sample = sample;
+    return label;
+}
+
+}  // namespace
+
+// Levels of single lines have the colours of these and share one label.
+void SeriesPanel::add_levels_of_lines(const ReferenceLevels& levels) {
+    const Language language = context_.language();
+    plot::Text with_names, numbers;
+    for (const ReferenceLevel& level : levels) {
+        const plot::Role role = subject_.lines.at(*level.line).role;
+        const std::string number = three_digits(language, level.value);
+        const std::string comma = numbers.empty() ? "" : ", ";
+        numbers += comma + plot::named(number, role, plot::Sample::line, *level.line);
+        with_names += comma + plot::named(subject_.names.at(*level.line) + " " + number, role,
+                                          plot::Sample::line, *level.line);
+    }
+    const plot::Text name = say(language, Phrase{levels.front().name});
+    const auto after_name = [&](const plot::Text& text) {
+        return plot::text_of(language, Phrase{"{}: {}"}, {name, text});
+    };
+    const plot::Stroke sample{.role = {plot::Role::Of::accent}, .width = 0.08, .dashes = {0.3}};
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        plot::Level level = level_of(levels[k]);
+        if (k == 0)
+            level.label =
+                label_of_levels({after_name(with_names), after_name(numbers), name}, sample, 0.0);
+        whole_.layers.emplace_back(std::move(level));
+    }
+}
+
+// Levels are distinguished by their dashes; levels whose numbers look the same share one label.
+void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
+    static const std::vector<std::vector<double>> dashes{{0.3}, {0.9, 0.3}, {0.9, 0.3, 0.2, 0.3}};
+    const Language language = context_.language();
+    std::string names;
+    double row = 0.0;
+    for (std::size_t k = 0; k < levels.size(); ++k) {
+        plot::Level level = level_of(levels[k]);
+        level.stroke.dashes = dashes[k % dashes.size()];
+        add_band_about(level, levels[k].deviation);
+        const std::string number = three_digits(language, levels[k].value);
+        names += (names.empty() ? "" : ", ") + say(language, Phrase{levels[k].name});
+        if (k + 1 == levels.size() || three_digits(language, levels[k + 1].value) != number) {
+            std::vector<plot::Text> words{names + " " + number};
+            if (levels[k].deviation > 0.0)
+                words.insert(words.begin(),
+                             names + " " + number + "\u2009\u00B1\u2009" +
+                                 localised(language, fmt::format("{:.2g}", levels[k].deviation)));
+            level.label = label_of_levels(std::move(words), level.stroke, row++);
+            names.clear();
+        }
+        whole_.layers.emplace_back(std::move(level));
+    }
+}
+
+// The band of one standard deviation about a level, within which lines should be most of the time.
+void SeriesPanel::add_band_about(const plot::Level& level, double deviation) {
+    if (!(deviation > 0.0)) return;
+    plot::Band band;
+    band.part = "deviation";
+    band.of = level.of;
+    band.still = true;
+    band.depth = band_depth + 1;
+    band.x = plot::column(whole_.columns[0], {whole_.x.low, whole_.x.high});
+    band.y = plot::column(whole_.columns[1], {level.value, level.value});
+    const std::string column = "standard deviation of " + whole_.columns[1];
+    if (std::ranges::find(whole_.columns, column) == whole_.columns.end())
+        whole_.columns.push_back(column);
+    band.error = plot::column(column, {deviation, deviation});
+    band.role = muted;
+    band.alpha = 0.2;
+    whole_.layers.emplace_back(std::move(band));
+}
+
+// A thin line where the velocities are reversed.
+void SeriesPanel::add_turns() {
+    for (const double at : record_.common_turns()) {
+        plot::Marker marker;
+        marker.part = "reversal";
+        marker.still = true;
+        marker.column = whole_.columns[0];
+        marker.value = at;
+        marker.label = label_beside(whole_.x, at, say(context_.language(), "reversed"));
+        add_marker(whole_, std::move(marker));
+    }
+}
+
+// The same, dashed, at times when a wall or a partition changes its behaviour or the gas is heated.
+void SeriesPanel::add_events() {
+    constexpr std::size_t most_named = 6;
+    const auto events = record_.common_events();
+    for (const auto& [at, words] : events) {
+        plot::Marker marker;
+        marker.part = "event";
+        marker.of = fmt::format("{}", fmt::join(words, ", "));
+        marker.still = true;
+        marker.column = whole_.columns[0];
+        marker.value = at;
+        marker.stroke = {.width = 0.06, .dashes = {0.2, 0.4}};
+        if (events.size() <= most_named) {
+            std::vector<std::string> said;
+            for (const std::string& word : words) {
+                const std::string one = say(context_.language(), Phrase{word});
+                if (std::ranges::find(said, one) == said.end()) said.push_back(one);
+            }
+            marker.label = label_beside(whole_.x, at, fmt::format("{}", fmt::join(said, ", ")));
+            plot::Anchor other_side = marker.label->anchors[0];
+            other_side.offset.x = -other_side.offset.x;
+            other_side.align = other_side.align == Align::left ? Align::right : Align::left;
+            marker.label->anchors.push_back(other_side);
+        }
+        add_marker(whole_, std::move(marker));
+    }
+}
+
+}  // namespace carom

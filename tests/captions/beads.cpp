@@ -164,7 +164,7 @@ std::vector<SceneClaims> claims_of_collisions() {
            exactly(-2.0)},
           {"A disk of mass 2 meets one of mass 1", at(0, mean_energy(number(1))),
            exactly(0.5 * 1.01), 0},
-          {"that of the light disk twice as much",
+          {"The light disk's velocity changes twice as much",
            (at(7.6, mean_velocity(0, number(1))) - at(3.5, mean_velocity(0, number(1)))) /
                (at(7.6, mean_velocity(0, number(0))) - at(3.5, mean_velocity(0, number(0)))),
            exactly(-2.0), 3.9}}},

@@ -50,6 +50,14 @@ constexpr Theme print_theme = {.page = rgb(0xFFFFFF),
                                .kind = ThemeKind::print,
                                .dark = false};
 
+// With channels of eight bits.
+Color as_drawn(Color color) {
+    const double alpha = color.alpha;
+    color = rgb(to_pixel(color) & 0xFFFFFF);
+    color.alpha = alpha;
+    return color;
+}
+
 }  // namespace
 
 const Theme& theme(ThemeKind kind) {
@@ -77,7 +85,8 @@ Color toward_ink(Color color, const Theme& theme, std::span<const Color> behind,
     };
     constexpr int steps = 20;
     for (int i = 0; i < steps; ++i)
-        if (const Color shade = mix(color, theme.ink, double(i) / steps); stands_out(shade))
+        if (const Color shade = as_drawn(mix(color, theme.ink, double(i) / steps));
+            stands_out(shade))
             return shade;
     return theme.ink;
 }

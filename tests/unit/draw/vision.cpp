@@ -147,6 +147,19 @@ TEST_CASE("bars, the theory curve and what is to be looked at differ for every v
     }
 }
 
+TEST_CASE("shades stand out as they are drawn, in channels of eight bits") {
+    for (const ThemeKind kind : all_themes) {
+        const Theme& colors = theme(kind);
+        for (int i = 0; i <= 1000; ++i) {
+            const double level = i / 1000.0;
+            const Color words = *parse_color(hex_of(legible({level, level, level, 1.0}, colors)));
+            CAPTURE(level);
+            CHECK(contrast(words, colors.page) >= 4.5);
+            CHECK(contrast(words, colors.ground) >= 4.5);
+        }
+    }
+}
+
 TEST_CASE("the kinds' colours have an edge that stands out, and words in them can be read") {
     for (const ThemeKind kind : all_themes) {
         CAPTURE(static_cast<int>(kind));

@@ -310,7 +310,7 @@ struct FigureSpec {
     double width = 8.9;            ///< centimetres
     std::optional<double> height;  ///< centimetres; none: by kind
     bool slide = false;            ///< large type
-    ThemeName theme = ThemeName::print;
+    ThemeName theme = ThemeName::light;
     std::optional<std::string> caption, alt;  ///< none: made from what the figure shows
     std::vector<ComparedRun> compare = {};    ///< shown in one panel; empty: the scene's run alone
 };

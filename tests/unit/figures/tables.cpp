@@ -94,7 +94,7 @@ TEST_CASE("a histogram's bars are redrawn from its table") {
     // The picture: pixels of the bars' colour in the middle of each.
     const Canvas canvas = draw_figure(run, figure, std::nullopt, {"t", "d"});
     const PixelView view = canvas.pixels();
-    const std::uint32_t color = to_pixel(theme(ThemeKind::print).bar);
+    const std::uint32_t color = to_pixel(theme_of(figure.spec->theme).bar);
     const auto height = [&](int x) {
         int pixels = 0;
         for (int y = view.height / 4; y < view.height; ++y)  // the title's words have the colour

@@ -17,10 +17,6 @@ Color page_color(const Film& film) { return theme_of(film.theme).page; }
 
 namespace {
 
-constexpr double title_line = 1.2;       // of the size of its letters
-constexpr double subtitle_line = 1.35;   // units
-constexpr double line_of_caption = 1.2;  // of the size of its letters
-
 // What is left of a line, from its left end, before something that stands in it, too.
 Rect before(Rect line, const Rect& other, double unit) {
     constexpr double gap = 1.2;  // units
@@ -49,19 +45,22 @@ Canvas FramePainter::blank(const Film& film) {
                   film.transparent ? Backdrop::transparent : Backdrop::black);
 }
 
-// Of each panel.
+// Of each panel. Those over the box give way to an end card, which shows the boxes alone.
 std::vector<double> FramePainter::opacities(const Tick& tick, bool still) const {
+    const double cover = tick.phase == Phase::title_card ? 0.0 : card_cover(scene_.film, tick);
     std::vector<double> all;
     for (const PanelSet::Placed& placed : panels_.panels()) {
-        const double one = placed.opacity(scene_.film, tick);
+        double one = placed.opacity(scene_.film, tick);
+        if (placed.is_over_box()) one *= 1.0 - cover;
+        if (tick.phase == Phase::end_card && !placed.is_box()) one = 0.0;
         all.push_back(still && one > 0.0 ? 1.0 : one);
     }
     return all;
 }
 
-// Those that come or go are not in it.
-void FramePainter::prepare_ground(const std::vector<double>& opacities) {
-    std::vector<bool> whole;
+// Panels that come or go are not in it, nor is a title that is still on its card.
+void FramePainter::prepare_ground(const std::vector<double>& opacities, bool has_title) {
+    std::vector<bool> whole{has_title};
     for (const double one : opacities) whole.push_back(one == 1.0);
     if (whole == grounded_) return;
     const bool is_first = grounded_.empty();
@@ -70,14 +69,15 @@ void FramePainter::prepare_ground(const std::vector<double>& opacities) {
         ground_ = blank(scene_.film);
         canvas_ = blank(scene_.film);
     }
-    draw_ground(ground_, opacities);
+    draw_ground(ground_, opacities, has_title);
 }
 
-void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacities) {
+void FramePainter::draw_ground(Canvas& canvas, const std::vector<double>& opacities,
+                               bool has_title) {
     if (!scene_.film.transparent) canvas.fill_all(theme_.page);
     const Panel::Key key = this->key();
     panels_.gas().draw_key(canvas, key);
-    draw_title(canvas, end_of_title(key));
+    draw_title(canvas, end_of_title(key), has_title);
     for (std::size_t i = 0; i < opacities.size(); ++i) {
         const PanelSet::Placed& placed = panels_.panels()[i];
         if (opacities[i] == 1.0 && !placed.is_over_box())
@@ -117,66 +117,14 @@ DrawContext FramePainter::context_at(const Slot& slot) {
     return {grid_.place(slot), unit_, theme_, disks_};
 }
 
-// The title is set in one line, smaller if necessary; if that does not suffice, in two lines as
-// large as the place allows.
-FramePainter::SetTitle FramePainter::set_title(const Rect& area) const {
-    constexpr double largest = 1.73, smallest_in_one = 1.3, smallest = 1.0;  // units
-    TextStyle style{.size = largest * unit_,
-                    .weight = 600,
-                    .color = theme_.ink,
-                    .tabular = false,
-                    .max_width = area.width};
-    const double share =
-        area.width / measure_text(escape_markup(scene_.title), {style.size, style.weight}).width;
-    if (share >= smallest_in_one / largest) {
-        style.size *= std::min(1.0, share);
-        style.max_width *= 1.0 + 1e-3;  // letters are set at whole sizes
-        return {style, {scene_.title}};
-    }
-    const double room = area.height - (has_subtitle_in_title() ? subtitle_line * unit_ : 0.0);
-    for (style.size = std::min(style.size, room / (2.0 * title_line));; style.size *= 0.95) {
-        const bool is_smallest = style.size <= smallest * unit_;
-        if (is_smallest) style.size = smallest * unit_;
-        std::vector<std::string> lines = wrapped(scene_.title, style, 2);
-        const double width =
-            measure_text(escape_markup(lines.back()), {style.size, style.weight}).width;
-        if (is_smallest || width <= area.width) return {style, std::move(lines)};
-    }
-}
-
 // Where there is no place for captions, which has it at the start.
 bool FramePainter::has_subtitle_in_title() const {
     return !scene_.subtitle.empty() && !scene_.film.layout.caption;
 }
 
-// Draws the title as far as `end`, and the subtitle in the lines that the title leaves.
-void FramePainter::draw_title(Canvas& canvas, double end) const {
-    Rect area = grid_.place(scene_.film.layout.title);
-    area.width = end - area.x;
-    const SetTitle title = set_title(area);
-    double y = area.y;
-    for (const std::string& words : title.lines) {
-        draw_text(canvas, {area.x, y + 0.9 * title.style.size}, escape_markup(words), title.style);
-        y += title_line * title.style.size;
-    }
-    if (!has_subtitle_in_title()) return;
-    const TextStyle style{.size = 1.05 * unit_,
-                          .weight = 400,
-                          .color = theme_.muted,
-                          .tabular = false,
-                          .max_width = area.width};
-    const double line = subtitle_line * unit_;
-    const auto most = static_cast<std::size_t>(std::max(0.0, area.bottom() - y) / line + 1e-6);
-    for (const std::string& words :
-         wrapped(scene_.subtitle, style, std::max<std::size_t>(1, most))) {
-        draw_text(canvas, {area.x, y + style.size}, escape_markup(words), style);
-        y += line;
-    }
-}
-
 const Canvas& FramePainter::paint(const FrameData& frame) {
     const std::vector<double> seen = opacities(frame.tick, false);
-    prepare_ground(seen);
+    prepare_ground(seen, frame.tick.phase != Phase::title_card);
     canvas_.restore(ground_);
     draw_changing(canvas_, frame, seen, false);
     return canvas_;
@@ -184,7 +132,7 @@ const Canvas& FramePainter::paint(const FrameData& frame) {
 
 void FramePainter::paint_on(Canvas& canvas, const FrameData& frame) {
     const std::vector<double> seen = opacities(frame.tick, true);
-    draw_ground(canvas, seen);
+    draw_ground(canvas, seen, frame.tick.phase != Phase::title_card);
     draw_changing(canvas, frame, seen, true);
 }
 
@@ -197,18 +145,21 @@ std::vector<std::string> FramePainter::cut_words() {
         if (std::ranges::any_of(log.lines, &DrawnLine::is_cut)) cut.push_back(what);
     };
     add("the title or the subtitle", [&] {
-        draw_title(scratch, before_numbers(grid_.place(scene_.film.layout.title)).right());
+        draw_title(scratch, before_numbers(grid_.place(scene_.film.layout.title)).right(), true);
     });
     if (subtitle_)
         add(fmt::format("the subtitle “{}”", scene_.subtitle),
-            [&] { draw_caption(scratch, scene_.subtitle, 1.0); });
+            [&] { draw_caption(scratch, words_of_text(scene_.subtitle), 1.0); });
     for (const CaptionSpan& caption : captions_)
         if (!caption.words.empty())
             add(fmt::format("the caption “{}”", caption.words),
                 [&] { draw_caption(scratch, caption.words, 1.0); });
     if (scene_.film.title_card > 0.0)
-        add("the title card", [&] { draw_card(scratch, false, 1.0); });
-    if (!scene_.film.end_card.empty()) add("the end card", [&] { draw_card(scratch, true, 1.0); });
+        add("the title card", [&] { draw_card(scratch, {.phase = Phase::title_card}, 1.0); });
+    if (!scene_.film.end_card.empty())
+        add("the end card", [&] {
+            draw_card(scratch, {frame_count(scene_.film), 0.0, Phase::end_card}, 1.0);
+        });
     const std::vector<Rect> boxes = panels_.boxes(grid_);
     for (const Mark& mark : scene_.marks)
         add(fmt::format("the mark “{}”", mark.words), [&] {
@@ -306,55 +257,26 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
     callouts_.draw(canvas, frame, opacities, still);
     if (frame.tick.phase == Phase::reversing) draw_announcement(canvas, frame.tick);
     draw_slowness(canvas, frame.tick);
-    if (!is_card(frame.tick.phase)) draw_captions(canvas, frame.tick, still);
+    if (frame.tick.phase != Phase::end_card) draw_captions(canvas, frame.tick, still);
     const bool has_card =
         still ? is_card(frame.tick.phase) : card_cover(scene_.film, frame.tick) > 0.0;
-    if (has_card) draw_card(canvas, is_end_card(frame.tick), card_cover(scene_.film, frame.tick));
+    if (has_card) draw_card(canvas, frame.tick, card_cover(scene_.film, frame.tick));
 }
 
-bool FramePainter::is_end_card(const Tick& tick) const {
-    return 2 * tick.frame > frame_count(scene_.film) || scene_.film.title_card <= 0.0;
-}
-
-// Title and subtitle, or the last words over the title.
-void FramePainter::draw_card(Canvas& canvas, bool is_end, double alpha) const {
-    const Rect all{0.0, 0.0, double(scene_.film.size.width), double(scene_.film.size.height)};
-    canvas.fill(all, with_alpha(theme_.page, alpha));
-    const double words_alpha = std::max(0.0, 2.0 * alpha - 1.0);  // not over the gas's own words
-    const TextStyle large{.size = (is_end ? 2.6 : 3.4) * unit_,
-                          .weight = 600,
-                          .color = with_alpha(theme_.ink, words_alpha),
-                          .align = Align::center,
-                          .tabular = false,
-                          .max_width = 0.84 * all.width};
-    TextStyle small = large;
-    small.size = 1.6 * unit_;
-    small.weight = 400;
-    small.color = with_alpha(theme_.muted, words_alpha);
-    constexpr std::size_t most_lines = 6;
-    const auto heading = is_end ? wrapped_words(scene_.film.end_card, large, most_lines)
-                                : wrapped(scene_.title, large, most_lines);
-    const auto rest = wrapped(is_end ? scene_.title : scene_.subtitle, small, most_lines);
-    const auto line = [&](const std::string& words) {
-        return is_end ? line_height_of(words, large, 1.3)
-                      : LineHeight{large.size, 1.3 * large.size};
-    };
-    double height = 1.4 * small.size * static_cast<double>(rest.size());
-    for (const std::string& words : heading) height += line(words).all;
-    Point at{0.5 * all.width, 0.5 * (all.height - height)};
-    for (const std::string& words : heading) {
-        const auto [above, whole] = line(words);
-        if (is_end)
-            draw_words(canvas, {at.x, at.y + above}, words, large);
-        else
-            draw_text(canvas, {at.x, at.y + above}, escape_markup(words), large);
-        at.y += whole;
+void FramePainter::draw_card(Canvas& canvas, const Tick& tick, double cover) {
+    const Cards cards(scene_, theme_, unit_);
+    if (tick.phase == Phase::title_card) {
+        std::optional<PlacedWords> subtitle;
+        if (subtitle_) subtitle = caption_place(words_of_text(scene_.subtitle));
+        return cards.draw_title(canvas, title_place(end_of_title(key())), subtitle, tick);
     }
-    at.y += 0.9 * small.size + 0.6 * large.size;
-    for (const std::string& words : rest) {
-        draw_text(canvas, at, escape_markup(words), small);
-        at.y += 1.4 * small.size;
-    }
+    const std::vector<Rect> boxes = panels_.boxes(grid_);
+    const Rect &first = boxes.front(), &last = boxes.back();
+    const double x = std::min(first.x, last.x), y = std::min(first.y, last.y);
+    cards.draw_end(canvas,
+                   {x, y, std::max(first.right(), last.right()) - x,
+                    std::max(first.bottom(), last.bottom()) - y},
+                   cover);
 }
 
 // Draws the factor of slow motion in a corner of the gas, if no clock shows it.
@@ -376,18 +298,6 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
     draw_text(canvas, {box.right() - 0.6 * unit_, box.y + 1.7 * unit_}, words, style);
 }
 
-void FramePainter::draw_captions(Canvas& canvas, const Tick& tick, bool still) const {
-    if (subtitle_) {
-        const double alpha = opacity(*subtitle_, scene_.film, tick.frame, caption_fade_seconds);
-        if (alpha > 0.0) draw_caption(canvas, scene_.subtitle, still ? 1.0 : alpha);
-    }
-    for (const CaptionSpan& caption : captions_) {
-        const double alpha = opacity(caption, scene_.film, tick.frame, caption_fade_seconds);
-        if (alpha > 0.0 && !caption.words.empty())
-            draw_caption(canvas, caption.words, still ? 1.0 : alpha);
-    }
-}
-
 // What numbers and the clock leave of a line in which they stand, too.
 Rect FramePainter::before_numbers(Rect line) const {
     for (const PanelSet::Placed& placed : panels_.panels()) {
@@ -395,57 +305,6 @@ Rect FramePainter::before_numbers(Rect line) const {
         line = before(line, placed.panel->frame_in(grid_.place(placed.slot), unit_), unit_);
     }
     return line;
-}
-
-// As large as the place allows.
-void FramePainter::draw_lines_of_caption(Canvas& canvas, const std::string& words,
-                                         const Rect& place, TextStyle style) const {
-    style.max_width = place.width * (1.0 + 1e-3);
-    for (;; style.size *= 0.95) {
-        const bool is_smallest = style.size <= unit_;
-        if (is_smallest) style.size = unit_;
-        const auto most = static_cast<std::size_t>(
-            std::max(1.0, std::floor(place.height / (line_of_caption * style.size) + 1e-6)));
-        const std::vector<std::string> lines = wrapped_words(words, style, most);
-        TextStyle whole = style;
-        whole.max_width = 0.0;
-        if (!is_smallest && measure_words(lines.back(), whole).width > place.width) continue;
-        double y = place.y;
-        for (const std::string& line : lines) {
-            const auto [above, height] = line_height_of(line, style, line_of_caption);
-            draw_words(canvas, {place.x, y + above}, line, style);
-            y += height;
-        }
-        return;
-    }
-}
-
-// Draws a caption from the left, in as many lines as its place has room for, smaller if that avoids
-// cutting it.
-void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double alpha) const {
-    constexpr double largest = 1.47, smallest = 1.0;  // units
-    constexpr double least_of_larger_lines = 3.0;     // units: lower places have a single such line
-    const Rect place = before_numbers(grid_.place(*scene_.film.layout.caption));
-    TextStyle style{.size = largest * unit_,
-                    .weight = 500,
-                    .color = with_alpha(theme_.ink, alpha),
-                    .tabular = false};
-    const double in_one = place.width / measure_words(words, style).width * style.size;
-    const bool has_more_lines = place.height >= 2.0 * line_of_caption * smallest * unit_;
-    const bool may_be_large = place.height > least_of_larger_lines * unit_;
-    if (has_more_lines && in_one < (may_be_large ? largest : smallest) * unit_)
-        return draw_lines_of_caption(canvas, words, place, style);
-    const TextExtent whole = measure_words(words, style);
-    const bool has_formula = words.find('$') != std::string::npos;
-    const double share =
-        std::min(place.width / whole.width,
-                 has_formula ? place.height / (whole.ascent + whole.descent) : 1.0);
-    style.size = std::max(unit_, std::min(1.0, share) * style.size);
-    style.max_width = place.width * (1.0 + 1e-3);  // letters are set at whole sizes
-    const TextExtent extent = measure_words(words, style);
-    const double below_middle =
-        has_formula ? 0.5 * (extent.ascent - extent.descent) : 0.36 * style.size;
-    draw_words(canvas, {place.x, place.y + 0.5 * place.height + below_middle}, words, style);
 }
 
 void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/callouts/cards.h"
 #include "panels/layout.h"
 #include "panels/panel_set.h"
 #include "panels/plot_callouts.h"
@@ -40,16 +41,12 @@ class FramePainter {
   private:
     DrawContext context_at(const Slot& slot);
     std::vector<double> opacities(const Tick& tick, bool still) const;
-    void prepare_ground(const std::vector<double>& opacities);
+    void prepare_ground(const std::vector<double>& opacities, bool has_title);
     void draw_fading(Canvas& canvas, const PanelSet::Placed& placed, const PanelState& state,
                      double opacity);
-    struct SetTitle {
-        TextStyle style;
-        std::vector<std::string> lines;
-    };
-    SetTitle set_title(const Rect& area) const;
-    void draw_ground(Canvas& canvas, const std::vector<double>& opacities);
-    void draw_title(Canvas& canvas, double end) const;
+    PlacedWords title_place(double end) const;
+    void draw_ground(Canvas& canvas, const std::vector<double>& opacities, bool has_title);
+    void draw_title(Canvas& canvas, double end, bool has_title) const;
     bool has_subtitle_in_title() const;
     Panel::Key key();
     double end_of_title(const Panel::Key& key) const;
@@ -57,14 +54,14 @@ class FramePainter {
                     const PanelState& state);
     void draw_plate(Canvas& canvas, const Rect& area) const;
     Rect before_numbers(Rect line) const;
-    void draw_lines_of_caption(Canvas& canvas, const std::string& words, const Rect& place,
-                               TextStyle style) const;
+    PlacedWords lines_of_caption(const std::string& words, const Rect& place,
+                                 TextStyle style) const;
+    PlacedWords caption_place(const std::string& words) const;
     void draw_changing(Canvas& canvas, const FrameData& frame, const std::vector<double>& opacities,
                        bool still);
     void draw_announcement(Canvas& canvas, const Tick& tick) const;
     void draw_slowness(Canvas& canvas, const Tick& tick) const;
-    bool is_end_card(const Tick& tick) const;
-    void draw_card(Canvas& canvas, bool is_end, double alpha) const;
+    void draw_card(Canvas& canvas, const Tick& tick, double cover);
     void draw_captions(Canvas& canvas, const Tick& tick, bool still) const;
     void draw_caption(Canvas& canvas, const std::string& words, double alpha) const;
 
@@ -77,7 +74,7 @@ class FramePainter {
     std::vector<CaptionSpan> captions_;
     std::optional<Showing> subtitle_;  ///< at the place of captions
     PlotCallouts callouts_;
-    std::vector<bool> grounded_;  ///< the panels whose ground is in `ground_`
+    std::vector<bool> grounded_;  ///< the panels whose ground is in `ground_`, and the title
     Canvas ground_;               ///< what is the same in every frame that shows these panels
     Canvas canvas_;
 };

@@ -186,6 +186,10 @@ std::vector<Slot> PanelSet::places_of_panels(const LayoutSpec& layout) const {
     return places;
 }
 
+bool PanelSet::Placed::is_box() const {
+    return dynamic_cast<const ParticlePanel*>(panel.get()) != nullptr;
+}
+
 double PanelSet::Placed::opacity(const Film& film, const Tick& tick) const {
     constexpr double fade_seconds = 0.5, enter_seconds = 0.6;
     return showing ? carom::opacity(*showing, film, tick.frame,
@@ -210,7 +214,7 @@ void PanelSet::share_colors() {
 std::vector<Rect> PanelSet::boxes(const Grid& grid) const {
     std::vector<Rect> all;
     for (const Placed& placed : panels_)
-        if (dynamic_cast<ParticlePanel*>(placed.panel.get()) != nullptr)
+        if (placed.is_box())
             all.push_back(placed.panel->frame_in(grid.place(placed.slot), grid.unit()));
     return all;
 }
@@ -403,11 +407,8 @@ bool PanelSet::refreshes_readouts(const Tick& tick) const {
            tick.frame % std::max(1, scene().film.fps / readouts_a_second) == 0;
 }
 
-FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
-                               const AdvanceResult& advanced, bool is_still) {
-    FrameData frame{tick, {}, 0};
-    if (beside_) beside_->next();
-    if (is_card(tick.phase)) return frame;
+PanelSet::States PanelSet::film_states(const Tick& tick, const Sample& sample,
+                                       const AdvanceResult& advanced, bool is_still) {
     std::vector<FrameInput> inputs{runs_[own]->input(tick, sample, advanced)};
     if (beside_)
         inputs.push_back(runs_[other]->input(tick, beside_->sample(), beside_->advanced()));
@@ -415,6 +416,7 @@ FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
         input.refreshes_readouts = is_still || refreshes_readouts(tick);
         input.is_still = is_still;
     }
+    States states;
     const std::size_t before = panels_.size() - of_other_.size();
     for (std::size_t i = 0; i < panels_.size(); ++i) {
         Panel& panel = *panels_[i].panel;
@@ -422,9 +424,43 @@ FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
         if (Panel* partner = i < before ? nullptr : of_other_[i - before].get())
             state = dynamic_cast<SharedPanel&>(panel).state_of_runs(
                 {state, partner->state(inputs.at(other))});
-        frame.bytes += state->bytes();
-        frame.states.push_back(std::move(state));
+        states.push_back(std::move(state));
     }
+    return states;
+}
+
+// What is behind a card: the first frame of the gas, or the last. Panels do not keep that they were
+// asked for it, since cards are no part of what they see.
+PanelSet::States PanelSet::states_behind_card(const Tick& tick, const Sample& sample,
+                                              const AdvanceResult& advanced) {
+    const CardFrames cards = card_frames(scene().film);
+    const bool is_title = tick.phase == Phase::title_card;
+    Tick shown = tick;
+    shown.frame = is_title ? cards.title : frame_count(scene().film) - cards.end - 1;
+    shown.phase = is_title ? Phase::opening : Phase::closing;
+    shown.progress = is_title ? 0.0 : 1.0;
+    shown.seconds =
+        is_title ? 0.0 : static_cast<double>(shown.frame - cards.title) / scene().film.fps;
+    Archive written;
+    archive_progress(written);
+    States states = film_states(shown, sample, advanced, false);
+    Archive read(written.finished(), "progress");
+    archive_progress(read);
+    return states;
+}
+
+FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
+                               const AdvanceResult& advanced, bool is_still) {
+    FrameData frame{tick, {}, 0};
+    if (beside_) beside_->next();
+    if (!is_card(tick.phase)) {
+        frame.states = film_states(tick, sample, advanced, is_still);
+    } else {
+        if (card_phase_ != tick.phase) behind_card_ = states_behind_card(tick, sample, advanced);
+        card_phase_ = tick.phase;
+        frame.states = behind_card_;
+    }
+    for (const auto& state : frame.states) frame.bytes += state->bytes();
     return frame;
 }
 

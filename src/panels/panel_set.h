@@ -136,6 +136,7 @@ class PanelSet {
         enum class Stand { own_place, beside_box, over_box };
         Stand stand = Stand::own_place;
         bool is_over_box() const { return stand == Stand::over_box; }
+        bool is_box() const;  ///< of one of the runs
         /// The opacity of the panel in a frame, from 0 to 1.
         double opacity(const Film& film, const Tick& tick) const;
     };
@@ -190,6 +191,11 @@ class PanelSet {
     void enter_with_collisions();
     void share_colors();
     std::vector<Slot> places_of_panels(const LayoutSpec& layout) const;
+    using States = std::vector<std::shared_ptr<const PanelState>>;
+    States film_states(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
+                       bool is_still);
+    States states_behind_card(const Tick& tick, const Sample& sample,
+                              const AdvanceResult& advanced);
 
     std::vector<std::unique_ptr<Run>> runs_;  ///< one, or the film's own and the other
     std::vector<Placed> panels_;
@@ -198,6 +204,8 @@ class PanelSet {
     std::optional<Recording::Player> beside_;
     std::optional<double> first_collision_;  ///< simulated time of the first frame after it
     bool is_film_ = true;
+    States behind_card_;               ///< of the last card of which a frame was seen,
+    std::optional<Phase> card_phase_;  ///< and which this is
 };
 
 }  // namespace carom

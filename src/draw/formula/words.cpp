@@ -127,6 +127,15 @@ void draw_formula(Canvas& canvas, Point at, const Box& box, const TextStyle& sty
     }
 }
 
+std::string words_of_text(const std::string& text) {
+    std::string words;
+    for (const char letter : text) {
+        if (letter == '$') words += '\\';
+        words += letter;
+    }
+    return words;
+}
+
 TextExtent draw_words(Canvas& canvas, Point at, const std::string& words, const TextStyle& style) {
     if (const auto text = plain(words)) return draw_text(canvas, at, escape_markup(*text), style);
     const TextExtent extent = measure_words(words, style);

@@ -10,6 +10,9 @@
 
 namespace carom {
 
+/// Plain text as such words: its dollar signs begin no formula.
+std::string words_of_text(const std::string& text);
+
 /// Draws one line with its baseline through `at`; returns its extent. A line with formulae is never
 /// cut.
 TextExtent draw_words(Canvas& canvas, Point at, const std::string& words, const TextStyle& style);

@@ -119,6 +119,10 @@ std::optional<CameraView> Camera::at(std::size_t frame) const {
     return view;
 }
 
-std::optional<CameraView> Camera::next() { return at(next_++); }
+// After the last frame, behind an end card, its view stays.
+std::optional<CameraView> Camera::next() {
+    const std::size_t last = way_.empty() ? 0 : way_.size() - 1;
+    return at(std::min(next_++, last));
+}
 
 }  // namespace carom

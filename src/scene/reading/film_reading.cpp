@@ -195,13 +195,16 @@ std::vector<Binding<FilmDraft>> frame_keys(PanelKinds kinds) {
     const auto slow =
         list_of(placed(slow_notation()), 0, most_slow_spans, "a list of {from, to, factor}");
     return {
-        bind_key("title_card", &Film::title_card, title_card_notation(),
-                 "A card with title and subtitle before the film: `true` for 3 seconds, or a "
-                 "number of seconds. It is included in the film's `seconds`; with `pace` it makes "
-                 "the film longer."),
+        bind_key(
+            "title_card", &Film::title_card, title_card_notation(),
+            "A card with title and subtitle before the film, over its first frame: `true` for "
+            "3 seconds, or a number of seconds. In its last 0.8 seconds these go to their "
+            "places in the frame. It is included in the film's `seconds`; with `pace` it makes "
+            "the film longer."),
         bind_key("end_card", &Film::end_card, with_formulas(text(1, most_title_letters)),
-                 "The text of a card shown for 4 seconds after the film and included in its "
-                 "`seconds` too. Both cards together take at most a third of the film.")
+                 "The text of a card shown for 4 seconds after the film, over the gas, and "
+                 "included in its `seconds` too. Both cards together take at most a third of the "
+                 "film.")
             .default_text("none"),
         bind_key(
             "trails", &Film::trails, trails_notation(),

@@ -173,11 +173,9 @@ double card_cover(const Film& film, const Tick& tick) {
     if (is_card(tick.phase)) return 1.0;
     constexpr double fade_seconds = 0.5;
     const CardFrames cards = card_frames(film);
-    const int after = tick.frame - cards.title + 1;
     const int before = frame_count(film) - cards.end - tick.frame;
     const auto left = [&](int frames) { return 1.0 - frames / (fade_seconds * film.fps); };
-    return std::max(cards.title > 0 ? std::max(0.0, left(after)) : 0.0,
-                    cards.end > 0 ? std::max(0.0, left(before)) : 0.0);
+    return cards.end > 0 ? std::max(0.0, left(before)) : 0.0;
 }
 
 int branch_count(const Run& run) { return static_cast<int>(reversals_on_the_way(run).size()) + 1; }

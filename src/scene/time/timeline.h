@@ -50,9 +50,8 @@ struct CardFrames {
 };
 CardFrames card_frames(const Film& film);
 
-/// Returns how much of the picture a card covers in a frame, from 0 to 1. A card covers all of its
-/// own frames; over the gas it fades out in the half second after a title card and fades in before
-/// an end card.
+/// Returns how far a card has appeared in a frame, from 0 to 1: fully in all of its own frames; an
+/// end card appears over the gas in the half second before.
 double card_cover(const Film& film, const Tick& tick);
 
 /// Returns the seconds of both cards that a film asks for.

@@ -343,32 +343,3 @@ TEST_CASE(
         }
     }
 }
-
-TEST_CASE("a card covers the whole picture and gives way to the gas without a jump") {
-    const std::string rest = "seconds: 30, fps: 10, size: [320, 180], panels: [speed-histogram]";
-    const Shot film(scene_of(rest + ", title_card: true, end_card: The end"));
-    const Shot plain(scene_of("seconds: 23, fps: 10, size: [320, 180], panels: [speed-histogram]"));
-    FramePainter painter(*film.panels), other(*plain.panels);
-    const auto gas = pixels_of(other.paint(plain.frames.front()));
-    const auto apart = [](const std::vector<std::uint32_t>& a,
-                          const std::vector<std::uint32_t>& b) {
-        double sum = 0.0;
-        for (std::size_t i = 0; i < a.size(); ++i)
-            sum += std::abs(int((a[i] >> 8) & 0xFF) - int((b[i] >> 8) & 0xFF));
-        return sum / double(a.size());
-    };
-    const auto card = pixels_of(painter.paint(film.frames.front()));
-    const std::uint32_t page = card.front();
-    const auto bare = std::ranges::count(card, page);
-    CHECK(bare > 0.9 * double(card.size()));
-    CHECK(bare < double(card.size()));  // the words
-    double last = apart(card, gas);
-    for (std::size_t i = 1; i < 44; ++i) {
-        const double now = apart(pixels_of(painter.paint(film.frames[i])), gas);
-        CHECK(now <= last + 1e-9);
-        if (film.frames[i].tick.phase == Phase::title_card) CHECK(now == last);
-        last = now;
-    }
-    CHECK(last == 0.0);
-    CHECK(pixels_of(painter.paint(film.frames.back())) != card);
-}

@@ -92,7 +92,16 @@ TEST_CASE(
             TextLog log;  // the ground, which the painter draws once, and what changes on it
             FramePainter painter(*film.panels);
             const std::vector<DrawnLine> ground = log.lines;
-            const std::size_t last = film.frames.size() - 1;
+            std::size_t last = film.frames.size() - 1;
+            if (const std::size_t end = last; is_card(film.frames[end].tick.phase)) {
+                while (is_card(film.frames[last].tick.phase)) --last;
+                log.lines.clear();  // it covers all words but those in the box
+                painter.paint(film.frames[end]);
+                log.lines.clear();
+                painter.paint(film.frames[end]);
+                check_words(log.lines, film.scene.film.size, unit);
+                CHECK(!log.lines.empty());
+            }
             for (const std::size_t frame : {std::size_t{0}, last / 3, last / 2, last}) {
                 CAPTURE(frame);
                 log.lines = ground;

@@ -47,7 +47,7 @@ double ClockPanel::widest_slowness(TextStyle style) const {
 
 Rect ClockPanel::frame_in(const Rect& area, double unit) const {
     const TextStyle style = style_in(unit, {});
-    double width = measure_text(words(context_.scene.run.until), style).width;
+    double width = measure_text(words(widest_value(Monitor::time)), style).width;
     if (const double slowness = widest_slowness(style); slowness > 0.0)
         width += slowness + before_clock * unit;
     if (turns()) width += (before_clock + 2.0 * arrow_of_clock) * unit;
@@ -61,7 +61,7 @@ void ClockPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& s
     const std::string time = words(now.readouts.at(index_of(Monitor::time)));
     draw_text(canvas, {dc.area.right(), baseline}, time, style);
     // At fixed places, however long the time is now.
-    double x = dc.area.right() - measure_text(words(context_.scene.run.until), style).width -
+    double x = dc.area.right() - measure_text(words(widest_value(Monitor::time)), style).width -
                before_clock * dc.unit;
     if (turns()) {
         const double half = arrow_of_clock * dc.unit;

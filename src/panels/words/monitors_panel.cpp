@@ -73,6 +73,15 @@ std::string percent(double per_cent) {
     return padding + whole + "\u2009%";
 }
 
+// The time farthest from 0 on a clock that turns back at every reversal.
+double farthest_time(const Run& run) {
+    std::vector<double> turns = reversal_times(run);
+    std::erase_if(turns, [&](double time) { return time > run.until; });
+    turns.push_back(run.until);
+    const auto of = [&](double time) { return folded_time(run, time); };
+    return of(std::ranges::max(turns, {}, [&](double time) { return std::abs(of(time)); }));
+}
+
 // The size of text, in units, at which a label above its number fills a height; labels grow less
 // than numbers.
 double size_in(double height) {
@@ -174,7 +183,7 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
 double MonitorsPanel::widest_time(double unit) const {
     const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
     const double width =
-        measure_text(text(Monitor::time, context_.scene.run.until), style).width / unit;
+        measure_text(text(Monitor::time, widest_value(Monitor::time)), style).width / unit;
     if (width + (turns() ? arrow_gap : 0.0) < arrow_place - (turns() ? 0.0 : arrow_size))
         return 0.0;
     return width + (turns() ? arrow_gap + arrow_size : 0.0);
@@ -231,7 +240,7 @@ MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
       numbers_(spec.numbers),
       title_(spec.title) {
     smallest_.fill(infinity);
-    largest_[index_of(Monitor::time)] = context.scene.run.until;
+    largest_[index_of(Monitor::time)] = farthest_time(context.scene.run);
     if (numbers_.empty())
         numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy};
     if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
@@ -298,12 +307,16 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) 
 void MonitorsPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     if (title_) draw_panel_title(canvas, dc, escape_markup(*title_));
     const Row rows = row(dc);
+    for (std::size_t i = 0; i < rows.shown; ++i)
+        if (!comes_and_goes(numbers_[i])) draw_label(canvas, dc, rows, i);
+}
+
+void MonitorsPanel::draw_label(Canvas& canvas, const DrawContext& dc, const Row& rows,
+                               std::size_t index) const {
     TextStyle style = label_style(dc);
     style.size = 1.035 * rows.label_size() * dc.unit;
-    for (std::size_t i = 0; i < rows.shown; ++i) {
-        const Point at = place(rows, i);
-        draw_text(canvas, {at.x, at.y + rows.label_baseline()}, label(numbers_[i]), style);
-    }
+    const Point at = place(rows, index);
+    draw_text(canvas, {at.x, at.y + rows.label_baseline()}, label(numbers_[index]), style);
 }
 
 std::string MonitorsPanel::text(Monitor number, double value) const {
@@ -315,7 +328,7 @@ std::string MonitorsPanel::text(Monitor number, double value) const {
         case Format::per_cent:
             return percent(value);
         case Format::power:
-            return std::isnan(value) ? "–" : three_digits_of_power(context_.language(), value);
+            return three_digits_of_power(context_.language(), value);
     }
     return "";
 }
@@ -372,10 +385,12 @@ void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState
     TextStyle style = title_style(dc);
     style.size = rows.digits() * dc.unit;
     for (std::size_t i = 0; i < rows.shown; ++i) {
+        const double value = now.readouts.at(index_of(numbers_[i]));
+        if (is_absent(numbers_[i], value)) continue;
+        if (comes_and_goes(numbers_[i])) draw_label(canvas, dc, rows, i);
         const Point at = place(rows, i);
         const double baseline = at.y + rows.baseline();
-        draw_text(canvas, {at.x, baseline},
-                  text(numbers_[i], now.readouts.at(index_of(numbers_[i]))), style);
+        draw_text(canvas, {at.x, baseline}, text(numbers_[i], value), style);
         if (numbers_[i] != Monitor::time) continue;
         draw_slowness(canvas, dc, rows, now.slow);
         if (!turns()) continue;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -62,7 +63,12 @@ class MonitorsPanel : public Panel {
     std::string text(Monitor number, double value) const;
     double widest_value(Monitor number) const;
     std::string label(Monitor number) const;  // markup
-    bool turns() const;                       // velocities are reversed in the run
+    // A number that has no meaning all the time is not always there, nor is its name.
+    static bool comes_and_goes(Monitor number) { return number == Monitor::return_distance; }
+    static bool is_absent(Monitor number, double value) {
+        return comes_and_goes(number) && std::isnan(value);
+    }
+    bool turns() const;  // velocities are reversed in the run
 
     PanelContext context_;
     bool are_asked_;  // the numbers are listed in the scene; otherwise they are the default ones
@@ -74,6 +80,8 @@ class MonitorsPanel : public Panel {
     Row row(const DrawContext& dc) const;
     Row row_of(const Rect& area, double unit, std::size_t count) const;
     Point place(const Row& row, std::size_t index) const;  // its top left corner
+    void draw_label(Canvas& canvas, const DrawContext& dc, const Row& rows,
+                    std::size_t index) const;
     Point place_of_arrow(const DrawContext& dc, const Row& rows, const Point& at) const;
     void draw_slowness(Canvas& canvas, const DrawContext& dc, const Row& rows,
                        const Slowness& slow) const;

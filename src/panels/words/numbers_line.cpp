@@ -74,8 +74,13 @@ void NumbersLine::draw(Canvas& canvas, const DrawContext& dc, const PanelState& 
     const double baseline = dc.area.y + 0.5 * dc.area.height + 0.36 * number_size * unit;
     double x = dc.area.right();
     for (std::size_t i = widths(dc.area, unit).size(); i-- > 0;) {
+        const double number = now.readouts.at(index_of(numbers_[i]));
+        if (is_absent(numbers_[i], number)) {
+            x -= width_of(numbers_[i], unit) + between_numbers * unit;
+            continue;
+        }
         TextStyle style = style_in(unit, dc.theme.ink);
-        const std::string value = text(numbers_[i], now.readouts.at(index_of(numbers_[i])));
+        const std::string value = text(numbers_[i], number);
         draw_text(canvas, {x, baseline}, value, style);
         x -= measure_text(value, style).width + after_name * unit;
         style.color = dc.theme.muted;

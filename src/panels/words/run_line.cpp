@@ -33,14 +33,17 @@ class RunLinePanel : public MonitorsPanel {
     };
     Line line(const DrawContext& dc) const;
     TextStyle name_style(const DrawContext& dc) const;
+    void draw_name_of_number(Canvas& canvas, const DrawContext& dc, Point at, Monitor number) const;
 
     std::array<std::string, 2> labels_;  ///< of both runs
     std::size_t run_;
 };
 
+// A name has the colour of its run's lines, if there are plots.
 TextStyle RunLinePanel::name_style(const DrawContext& dc) const {
     TextStyle style = title_style(dc);
-    style.color = plot::color_of(plot::stroke_of_run(run_).role, dc.theme);
+    if (!context_.scene.film.panels.empty())
+        style.color = plot::color_of(plot::stroke_of_run(run_).role, dc.theme);
     style.max_width = dc.area.width;
     return style;
 }
@@ -69,11 +72,18 @@ RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
 void RunLinePanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     const Line line = this->line(dc);
     draw_text(canvas, {dc.area.x, line.y}, escape_markup(labels_.at(run_)), name_style(dc));
+    for (std::size_t i = 0; i < line.x.size(); ++i)
+        if (!comes_and_goes(numbers_[i]))
+            draw_name_of_number(canvas, dc, {line.x[i], line.y}, numbers_[i]);
+}
+
+// Before its number, which begins at `at`.
+void RunLinePanel::draw_name_of_number(Canvas& canvas, const DrawContext& dc, Point at,
+                                       Monitor number) const {
     constexpr double before_number = 0.4;  // units
     TextStyle style = label_style(dc);
     style.align = Align::right;
-    for (std::size_t i = 0; i < line.x.size(); ++i)
-        draw_text(canvas, {line.x[i] - before_number * dc.unit, line.y}, label(numbers_[i]), style);
+    draw_text(canvas, {at.x - before_number * dc.unit, at.y}, label(number), style);
 }
 
 void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
@@ -81,9 +91,13 @@ void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState&
     const Line line = this->line(dc);
     TextStyle style = label_style(dc);
     style.color = dc.theme.ink;
-    for (std::size_t i = 0; i < line.x.size(); ++i)
-        draw_text(canvas, {line.x[i], line.y},
-                  text(numbers_[i], now.readouts.at(index_of(numbers_[i]))), style);
+    for (std::size_t i = 0; i < line.x.size(); ++i) {
+        const double value = now.readouts.at(index_of(numbers_[i]));
+        if (is_absent(numbers_[i], value)) continue;
+        if (comes_and_goes(numbers_[i]))
+            draw_name_of_number(canvas, dc, {line.x[i], line.y}, numbers_[i]);
+        draw_text(canvas, {line.x[i], line.y}, text(numbers_[i], value), style);
+    }
 }
 
 }  // namespace

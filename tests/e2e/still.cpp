@@ -118,10 +118,11 @@ TEST_CASE("an SVG of a still says what it is; two runs give the same bytes") {
                                "new/one.svg"},
                               folder.path());
     const std::string space = "{http://www.w3.org/2000/svg}";
-    CHECK(words.out.find(space + "svg img\n" + space + "title One collision, two to one\n" + space +
+    CHECK(words.out.find(space + "svg img\n" + space +
+                         "title One collision of masses two and one\n" + space +
                          "desc The frame at time 6.005. ") == 0);
     const Outcome title = run({"pdfinfo", "new/one.pdf"}, folder.path());
-    CHECK(title.out.find("One collision, two to one") != std::string::npos);
+    CHECK(title.out.find("One collision of masses two and one") != std::string::npos);
 }
 
 TEST_CASE("a quick still says that it knows the run from some frames only") {
@@ -143,7 +144,7 @@ TEST_CASE("a quick still says that it knows the run from some frames only") {
     const Outcome quick = draw_one({"--quick"});
     CHECK(quick.err.find("32 of the film's 1140 frames (--quick)") != std::string::npos);
     CHECK(remark() ==
-          " Axes, curves, averages and trails are those of 32 of the film’s 1140 frames.");
+          " Axes, curves, averages and trails are computed from 32 of the film’s 1140 frames.");
     const Outcome whole = draw_one({});
     CHECK(whole.err.find("--quick") == std::string::npos);
     CHECK(remark() == "");

@@ -395,7 +395,7 @@ std::vector<PanelKind> all_kinds() {
          .abilities = {means, comparison},
          .rule = check_orientational_order},
         {.name = "return-distance",
-         .words = Phrase{"return distance"},
+         .words = Phrase{"return error"},
          .shows =
              "The deviation from an exact return after a reversal, against time or collisions.",
          .make = make_return_distance,
@@ -413,7 +413,7 @@ std::vector<PanelKind> all_kinds() {
          .abilities = {of, over, component, theory, means, comparison},
          .keys = profile_keys()},
         {.name = "phase",
-         .words = Phrase{"phase"},
+         .words = Phrase{"phase space"},
          .shows = "Position and velocity along one axis, a point for each particle; a single "
                   "particle leaves a path that fades with age.",
          .make = make_phase,

@@ -61,7 +61,8 @@ BoxWords words_of(Language language, const Box& box) {
                 say(language, "What leaves on one side enters on the opposite side.")};
     if (across)
         return {
-            say(language, "in a box of {} by {} with solid walls below and above,", width, height),
+            say(language, "in a box of {} by {} with solid walls at the bottom and at the top,",
+                width, height),
             say(language, "What leaves on the left enters on the right, and the other way round.")};
     if (up)
         return {
@@ -211,7 +212,7 @@ std::string change_words(Language language, const Behaviour& behaviour) {
     if (const auto* driven = std::get_if<Driven>(&behaviour))
         return say(language, "moves at velocity {}", plain_number(language, driven->velocity));
     return std::holds_alternative<Membrane>(behaviour) ? say(language, "becomes a membrane")
-                                                       : say(language, "only reflects");
+                                                       : say(language, "becomes an ordinary wall");
 }
 
 std::string heat_words(Language language, const Heat& heat, const Gas& gas) {
@@ -258,7 +259,7 @@ std::string words_of(Language language, const MirroredEvent& mirrored, const Run
     const RunEvent& event = run.events.at(mirrored.event);
     if (!mirrored.is_undone) return words_of_surface_event(language, event, gas);
     const auto again = [&](std::int32_t surface) {
-        return say(language, "{} does again what it did before",
+        return say(language, "{} behaves again as it did before",
                    name_of_surface(language, surface, gas));
     };
     if (const auto* move = std::get_if<MoveSurface>(&event.action)) return again(move->surface);
@@ -276,9 +277,9 @@ std::string words_of(Language language, const MirroredEvent& mirrored, const Run
 std::string words_of(Language language, const WayBack& way, const Run& run) {
     if (!way.event || way.end >= run.until) return "";
     const RunEvent& event = run.events.at(*way.event);
-    if (event.at >= way.begin) return say(language, "The gas leaves the way it came");
+    if (event.at >= way.begin) return say(language, "The gas no longer retraces its path");
     return say(language,
-               "The gas leaves the way it came, as what happened at time {} is not undone",
+               "The gas no longer retraces its path, as what happened at time {} is not undone",
                event.at);
 }
 
@@ -311,12 +312,12 @@ std::string words_of_events(Language language, const Run& run, const Gas& gas) {
         if (const auto* nudge = std::get_if<Perturbation>(&event.action))
             nudges.push_back(say(language, "{} at time {}.", words_of(language, *nudge), event.at));
     if (nudges.size() > most_told)
-        nudges = {say(language, "{} times a particle is moved by a small amount.", nudges.size())};
+        nudges = {say(language, "A particle is moved by a small amount {} times.", nudges.size())};
     sentences.insert(sentences.end(), nudges.begin(), nudges.end());
     const std::vector<Happening> changes = happenings(language, run, gas);
     if (changes.size() > most_of_surfaces)
         sentences.push_back(say(language,
-                                "{} times a wall, a partition or the heat of the gas is changed.",
+                                "A wall, a partition or the energy of the gas is changed {} times.",
                                 changes.size()));
     else
         for (const Happening& one : changes)

@@ -34,7 +34,7 @@ std::string cell_of_z(const Row& row, double bound) {
 }
 
 constexpr const char* introduction =
-    R"(What theory and others know of gases of hard particles, and what carom measures. `./dev validate` makes this page anew: it runs every row, writes the page, and fails if a row is outside of its error.
+    R"(Exact and published values for gases of hard particles, beside those that carom measures. `./dev validate` makes this page again: it runs every row, writes the page, and fails if a row is outside of its error.
 
 - **known**: the published or exact value, ± its standard error where it has one. Corrections for finite numbers and finite disks that are known exactly are included, and the source says so.
 - **carom**: the mean over independent runs with seeds 1, 2, …, their number in the column *runs*, with the standard error of this mean from their scatter. No error is assumed.

@@ -89,7 +89,7 @@ void ChunkReader::read(FilmSegment& segment) {
 }
 
 void ChunkReader::expect_end() {
-    if (left_ > 0) file_.refuse("something stands behind its end");
+    if (left_ > 0) file_.refuse("there are data after its end");
 }
 
 }  // namespace carom

@@ -227,7 +227,7 @@ std::vector<std::int16_t> read_sound(const PlanFolder& folder, const FilmPlan& p
     archive(samples);
     archive.expect_end();
     if (std::cmp_not_equal(samples.size(), samples_before(plan.frames(), plan.scene.film.fps)))
-        archive.refuse("it has another length than the film");
+        archive.refuse("its length is not that of the film");
     return samples;
 }
 
@@ -241,7 +241,7 @@ FilmPlan plan_of_chunk(const PlanFolder& folder, const FilmPlan& whole, const Pl
     if (plan.segments.size() < 2 || whole.span.first + plan.segments.front() != chunk.first ||
         whole.span.first + plan.segments.back() != chunk.end || ticks.front().frame > chunk.first ||
         ticks.back().frame + 1 < chunk.end)
-        throw SystemError(fmt::format("cannot read {}: it has not the frames of the chunk {}",
+        throw SystemError(fmt::format("cannot read {}: it does not have the frames of chunk {}",
                                       start.string(), chunk.number));
     plan.span = {static_cast<int>(chunk.first), static_cast<int>(chunk.end)};
     return plan;

@@ -54,7 +54,7 @@ Canvas paint_still(const PanelSet& panels, const FrameData& frame, const std::st
 std::string remark_on(Language language, std::size_t frames_seen, std::size_t frames) {
     if (frames_seen == frames) return "";
     return say(language,
-               "Axes, curves, averages and trails are those of {} of the film’s {} frames.",
+               "Axes, curves, averages and trails are computed from {} of the film’s {} frames.",
                frames_seen, frames);
 }
 

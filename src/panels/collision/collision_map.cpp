@@ -242,7 +242,7 @@ Note CollisionMapPanel::key_of_walk(std::size_t steps) const {
         .entries =
             {{.words = {say(language, "start")}, .mark = hollow},
              {.words = {spec_.at ? say(language, "at time {}", plain_number(language, *spec_.at))
-                                 : say(language, "present")},
+                                 : say(language, "now")},
               .mark = full},
              {.sample = of_energy, .words = {energy_words()}},
              {.sample = of_steps,
@@ -279,7 +279,7 @@ Note CollisionMapPanel::key_of_collision() const {
                     {.sample = of_energy, .words = {energy}},
                     {.sample = of_momentum(), .words = {momentum}},
                     {.sample = of_equal,
-                     .words = {say(language, "{} is kept", in_brackets(language, stays))},
+                     .words = {say(language, "{} is conserved", in_brackets(language, stays))},
                      .arrows = {sample(0.0, 0.6, muted, page)}},
                     {.words = {say(language, "{} is reversed", in_brackets(language, turns))},
                      .arrows = {sample(0.5, 0.0, page, ink), sample(0.5, 1.0, ink, page)}}}};

@@ -30,10 +30,10 @@ void check_given(const Node& node, Errors& errors) {
                        "without them it shows a pair of the scene");
     for (const char* of_the_run : {"of", "walk"})
         if (const Node* other = given(node, of_the_run); other != nullptr && both)
-            errors.add(
-                *other,
-                fmt::format("`{}` names beads of the scene, `masses` other ones", of_the_run),
-                "leave out one of them");
+            errors.add(*other,
+                       fmt::format("`{}` names beads of the scene, but `masses` describes others",
+                                   of_the_run),
+                       "leave out one of them");
 }
 
 }  // namespace

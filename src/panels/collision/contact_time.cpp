@@ -122,7 +122,7 @@ void ContactTimePanel::add_lines(Plot& plot) const {
     if (!are_points_)
         plot.notes = {{.entries = {{dashed,
                                     {say(context_.language(), Phrase{passing}),
-                                     say(context_.language(), "if they did not touch")}}}}};
+                                     say(context_.language(), "without a collision")}}}}};
     if (from > first_)
         plot.layers.push_back(line("without the collision before", parabola, first_, from, dashed));
     Line through = line(passing.data(), parabola, met, last_, dashed);

@@ -199,9 +199,9 @@ struct FlightNotes {
             plot.layers.emplace_back(std::move(line));
         }
         if (has_law)
-            note.entries.push_back(
-                {.sample = stroke_of_law(context, chosen, 0),
-                 .words = {say(language, "Boltzmann, memoryless"), say(language, "memoryless")}});
+            note.entries.push_back({.sample = stroke_of_law(context, chosen, 0),
+                                    .words = {say(language, "exponential law (Boltzmann)"),
+                                              say(language, "exponential law")}});
         plot.notes.push_back(std::move(note));
     }
 
@@ -222,7 +222,7 @@ struct FlightNotes {
         if (exact && flown == Flown::time) *exact /= numbers.back();
         const auto words = [&](const std::string& number) {
             std::string all = say(language, "mean {}", number);
-            if (exact) all = say(language, "{}, exactly {}", all, three_digits(language, *exact));
+            if (exact) all = say(language, "{} (exact: {})", all, three_digits(language, *exact));
             if (!is_one) all = say(language, "{}: {}", name_of(context.scene, chosen[k]), all);
             return plot::Text(all);
         };
@@ -247,7 +247,7 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
         return std::make_unique<FlightMeter>(context, spec, flown, window);
     };
     name_curves(subject, context, spec,
-                is_path ? say(language, "Free paths") : say(language, "Free times"),
+                is_path ? say(language, "Free paths") : say(language, "Free-flight times"),
                 time_words(language, timed));
     subject.along = is_path ? Phrase{"free path"} : Phrase{"free time"};
     subject.unit_along = is_path ? reduced::length : reduced::time;

@@ -154,7 +154,8 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
         if (half == curve.end()) return "";
         const double at = values.reach * static_cast<double>(half - curve.begin()) /
                           static_cast<double>(curve.size() - 1);
-        return say(language, "{}: half of the velocity is forgotten after a time of {}",
+        return say(language,
+                   "{}: the velocity autocorrelation falls to one half after a time of {}",
                    name_of(context.scene, chosen[line]), three_digits(language, at));
     };
     if (spec.theory && law(context.gas, LawOf::autocorrelation))

@@ -54,12 +54,13 @@ std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const Pa
     const Over over = spec.over.value_or(usual_window(context.scene.run));
     const std::vector<std::int32_t> surfaces = gauged_surfaces(box, spec);
     const bool is_one = spec.surfaces.empty();
-    DialSubject subject{.title = say(language, "Pressure"),
-                        .note = words_of_window(language, over, Phrase{"from sample to sample"}),
-                        .quantity = Phrase{"pressure"},
-                        .part = "gauge",
-                        .unit = unit_of_pressure(box),
-                        .enough = 11.0};
+    DialSubject subject{
+        .title = say(language, "Pressure"),
+        .note = words_of_window(language, over, Phrase{"mean since the last sample"}),
+        .quantity = Phrase{"pressure"},
+        .part = "gauge",
+        .unit = unit_of_pressure(box),
+        .enough = 11.0};
     subject.measure = [meter = SurfacePressures(box, surfaces, over), is_one,
                        least = over.window * least_share](const FrameInput& o) mutable {
         std::vector<double> now = meter(o);

@@ -190,7 +190,7 @@ std::string ReturnDistancePanel::account_of(const Echo& run, std::size_t shown) 
         if (step.reversal != run.steps[shown - 1].reversal || !step.is_known) continue;
         last = &step;
         if (run.radius > 0.0 && step.apart.log10_largest > std::log10(run.radius))
-            return say(language, "off by one radius after {} collisions per particle",
+            return say(language, "one radius away after {} collisions per particle",
                        three_digits(language, step.collisions));
     }
     if (last == nullptr) return say(language, "not yet reversed");
@@ -434,7 +434,7 @@ Plot ReturnDistancePanel::plot(const PanelState* state) const {
     add_end(plot);
     if (state && !has_begun && !record_.runs.front().reversals.empty()) add_start(plot);
     if (has_begun && !compares())
-        plot.account = say(language, "Of the particle farthest away: {}.",
+        plot.account = say(language, "For the particle that is farthest away: {}.",
                            account_of(record_.runs.front(), shown[0]));
     return plot;
 }

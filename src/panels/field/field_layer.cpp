@@ -307,8 +307,8 @@ std::string FieldLayer::account(const FieldState& state) const {
     const auto [low, high] = std::ranges::minmax(values);
     const std::string least = three_digits(language, low), most = three_digits(language, high);
     return words + ". " +
-           (is_flow() ? say(language, "Its speed is from {} to {}.", least, most)
-                      : say(language, "The values are from {} to {}.", least, most));
+           (is_flow() ? say(language, "The speed of the flow is between {} and {}.", least, most)
+                      : say(language, "The values are between {} and {}.", least, most));
 }
 
 std::string words_of_field(const Scene& scene) {

@@ -106,7 +106,7 @@ Phrase flux_title(Carried carried) {
         case Carried::energy:
             return Phrase{"Energy current"};
         case Carried::mean_energy:
-            return Phrase{"Mean energy of those that cross"};
+            return Phrase{"Mean energy of crossing particles"};
     }
     return {};
 }
@@ -151,7 +151,8 @@ std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& s
     title_with_names(subject, language, say(language, flux_title(spec.carried)));
     subject.compared_title =
         say(language, "{} {}", say(language, flux_title(spec.carried)), say(language, ways[0]));
-    const std::string window = words_of_window(language, over, Phrase{"from sample to sample"});
+    const std::string window =
+        words_of_window(language, over, Phrase{"mean since the last sample"});
     subject.notes = {window};
     if (theory) {
         for (std::size_t way = 0; way < 2; ++way)

@@ -196,7 +196,7 @@ std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const 
         const std::vector<double>& shares = values.curves.front();
         const auto highest = std::ranges::max_element(shares);
         if (highest == shares.end() || !(*highest > 0.0)) return "";
-        return say(language, "at most {} % of the time in one bar",
+        return say(language, "the highest bar holds {} % of the time",
                    three_digits(language, *highest));
     };
     if (spec.theory && law(context.gas, LawOf::piston, {.surface = surface}))

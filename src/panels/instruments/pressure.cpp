@@ -66,7 +66,7 @@ std::string time_words(Language language, const Over& over, const Box& box) {
     const bool is_parted = !std::ranges::all_of(box.surfaces.partitions, &Partition::is_open);
     return over.since == Over::Since::start && is_parted
                ? say(language, "mean since the last partition opened")
-               : words_of_window(language, over, Phrase{"from sample to sample"});
+               : words_of_window(language, over, Phrase{"mean since the last sample"});
 }
 
 // The pressure of an ideal gas with the energy of this one, and of hard disks or rods.

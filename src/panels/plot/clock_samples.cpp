@@ -71,7 +71,7 @@ void check_samples_of_points(PanelSpec& panel, const Node& node, Reading& readin
 std::string with_samples(Language language, const std::string& time, const PanelSpec& spec,
                          const Run& run) {
     if (!spec.by_clock) return time;
-    return say(language, "{}, samples every {}", time,
+    return say(language, "{}, sampled every {}", time,
                plain_number(language, sample_interval(run)));
 }
 

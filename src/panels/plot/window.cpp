@@ -38,11 +38,12 @@ std::string time_words(Language language, const PanelSpec& spec) {
     const std::optional<double> back = window_of(over);
     if (!spec.at) {
         if (!back) return say(language, "so far");
-        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "now");
+        return *back > 0.0 ? say(language, "mean over the last {}", *back) : say(language, "now");
     }
     if (spec.at_ends) {
         if (!back) return say(language, "until the end");
-        return *back > 0.0 ? say(language, "last {}", *back) : say(language, "at the end");
+        return *back > 0.0 ? say(language, "mean over the last {}", *back)
+                           : say(language, "at the end");
     }
     const std::string at = plain_number(language, *spec.at);
     if (!back) return say(language, "until time {}", at);

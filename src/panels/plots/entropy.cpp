@@ -30,7 +30,8 @@ void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
             say(language, "Entropy of the velocities, −<i>H</i>"),
             plot::text_of(language, Phrase{"{}, {}"}, {say(language, "Entropy"), "−<i>H</i>"})};
         subject.notes = {
-            say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells; 0 if all move alike"),
+            say(language,
+                "−Σ <i>p</i> ln <i>p</i> over velocity cells; 0 if all velocities are equal"),
             say(language, "−Σ <i>p</i> ln <i>p</i> over velocity cells"), sum};
     } else if (what == EntropyOf::positions) {
         subject.titles = {say(language, "Entropy of the positions")};

@@ -65,8 +65,8 @@ TEST_CASE("what is heard has captions, again after a silence, and is no silent f
         ++captions;
     CHECK(captions == 2);
     CHECK(contains(words.transcript, "A film of 0:24 with sound.\n"));
-    CHECK(contains(words.transcript, "Each collision sounds as a click, the higher the larger"));
-    CHECK(contains(words.descriptions, "Each collision sounds as a click"));
+    CHECK(contains(words.transcript, "Each collision is heard as a click, higher in pitch where"));
+    CHECK(contains(words.descriptions, "Each collision is heard as a click"));
     CHECK(has_captions(scene));
     // The same film in a format without.
     CHECK(words_of(scene).captions.empty());
@@ -79,12 +79,13 @@ TEST_CASE("a film without events has its words by quarters, with the numbers of 
     CHECK(words.captions.empty());
     CHECK(contains(words.chapters, "00:00:00.000 --> 00:00:05.000\nThe start\n"));
     CHECK(contains(words.chapters, "\n00:00:15.000 --> 00:00:20.000\nTime "));
-    CHECK(contains(words.descriptions,
-                   "A row of beads. One is fast. Ten beads in a row. The colour of "
-                   "a particle shows its speed. Beside the particles: energy by species and phase. "
-                   "Time 0 of 8.50, 0 collisions between particles "
-                   "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
-                   "slow, 0 % medium and 10 % fast.\n"));
+    CHECK(contains(
+        words.descriptions,
+        "A row of beads. One is fast. Ten beads in a row. The colour of "
+        "a particle shows its speed. Shown with the particles: energy by species and phase space. "
+        "Time 0 of 8.50, 0 collisions between particles "
+        "so far. Mean speed 0.100, mean energy 0.0500 (fast 0.500 and still 0); 90 % "
+        "slow, 0 % medium and 10 % fast.\n"));
     // After 8.5 the speed has gone through eight collisions to one of the others.
     CHECK(
         contains(words.descriptions,
@@ -138,7 +139,7 @@ TEST_CASE("nudges are told when they come, and in descriptions made from the sce
     CHECK(words_of_events(Language::english, many, scene.gas).empty());
     for (int k = 1; k <= 4; ++k) many.events.push_back({double(k), Perturbation{0, {"0.1", "0"}}});
     CHECK(words_of_events(Language::english, many, scene.gas) ==
-          "4 times a particle is moved by a small amount.");
+          "A particle is moved by a small amount 4 times.");
 }
 
 TEST_CASE("cards and marks are told too") {
@@ -153,7 +154,7 @@ TEST_CASE("cards and marks are told too") {
         contains(words.transcript,
                  "The positions of all particles stay visible as outlines: “Where they were”. Time "
                  "3.0"));
-    CHECK(contains(words.transcript, "\n0:26  The last words: “Who has the speed now!”.\n"));
+    CHECK(contains(words.transcript, "\n0:26  The closing sentence: “Who has the speed now!”.\n"));
 }
 
 TEST_CASE("a pause is a cue for who speaks") {
@@ -185,7 +186,7 @@ TEST_CASE("what the film points out is told") {
         "temperature, x: 3}, text: constant}], camera: [{at: 2.5, view: [1, 4]}, {at: 7, view: "
         "box}]}\n");
     const std::string words = words_of(scene).transcript;
-    CHECK(contains(words, "All are dimmed but: fast. "));
+    CHECK(contains(words, "All particles are dimmed except: fast. "));
     CHECK(contains(words, "All particles have their full colours again. "));
     CHECK(contains(words, "Particle 0: “it rests”. "));
     CHECK(contains(words, "“temperature”: “constant”. "));
@@ -198,9 +199,10 @@ TEST_CASE("spotlights that overlap are told together, whenever what they light c
         words_of(row_of_beads("run: {until: 8.5}\nfilm: {seconds: 20, fps: 10, spotlight: [{from: "
                               "1, to: 5, of: fast}, {from: 3, to: 7, of: [5, 6]}]}\n"))
             .transcript;
-    CHECK(contains(words, "All are dimmed but: fast. Time 1"));
-    CHECK(contains(words, "All are dimmed but: fast, particle 5 and particle 6. Time 3"));
-    CHECK(contains(words, "All are dimmed but: particle 5 and particle 6. Time 5"));
+    CHECK(contains(words, "All particles are dimmed except: fast. Time 1"));
+    CHECK(contains(words,
+                   "All particles are dimmed except: fast, particle 5 and particle 6. Time 3"));
+    CHECK(contains(words, "All particles are dimmed except: particle 5 and particle 6. Time 5"));
     CHECK(contains(words, "All particles have their full colours again. Time 7"));
     CHECK(!contains(words, "again. Time 5"));
 }
@@ -219,7 +221,7 @@ TEST_CASE("a part of a film tells of what is seen in it") {
         CAPTURE(past);
         CHECK(!contains(words, past));
     }
-    CHECK(contains(words, "All are dimmed but: still. "));
+    CHECK(contains(words, "All particles are dimmed except: still. "));
     CHECK(contains(words, "x = 2 to 5. "));
 }
 

@@ -166,7 +166,7 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
         if (first != 0.0) CHECK(number((*step)[6]) < first - 15.0);
         first = number((*step)[6]);
     }
-    CHECK(figure.sides[0].account.starts_with("off by one radius after "));
+    CHECK(figure.sides[0].account.starts_with("one radius away after "));
     CHECK(figure.sides[2].account.find("\u207B") != std::string::npos);  // a small power of ten
     CHECK(figure.sides[2].account.find("return error ") != std::string::npos);
     const FigureWords words = words_of(together, figure);

@@ -191,7 +191,7 @@ TEST_CASE("a field is listed and told in words") {
     CHECK(
         words ==
         "Field: density, in cells of 10 by 10, averaged over a time of 0.5; cells with fewer than "
-        "3 particles are blank. The values are from 0.0400 to 0.120.");
+        "3 particles are blank. The values are between 0.0400 and 0.120.");
 }
 
 TEST_CASE("the key of a flow has the numbers of the film's language") {

@@ -282,7 +282,7 @@ TEST_CASE(
               "{name: a, radius: 0.2, position: [[2, 2], [8, 8]], velocity: [[1, 0], [-1, 0]]}",
               50.0, "in a periodic box two particles keep the energy"},
              {"size: [40, 40], walls: periodic", "{name: a, count: 20, radius: 0.1, speed: 1}", 2.0,
-              "nothing has collided yet"},
+              "there have been no collisions yet"},
              {"size: [20, 20], walls: periodic", gas60, 1.0, "there have been too few collisions"},
              {"size: [20, 20], walls: periodic",
               gas60,

@@ -117,7 +117,8 @@ TEST_CASE("the description made for a scene is a plain sentence, whatever the wa
           "20 disks, at speed 1, start in a periodic box of 64 by 48 and collide elastically. What "
           "leaves on one side enters on the opposite side.");
     CHECK(described("{left: periodic, right: periodic}", gas) ==
-          "20 disks, at speed 1, start in a box of 64 by 48 with solid walls below and above, and "
+          "20 disks, at speed 1, start in a box of 64 by 48 with solid walls at the bottom and at "
+          "the top, and "
           "collide elastically. What leaves on the left enters on the right, and the other way "
           "round.");
     CHECK(

@@ -48,8 +48,9 @@ void add_spotlights(const Scene& scene, std::vector<FilmNote>& notes) {
             notes.push_back(
                 {*at, say(language, "All particles have their full colours again"), *at});
         else
-            notes.push_back({*at, say(language, "All are dimmed but: {}", listed(language, names)),
-                             std::next(at) == changes.end() ? never_ends : *std::next(at)});
+            notes.push_back(
+                {*at, say(language, "All particles are dimmed except: {}", listed(language, names)),
+                 std::next(at) == changes.end() ? never_ends : *std::next(at)});
     }
 }
 
@@ -59,11 +60,10 @@ std::vector<FilmNote> film_notes(const Scene& scene, const std::vector<Tick>& ti
     const Language language = scene.film.language;
     std::vector<FilmNote> notes;
     if (const auto& beside = scene.film.beside)
-        notes.push_back(
-            {0.0,
-             say(language,
-                 "Two runs are seen side by side: “{}” and “{}”; numbers are told of the first",
-                 beside->own_label, beside->label)});
+        notes.push_back({0.0, say(language,
+                                  "Two runs are shown side by side: “{}” and “{}”; the numbers are "
+                                  "those of the first",
+                                  beside->own_label, beside->label)});
     if (scene.film.field) notes.push_back({0.0, words_of_field(scene)});
     for (const PanelSpec& panel : scene.film.panels) {
         if (panel.show.from > 0.0)

@@ -183,15 +183,17 @@ std::string picture_text(const Scene& scene, bool has_sound) {
         panels.push_back(name_of_panel(language, panel));
     std::string text = say(language, coloring(scene));
     if (!panels.empty())
-        text += " " + say(language, "Beside the particles: {}.", listed(language, panels));
+        text += " " + say(language, "Shown with the particles: {}.", listed(language, panels));
     for (const PanelSpec& panel : scene.film.panels)
         if (panel.kind == "text")
-            text += " " + say(language, "The panel “{}” says: “{}”", name_of_panel(language, panel),
-                              on_one_line(formula::spoken_text(language, panel.words)));
+            text +=
+                " " + say(language, "The panel “{}” reads: “{}”", name_of_panel(language, panel),
+                          on_one_line(formula::spoken_text(language, panel.words)));
     if (has_sound)
         text +=
-            " " + say(language,
-                      "Each collision sounds as a click, the higher the larger its impulse is.");
+            " " +
+            say(language,
+                "Each collision is heard as a click, higher in pitch where the impulse is larger.");
     const bool is_described = scene.description == describe(scene);
     for (const std::string& words : words_of_surfaces(language, scene.gas))
         if (!is_described) text += " " + words + ".";
@@ -210,7 +212,7 @@ std::string happening(Language language, const Moment& moment) {
                     moment.mark) +
                 " ";
     if (!moment.end_card.empty())
-        text += say(language, "The last words: “{}”.", moment.end_card) + " ";
+        text += say(language, "The closing sentence: “{}”.", moment.end_card) + " ";
     return text;
 }
 

@@ -154,7 +154,7 @@ class Parser {
         Scopes inside = scopes;
         const bool is_list = tag.sign == '#' && names_.contains(tag.name);
         if (is_list && std::ranges::find(scopes, tag.name) != scopes.end())
-            errors_.add(page_, tag.place, fmt::format("`{}` stands in itself", tag.name),
+            errors_.add(page_, tag.place, fmt::format("`{}` is inside itself", tag.name),
                         fmt::format("close it before with {{{{/{}}}}}", tag.name));
         else if (is_list)
             inside.insert(inside.begin(), tag.name);

@@ -23,7 +23,7 @@ std::string number_text(double value);
 
 inline constexpr Limit most_file_bytes{4 << 20, "bytes in a scene or template file"};
 inline constexpr Limit most_nesting{24, "levels of nested lists and mappings"};
-inline constexpr Limit most_page_nesting{24, "levels of nested stretches in a page's template"};
+inline constexpr Limit most_page_nesting{24, "levels of nested sections in a page's template"};
 inline constexpr Limit most_values{500'000, "values in a file, with its aliases expanded"};
 inline constexpr Limit most_letters{4'000, "characters in a description"};
 inline constexpr Limit most_title_letters{200, "characters in a title"};

@@ -82,7 +82,7 @@ std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other
     const Box &box = scene.gas.box, &its = other.gas.box;
     if (box.dimension != its.dimension || (box.size != its.size).any())
         return ProblemText{"the box of the other run has another size",
-                           "side by side both boxes have one size"};
+                           "boxes side by side must have the same size"};
     const auto kinds = [](const Film& film) {
         std::vector<std::string> names;
         for (const PanelSpec& panel : film.panels) names.push_back(panel.kind);

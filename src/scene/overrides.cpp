@@ -106,7 +106,7 @@ void apply(const Source& source, std::size_t begin, Node& scene, Errors& errors)
     if (value->kind == Node::Kind::null) value->offset = begin;
     if (const std::string path = with_points(source.text.substr(begin, sign - begin));
         !path.empty())
-        return errors.add(source, begin, "points stand between the keys of a path",
+        return errors.add(source, begin, "the keys of a path are separated by points",
                           fmt::format("write `{}`", path));
     Node* place = &scene;
     for (const Step& step : steps_of(source.text.substr(begin, sign - begin), begin)) {

@@ -39,7 +39,7 @@ Archive::Archive(std::string bytes, std::string name) : reading_(true), name_(st
     if (bytes.size() - header_size < length)
         refuse(fmt::format("it is cut short: {} of {} bytes are there", bytes.size(),
                            header_size + length));
-    if (bytes.size() - header_size > length) refuse("something stands behind its end");
+    if (bytes.size() - header_size > length) refuse("there are data after its end");
     const std::string expected = bytes.substr(header_size - fingerprint_size, fingerprint_size);
     content_ = std::move(bytes.erase(0, header_size));
     if (fingerprint(content_) != expected) refuse("its content was changed after it was written");

@@ -336,7 +336,6 @@ std::vector<SceneClaims> claims_of_reversals() {
           {"for good after some seventeen collisions", lost_after, exactly(17, 1.5)},
           {"after seventeen collisions of each disk the way back is lost", lost_after,
            exactly(17, 1.5)},
-          {"and the word does not come back", distance_between(0, 190), at_least(10.0), 160}}},
           {"yet the word does not come back", distance_between(0, 190), at_least(10.0), 160}}},
         {"reversal-precision",
          {{"After some eighty collisions of each", at(110, collisions_each()), about(80)},

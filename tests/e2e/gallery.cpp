@@ -85,7 +85,7 @@ TEST_CASE("only what has changed is made again, and what is gone is removed") {
     fs::remove(folder.path() / "scenes/one.yaml");
     fs::remove(folder.path() / "scenes/set.yaml");
     CHECK(gallery(folder).out ==
-          "site: 1 film made, 1 up to date, 5 files of scenes that are no more removed\n");
+          "site: 1 film made, 1 up to date, 5 files of scenes that no longer exist removed\n");
     CHECK_FALSE(fs::exists(folder.path() / "site/films/one.mp4"));
     CHECK(has(contents(folder.path() / "site/index.html"), "Another title"));
     CHECK(!has(contents(folder.path() / "site/index.html"), "quilibre"));

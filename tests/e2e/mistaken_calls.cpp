@@ -62,7 +62,7 @@ const std::vector<Slip>& slips() {
         {"render s.yaml --until 5", "the end of the run is --set run.until=T"},
         {"render s.yaml --set until=5", "`until` is a key of"},
         {"render s.yaml --set run.until:5", "expected KEY.PATH=VALUE, for instance run.until=5"},
-        {"render s.yaml --set run/until=5", "points stand between the keys of a path"},
+        {"render s.yaml --set run/until=5", "the keys of a path are separated by points"},
         {"render s.yaml --set gas[0].count=5", "write `gas.0.count`"},
         {"render s.yaml --set gas.0.cuont=5", "did you mean `count`?"},
         {"render s.yaml --set film.size=1920x1080", "write `[1920, 1080]`"},

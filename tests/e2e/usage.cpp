@@ -38,7 +38,7 @@ TEST_CASE("each mistake on the command line is told with what to write instead")
         {"figure", "write carom figure SCENE;"},
         {"new", "write carom new NAME;"},
         {"run --json", "--json needs a value: "},
-        {"'" + plain + "' render", "the command stands first: carom render " + plain + "\n"},
+        {"'" + plain + "' render", "the command comes first: carom render " + plain + "\n"},
         {"run '" + plain + "' -o x.csv", "has no option -o; samples go to --csv PATH"},
         {"run '" + plain + "' --output=x.csv", "has no option --output; samples go to --csv PATH"},
         {"check '" + plain + "' --sett a=1", "did you mean --set?"},

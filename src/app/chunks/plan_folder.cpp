@@ -343,10 +343,10 @@ void PlanFolder::require_all_done(bool allow_mixed) const {
                 difference(request().at("build"), json.value("build", Json::object()), "the plan",
                            fmt::format("chunk {}", chunk.number));
             if (!other.empty())
-                throw SystemError(
-                    fmt::format("{}: {}; make the chunk again on a machine as that of the plan, or "
-                                "join with --allow-mixed",
-                                folder_.string(), other));
+                throw SystemError(fmt::format(
+                    "{}: {}; make the chunk again on a machine like that of the plan, or "
+                    "join with --allow-mixed",
+                    folder_.string(), other));
         }
     }
     const char* verb = kind() == PlanKind::film ? "render" : "run";

@@ -66,7 +66,7 @@ void make_site(GalleryArguments& arguments) {
     if (report.made > 0 && report.up_to_date > 0)
         text += fmt::format(", {} up to date", report.up_to_date);
     if (!report.removed.empty())
-        text += fmt::format(", {} of scenes that are no more removed",
+        text += fmt::format(", {} of scenes that no longer exist removed",
                             counted(static_cast<int>(report.removed.size()), "file"));
     fmt::print("{}\n", text);
 }

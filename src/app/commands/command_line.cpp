@@ -184,7 +184,7 @@ void refuse_unknown_command(const CLI::App& app, int argc, const char* const* ar
     if (word.starts_with('-') || std::ranges::find(names, word) != names.end()) return;
     for (int i = 2; i < argc; ++i)
         if (std::ranges::find(names, argv[i]) != names.end())
-            throw UsageError(fmt::format("the command stands first: carom {} {}", argv[i], word));
+            throw UsageError(fmt::format("the command comes first: carom {} {}", argv[i], word));
     if (word == "version") throw UsageError("there is no command `version`; write --version");
     const std::string commands = fmt::format("the commands are {}", fmt::join(names, ", "));
     throw UsageError(

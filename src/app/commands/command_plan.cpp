@@ -47,10 +47,11 @@ void refuse_options_of_scenes(const PlanArguments& arguments) {
     const FilmPlanArguments& film = arguments.film;
     if (arguments.is_of_sweep() || !arguments.output.empty() || film.force || film.chunks > 0 ||
         has_film_options(film) || !overrides_of(arguments).empty() || arguments.scenes.size() > 1)
-        throw UsageError(fmt::format(
-            "{} holds a plan already, to which only --list and --missing apply; to plan anew, name "
-            "the scene, with --force",
-            arguments.scenes.front()));
+        throw UsageError(
+            fmt::format("{} holds a plan already, to which only --list and --missing apply; to "
+                        "plan again, name "
+                        "the scene, with --force",
+                        arguments.scenes.front()));
 }
 
 // The numbers of chunks, one a line.
@@ -101,7 +102,7 @@ std::string words_of_plan(const PlanFolder& plan, bool is_new) {
                                          counted(chunks, "chunk"), clock_text(seconds));
     if (is_new) return work + "\n";
     const auto missing = static_cast<long long>(plan.missing().size());
-    return fmt::format("{}; planned before, {} of them to do (--force plans anew)\n", work,
+    return fmt::format("{}; planned before, {} of them to do (--force plans again)\n", work,
                        missing);
 }
 

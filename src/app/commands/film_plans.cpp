@@ -37,7 +37,7 @@ std::string report_of(const fs::path& folder, const FilmPlanReport& report) {
         fmt::format("{}: {}, {}", printable(folder.string()), counted(report.frames, "frame"),
                     counted(report.chunks, "chunk"));
     text += report.is_new ? fmt::format(", planned in {:.1f} s\n", report.wall_seconds)
-                          : std::string(", planned before (--force plans anew)\n");
+                          : std::string(", planned before (--force plans again)\n");
     return text;
 }
 

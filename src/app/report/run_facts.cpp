@@ -75,7 +75,7 @@ Json account_value(const EnergyAccount& account) {
 std::string energy_words(const RunSummary& summary) {
     if (!summary.largest_energy_error) return no_error;
     if (*summary.largest_energy_error == 0.0)
-        return number(summary.energy_initial) + ", kept exactly";
+        return number(summary.energy_initial) + ", exactly conserved";
     return fmt::format("{}, relative error {:.1e}", number(summary.energy_initial),
                        *summary.largest_energy_error);
 }
@@ -156,7 +156,8 @@ Fact momentum(const RunSummary& summary) {
 std::string pressure_words(const RunReport& report) {
     const RunSummary& summary = report.summary;
     if (!report.surfaces.empty()) {
-        if (!summary.wall_pressure) return "not one; see what each surface has received";
+        if (!summary.wall_pressure)
+            return "differs from surface to surface; see what each has received";
         const double since = summary.pressure_since.value_or(0.0);
         return number(summary.wall_pressure) + " on the walls" +
                (since > 0.0 ? fmt::format(", from time {} on", plain_number(since)) : "");
@@ -201,13 +202,13 @@ std::string way_back(const ReversalReport& report) {
     if (!report.events_back) return "the run ends before the gas can return";
     const std::string events = fmt::format("{} out, {} back", counted(report.events_out, "event"),
                                            grouped(*report.events_back));
-    if (report.home == report.at) return "the gas goes another way at once";
-    if (!report.distance) return "another reversal is on the way out or back; " + events;
+    if (report.home == report.at) return "the gas does not retrace its path at all";
+    if (!report.distance) return "another reversal comes before the gas is back; " + events;
     const ReturnDistance& d = *report.distance;
     const bool is_left = report.home < 2.0 * report.at;
     return fmt::format("return error {} (r.m.s. {}){}; {}", length(d.largest, d.log10_largest),
                        length(d.root_mean_square, d.log10_root_mean_square),
-                       is_left ? fmt::format(" at time {}, where the gas leaves the way it came",
+                       is_left ? fmt::format(" at time {}, where the gas stops retracing its path",
                                              plain_number(report.home))
                                : "",
                        events);

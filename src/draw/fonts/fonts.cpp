@@ -79,7 +79,7 @@ bool have_used_weights(std::span<FcPattern* const> fonts) {
 [[noreturn]] void end_of_glib(const char* message) {
     write_to_standard_error(
         {"carom: the libraries that set text cannot go on: ", message,
-         "\n       a higher limit of memory or of threads (ulimit -v, ulimit -u) mends it\n"});
+         "\n       a higher limit of memory or of threads (ulimit -v, ulimit -u) helps\n"});
     _exit(1);
 }
 

@@ -296,7 +296,7 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
             return {fmt::format("{} does not open: only partitions do", name),
                     "give the name of a partition"};
         case Kind::open_piston:
-            return {fmt::format("{} is a piston, and open it would go on out of the box", name),
+            return {fmt::format("{} is a piston, and if it were open it would leave the box", name),
                     p.event ? "`hold` it before it opens, or make it `solid` by a `wall` event"
                             : "leave out `open`, or its mass"};
         case Kind::not_movable:

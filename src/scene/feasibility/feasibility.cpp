@@ -158,7 +158,7 @@ void check_feasibility(const Box& box, const std::vector<SpeciesDraft>& drafts, 
         // The letters of a word are moved as a whole.
         if (problem.kind == Kind::overlap && node.is_mapping()) {
             if (!words.insert(&node).second) continue;
-            hint = "another `within` moves the word";
+            hint = "choose another `within` to move the word";
         }
         errors.add(node, message, hint);
     }

@@ -160,7 +160,7 @@ bool is_written(const Node& node, const char* key) {
     return node.is_mapping() && find(node, key) != nullptr;
 }
 
-constexpr const char* passable = "a partition that lets particles through and stands still";
+constexpr const char* passable = "a partition that lets particles through and does not move";
 const char* how_to_pass(const Box& box) {
     return box.dimension == 1 ? "count at `line: {x: PLACE}`"
                               : "give a partition `gaps` or `passes`, let an event open it, or "

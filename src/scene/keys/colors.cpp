@@ -41,7 +41,7 @@ std::string digits_hint(std::string_view digits) {
     if (digits.size() == 3 && std::ranges::all_of(digits, is_hex_digit))
         return fmt::format("write it with six digits: \"#{0}{0}{1}{1}{2}{2}\"", digits[0],
                            digits[1], digits[2]);
-    return "after `#` stand six digits, 0 to 9 or a to f, for instance \"#ffa500\"";
+    return "write six digits after `#`, 0 to 9 or a to f, for instance \"#ffa500\"";
 }
 
 // Returns names that begin with the same letters, most similar first.

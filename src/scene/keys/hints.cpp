@@ -143,7 +143,7 @@ std::string mark_hint(const std::string& text, const std::vector<Form>& forms) {
     if (mapping == nullptr || colon == std::string::npos) return "";
     const std::string key = text.substr(0, colon);
     if (mapping->section->index(key) == mapping->section->keys.size()) return "";
-    return fmt::format("a space stands after the colon: `{}: {}`", key, text.substr(colon + 1));
+    return fmt::format("put a space after the colon: `{}: {}`", key, text.substr(colon + 1));
 }
 
 std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {

@@ -188,7 +188,7 @@ std::optional<Behaviour> change_of(const EventDraft& event, const Node& node, Er
     const auto behaviour = behaviour_of(event, node, errors);
     if (event.until && *event.until <= event.at) {
         errors.add(*given(node, "until"), "`until` is not after `at`: the wall would not move",
-                   "it is a time of the run, as `at` is, and no duration");
+                   "it is a time of the run, like `at`, not a duration");
         return std::nullopt;
     }
     if (!behaviour || event.solid || !std::holds_alternative<Reflecting>(*behaviour))
@@ -311,7 +311,7 @@ void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
             errors.add(
                 by,
                 fmt::format("a nudge by {:.3g} is lost in numbers of {} bits", length, *run.bits),
-                fmt::format("`precision: auto`, or {:.0f} bits and more, have room for it",
+                fmt::format("`precision: auto`, or {:.0f} bits and more, can hold it",
                             std::max<double>(least_bits, std::ceil(bits + 54.0))));
     }
 }

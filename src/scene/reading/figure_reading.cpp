@@ -209,8 +209,8 @@ void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) 
     refuse(panel.of.size() > 1, "of", "one species or particle");
     refuse(panel.surfaces.size() > 1, "surfaces", "one");
     refuse(panel.regions.size() > 1, "regions", "one");
-    refuse(panel.kind == "entropy" && panel.entropy_of == EntropyOf::both, "space", "one of both",
-           "make a figure for `velocities`, and one for `positions`");
+    refuse(panel.kind == "entropy" && panel.entropy_of == EntropyOf::both, "space",
+           "one of the two", "make a figure for `velocities`, and one for `positions`");
 }
 
 // Only the command line may give another path.

@@ -130,7 +130,7 @@ Binding<Film> sound_key() {
 std::vector<Binding<FilmDraft>> picture_keys() {
     return {
         bind_key("seconds", &FilmDraft::given_seconds, number({0.01, most_seconds}),
-                 "The length of the whole film, holds and pauses included.")
+                 "The length of the whole film, cards and pauses included.")
             .tried_as({"duration", "length", "time"}),
         bind_key("pace", &FilmDraft::pace, number(positive),
                  "Instead of `seconds`: simulated time per second of film."),

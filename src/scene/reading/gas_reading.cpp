@@ -313,7 +313,8 @@ void check_total(const std::vector<SpeciesDraft>& drafts, Errors& errors) {
     for (const SpeciesDraft& draft : drafts) {
         total += draft.count;
         if (static_cast<double>(total) <= most_particles.value) continue;
-        errors.add(at_key(draft, "count"), fmt::format("{} particles up to here", total),
+        errors.add(at_key(draft, "count"),
+                   fmt::format("{} particles in all species up to this one", total),
                    to_text(most_particles));
         return;
     }

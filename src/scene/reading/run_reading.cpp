@@ -82,7 +82,8 @@ void check_way_home(const RunDraft& run, Errors& errors) {
     errors.add(
         *run.event_nodes[static_cast<std::size_t>(reversal - run.events.begin())],
         fmt::format("the gas returns to {} at {}, but the run ends at {}",
-                    is_left ? "the event that leads it another way" : "its start", home, run.until),
+                    is_left ? "the event after which it no longer retraces its path" : "its start",
+                    home, run.until),
         fmt::format("use `until: {}` or more{}; to render a part of a film, use `--to`", home,
                     is_left ? "" : fmt::format(", or `at: {}` or less", 0.5 * run.until)));
 }

@@ -255,7 +255,7 @@ std::optional<Stop> unreadable_byte(std::string_view text, std::size_t begin) {
         const bool line_end = letter == "\n" || text.substr(i, 2) == "\r\n";
         if (is_control(letter) && letter != "\t" && !line_end)
             return Stop{i,
-                        fmt::format("a control character (U+{:04X}) stands here",
+                        fmt::format("there is a control character (U+{:04X}) here",
                                     static_cast<unsigned char>(letter.back())),
                         "remove it"};
         i = next;
@@ -284,10 +284,11 @@ std::string way_out(const std::string& problem, std::string_view before, std::st
     const std::size_t dash = left.find_first_not_of(' ');
     if (problem == MAP_VALUE && dash != left.npos && left[dash] == '-' &&
         left.substr(dash, 2) != "- ")
-        return "a space stands after the `-` of an item";
+        return "put a space after the `-` of an item";
     const bool begins_line = left.find_first_not_of(' ') == std::string_view::npos;
     if ((problem == END_OF_MAP || problem == END_OF_SEQ) && !begins_line)
-        return "nothing may follow a closing quote or bracket in its line: leave out the rest, or "
+        return "nothing may follow a closing quote or bracket in the same line: leave out the "
+               "rest, or "
                "put quotes around the whole text";
     const bool is_first_key = problem == MAP_VALUE && left.find(':') == std::string_view::npos;
     const std::string columns = "lines that belong together begin in the same column";

@@ -136,7 +136,7 @@ std::string key_hint(std::string_view line) {
     const std::size_t mark = line.find_first_of("=: ");
     if (mark == line.npos) return "write `key: value`";
     const std::size_t value = line.find_first_not_of("=: ", mark);
-    return fmt::format("a colon and a space stand after a key: `{}: {}`",
+    return fmt::format("put a colon and a space after a key: `{}: {}`",
                        printable(line.substr(0, mark)),
                        printable(value == line.npos ? "" : line.substr(value)));
 }

@@ -72,7 +72,7 @@ bool remove_stored(const StoredFile& file) {
 }
 
 std::string cause_of_failure(int error) {
-    if (error == ELOOP) return "a symbolic link stands in its place, which is not followed";
+    if (error == ELOOP) return "there is a symbolic link in its place, and links are not followed";
     if (error == EINVAL) return "its name leads out of its folder";
     return std::generic_category().message(error);
 }

@@ -105,7 +105,7 @@ class Parser {
         if (at_ == tex_.size()) fail(at, "a `{` that is not closed", "write `}` where it ends");
         if (tex_[at_] != '}')
             fail(at_, "`\\right` without a `\\left` in the same braces",
-                 "both brackets stand in the same braces");
+                 "put both brackets into the same braces");
         ++at_;
         return parts;
     }

@@ -76,7 +76,7 @@ TEST_CASE("mistakes in a template are told with their place") {
     CHECK(message("x {{title").find("1:3: error: a placeholder that is not closed") !=
           std::string::npos);
     CHECK(message("{{}}").find("is no placeholder of a page") != std::string::npos);
-    CHECK(message("{{#figures}}\n{{#figures}}").find("2:1: error: `figures` stands in itself") !=
+    CHECK(message("{{#figures}}\n{{#figures}}").find("2:1: error: `figures` is inside itself") !=
           std::string::npos);
     CHECK(message("<p>\nGr\xFCn").starts_with("page.html:2:3: error: byte 0xFC is not UTF-8"));
 }

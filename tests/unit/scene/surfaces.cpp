@@ -288,9 +288,9 @@ TEST_CASE("the description says what happens on the way back") {
     CHECK(said.find("At time 35, on the way back: The partition “lid” is released. At time 38, on "
                     "the way back: The partition “divider” closes.") != std::string::npos);
     CHECK(said.find("The energy goes back") == std::string::npos);
-    CHECK(
-        said.ends_with("At time 34: The gas leaves the way it came, as what happened at time 6 is "
-                       "not undone."));
+    CHECK(said.ends_with(
+        "At time 34: The gas no longer retraces its path, as what happened at time 6 is "
+        "not undone."));
 }
 
 TEST_CASE("a run with an event that is not undone may end there, not before") {
@@ -301,10 +301,11 @@ TEST_CASE("a run with an event that is not undone may end there, not before") {
             until);
     };
     CHECK_NOTHROW(scene_of(ending(35)));
-    CHECK_THROWS_WITH_AS(scene_of(ending(34)),
-                         doctest::Contains("the gas returns to the event that leads it another way "
-                                           "at 35, but the run ends at 34"),
-                         SceneError);
+    CHECK_THROWS_WITH_AS(
+        scene_of(ending(34)),
+        doctest::Contains("the gas returns to the event after which it no longer retraces its path "
+                          "at 35, but the run ends at 34"),
+        SceneError);
 }
 
 TEST_CASE("on a line only the ends and gravity act") {

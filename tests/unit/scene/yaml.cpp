@@ -81,7 +81,8 @@ TEST_CASE("what is ambiguous or hostile is refused at its place") {
     CHECK(first_error("a: \xC2\x85") == "1:4 a control character (U+0085) stands here");
     CHECK(first_error("a: b\rc: d") == "1:5 a control character (U+000D) stands here");
     CHECK(first_error("a: \xED\xA0\x80") == "1:4 byte 0xED is not UTF-8");
-    CHECK(first_error(std::string{"a: b\0c", 6}) == "1:5 a control character (U+0000) stands here");
+    CHECK(first_error(std::string{"a: b\0c", 6}) ==
+          "1:5 there is a control character (U+0000) here");
     CHECK(
         first_error("a: 'b").starts_with("1:4 not valid YAML: this quotation mark is not closed"));
     CHECK(first_error("? {a: 1}\n: 2") == "1:3 expected a word as a key, found a mapping");

@@ -154,7 +154,7 @@ TEST_CASE("an archive in which any byte was changed is refused") {
 TEST_CASE("an archive of something else is refused") {
     CHECK(refusal_of("title: A scene") == "cannot read film.plan: it was not written by carom");
     CHECK(refusal_of(written(example()) + "x") ==
-          "cannot read film.plan: something stands behind its end");
+          "cannot read film.plan: there are data after its end");
     Archive shorter;
     double number = 1.0;
     shorter(number);

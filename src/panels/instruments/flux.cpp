@@ -106,7 +106,7 @@ Phrase flux_title(Carried carried) {
         case Carried::energy:
             return Phrase{"Energy current"};
         case Carried::mean_energy:
-            return Phrase{"Mean energy of crossing particles"};
+            return Phrase{"Mean energy at the crossing"};
     }
     return {};
 }

@@ -239,7 +239,7 @@ TEST_CASE("a text that is no colour is told the nearest names") {
     CHECK(color_hint("gelb").starts_with("names are `gold`, "));
     CHECK(color_hint("ffb000") == "write `#` before the digits, in quotes: \"#ffb000\"");
     CHECK(color_hint("#fb0") == "write it with six digits: \"#ffbb00\"");
-    CHECK(color_hint("#12345").starts_with("after `#` stand six digits"));
+    CHECK(color_hint("#12345").starts_with("write six digits after `#`"));
     CHECK(color_hint("0.5").starts_with("names are `red`, "));
     CHECK(color_hint(std::string(100000, 'x')).size() < 200);
 }

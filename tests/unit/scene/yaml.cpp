@@ -77,9 +77,9 @@ TEST_CASE("what is ambiguous or hostile is refused at its place") {
     CHECK(first_error("a: 1\n---\nb: 2") == "2:1 a second document begins here");
     CHECK(first_error("a: !secret 1") == "1:4 a YAML tag (`!secret`) has no meaning in a scene");
     CHECK(first_error("a: !!str 1").starts_with("1:4 a YAML tag"));
-    CHECK(first_error("a: \x01") == "1:4 a control character (U+0001) stands here");
-    CHECK(first_error("a: \xC2\x85") == "1:4 a control character (U+0085) stands here");
-    CHECK(first_error("a: b\rc: d") == "1:5 a control character (U+000D) stands here");
+    CHECK(first_error("a: \x01") == "1:4 there is a control character (U+0001) here");
+    CHECK(first_error("a: \xC2\x85") == "1:4 there is a control character (U+0085) here");
+    CHECK(first_error("a: b\rc: d") == "1:5 there is a control character (U+000D) here");
     CHECK(first_error("a: \xED\xA0\x80") == "1:4 byte 0xED is not UTF-8");
     CHECK(first_error(std::string{"a: b\0c", 6}) ==
           "1:5 there is a control character (U+0000) here");

@@ -57,7 +57,7 @@ TEST_CASE("a formula is a tree of parts with their indices") {
 TEST_CASE("a formula is said in the language of the picture") {
     const formula::Parts parts = formula::parsed("\\sqrt{\\frac{kT}{m}} \\leq \\bar v^2");
     CHECK(formula::spoken(Language::german, parts) ==
-          "Wurzel aus k mal T durch m, Ende der Wurzel höchstens v Strich hoch zwei");
+          "Wurzel aus k mal T durch m, Ende der Wurzel höchstens v quer hoch zwei");
     CHECK(formula::spoken(Language::french, parts) ==
           "la racine carrée de k fois T sur m, fin de la racine est au plus v barre au carré");
     CHECK(formula::spoken(Language::spanish, parts) ==

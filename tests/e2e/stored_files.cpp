@@ -149,7 +149,7 @@ TEST_CASE("what stands in the place of a file of a plan is neither followed nor 
     folder.write("elsewhere/0001.chunk", "mine");
     const Outcome outcome = carom_in(folder, chunk);
     CHECK(outcome.exit_code == 1);
-    CHECK(has(outcome.err, "a symbolic link stands in its place"));
+    CHECK(has(outcome.err, "there is a symbolic link in its place"));
     CHECK(contents(folder.path() / "elsewhere/0001.chunk") == "mine");
 }
 

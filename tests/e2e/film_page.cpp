@@ -24,7 +24,7 @@ run:
   until: 4
   events:
     - {at: 1, caption: The first words}
-    - {at: 3, caption: The closing sentence}
+    - {at: 3, caption: The last words}
 film: {seconds: 16, fps: 5, size: [320, 180], panels: []}
 )";
 
@@ -61,7 +61,7 @@ TEST_CASE("a page holds its film, chapters, captions, transcript and scene, and 
     CHECK(answer["width"] == 320);
     CHECK(answer["tracks"] == json{"captions", "descriptions", "chapters"});
     CHECK(answer["captions"]["cues"].size() == 2);
-    CHECK(answer["captions"]["shown"] == json{"The first words", "The closing sentence"});
+    CHECK(answer["captions"]["shown"] == json{"The first words", "The last words"});
     CHECK(answer["chapters"][1]["words"].get<std::string>().ends_with("The first words"));
     CHECK(answer["downloads"][0]["name"] == "scene.yaml");
     CHECK(answer["scene"] == scene);

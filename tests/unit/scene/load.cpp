@@ -64,7 +64,7 @@ TEST_CASE("the first scene of the book") {
     CHECK((std::get<Places>(hot.position).values.at(0) == Eigen::Array2d(20, 22)).all());
     CHECK(scene.run.until > 0.0);
     CHECK(scene.film.template_name == "hero");
-    CHECK(scene.film.seconds == 38.0);
+    CHECK(scene.film.seconds == 42.0);
     CHECK(scene.film.fps == 30);
     CHECK(scene.film.size == PictureSize{1920, 1080});
     CHECK(scene.film.theme == ThemeName::dark);

@@ -446,66 +446,93 @@ Problems line_problems(const DrawnFigure& figure, double length) {
     return problems;
 }
 
+namespace {
+
 // The key is a column of strips, from the lowest number, which is 0, up to the number at its top.
-Paint key_color(const SvgPicture& picture, double value) {
+struct ColorKey {
     std::vector<Paint> steps;
-    Edges bar{INFINITY, INFINITY, 0.0, 0.0};
-    for (const Shape& shape : picture.shapes) {
-        const auto strip = shape.is_stroke ? std::nullopt : shape.rectangle();
-        if (!strip || strip->height() > 4.0 || strip->width() < 5.0 || strip->width() > 10.0)
-            continue;
-        steps.push_back(shape.paint);
-        bar = *strip;  // the last is the highest
-    }
     double top = 0.0;
-    for (const Said& text : texts_of(picture))
-        if (const auto number = number_in(text.words.substr(text.words.rfind(' ') + 1));
-            number && text.ink.left > bar.right && text.ink.left < bar.right + 10.0)  // or "≥ 3"
-            top = std::max(top, *number);
-    if (steps.size() < 2 || top == 0.0) throw std::runtime_error("no key of colours");
-    const double last = static_cast<double>(steps.size() - 1);
-    const double at = std::clamp(value / top, 0.0, 1.0) * last,
+
+    explicit ColorKey(const SvgPicture& picture) {
+        Edges bar{INFINITY, INFINITY, 0.0, 0.0};
+        for (const Shape& shape : picture.shapes) {
+            const auto strip = shape.is_stroke ? std::nullopt : shape.rectangle();
+            if (!strip || shape.paint[3] != 1.0 || strip->height() > 4.0 || strip->width() < 5.0 ||
+                strip->width() > 10.0)
+                continue;
+            steps.push_back(shape.paint);
+            bar = *strip;  // the last is the highest
+        }
+        for (const Said& text : texts_of(picture))
+            if (const auto number = number_in(text.words.substr(text.words.rfind(' ') + 1));
+                number && text.ink.left > bar.right &&
+                text.ink.left < bar.right + 10.0)  // or "≥ 3"
+                top = std::max(top, *number);
+        if (steps.size() < 2 || top == 0.0) throw std::runtime_error("no key of colours");
+    }
+
+    // The number with the colour that is nearest to this one.
+    double value(const Paint& seen) const {
+        const auto off = [&](const Paint& step) {
+            double sum = 0.0;
+            for (std::size_t i = 0; i < 3; ++i) sum += (step[i] - seen[i]) * (step[i] - seen[i]);
+            return sum;
+        };
+        const auto nearest = std::ranges::min_element(steps, {}, off);
+        return top * static_cast<double>(nearest - steps.begin()) /
+               static_cast<double>(steps.size() - 1);
+    }
+};
+
+}  // namespace
+
+Paint key_color(const SvgPicture& picture, double value) {
+    const ColorKey key(picture);
+    const double last = static_cast<double>(key.steps.size() - 1);
+    const double at = std::clamp(value / key.top, 0.0, 1.0) * last,
                  low = std::min(std::floor(at), last - 1.0);
-    const Paint &from = steps[static_cast<std::size_t>(low)],
-                &to = steps[static_cast<std::size_t>(low) + 1];
+    const Paint &from = key.steps[static_cast<std::size_t>(low)],
+                &to = key.steps[static_cast<std::size_t>(low) + 1];
     Paint mixed{};
     for (std::size_t i = 0; i < 4; ++i) mixed[i] = std::lerp(from[i], to[i], at - low);
     return mixed;
 }
 
+// The mean of the colours in each cell is that of its number.
 Problems field_problems(const DrawnFigure& figure, double side, const std::string& column) {
-    constexpr double on_whole_pixels = 0.5;  // cells are drawn on whole pixels
+    constexpr double on_whole_pixels = 1.0;  // parts of cells are drawn on whole pixels
     Problems problems;
     const Edges ground = ground_of(figure);
+    const ColorKey key(figure.picture);
     const double scale = ground.width() / side;
     const std::vector<Row> cells = rows_of(figure, "cell");
-    const double half = 0.5 * scale * side / std::sqrt(static_cast<double>(cells.size()));
-    std::size_t shown = 0;
+    const double width = scale * side / std::sqrt(static_cast<double>(cells.size()));
+    std::vector<double> areas(cells.size()), sums(cells.size());
     for (const Shape& shape : figure.picture.shapes) {
         const auto edges = shape.is_stroke ? std::nullopt : shape.rectangle();
-        if (!edges || shape.paint[3] == 1.0 || edges->width() < half) continue;
-        ++shown;
+        if (!edges || shape.paint[3] == 1.0) continue;
         Paint seen{};  // over the white ground
         for (std::size_t i = 0; i < 3; ++i)
             seen[i] = std::lerp(255.0, shape.paint[i], shape.paint[3]);
-        const auto is_here = [&](const Row& cell) {
-            const double x = ground.left + scale * number(cell, "x (length)"),
-                         y = ground.bottom - scale * number(cell, "y (length)");
-            return std::abs(edges->left - x + half) <= on_whole_pixels &&
-                   std::abs(edges->right - x - half) <= on_whole_pixels &&
-                   std::abs(edges->top - y + half) <= on_whole_pixels &&
-                   std::abs(edges->bottom - y - half) <= on_whole_pixels;
-        };
-        const auto its = std::ranges::find_if(cells, is_here);
-        if (its == cells.end())
-            problems.push_back("a cell is where none is");
-        else if (its->at(column).empty())
-            problems.push_back("a cell without a number has a colour");
-        else if (!is_near_color(seen, key_color(figure.picture, number(*its, column))))
-            problems.push_back("a cell has another colour than the key");
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            const double x = ground.left + scale * number(cells[k], "x (length)") - 0.5 * width,
+                         y = ground.bottom - scale * number(cells[k], "y (length)") - 0.5 * width;
+            const double area =
+                std::max(0.0, std::min(edges->right, x + width) - std::max(edges->left, x)) *
+                std::max(0.0, std::min(edges->bottom, y + width) - std::max(edges->top, y));
+            areas[k] += area;
+            sums[k] += area * key.value(seen);
+        }
     }
-    for (const Row& cell : cells)
-        if (!cell.at(column).empty() && shown-- == 0) problems.push_back("a cell is missing");
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const bool is_blank = cells[k].at(column).empty();
+        const double covered = areas[k] / (width * width), edge = 4.0 * on_whole_pixels / width;
+        if (std::abs(covered - (is_blank ? 0.0 : 1.0)) > edge)
+            problems.push_back(off_by("the area with a colour of a cell", covered));
+        if (is_blank) continue;
+        const double off = sums[k] / areas[k] - number(cells[k], column);
+        if (std::abs(off) > 0.01 * key.top) problems.push_back(off_by("the mean of a cell", off));
+    }
     return problems;
 }
 

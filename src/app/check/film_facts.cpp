@@ -69,8 +69,8 @@ Json rough_costs(const std::vector<FilmCost>& costs, int cores) {
 // A row where a field of so many particles has mostly blank cells.
 Facts field_rows(const Scene& scene, std::int64_t particles) {
     if (!scene.film.field) return {};
-    const Cells cells = square_cells(scene.gas.box, scene.film.field->cells);
-    const double mean = static_cast<double>(particles) / static_cast<double>(cells.all());
+    const double mean =
+        static_cast<double>(particles) / static_cast<double>(cells_of_field(scene).all());
     if (mean >= least_in_cell) return {};
     return {for_people("field", fmt::format("{:.2g} particles in a cell on average, and cells with "
                                             "fewer than {:g} are blank: fewer cells show more",

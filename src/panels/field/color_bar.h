@@ -15,6 +15,7 @@ struct ColorScale {
     double top = 1.0;          ///< the value of the last colour
     bool is_exceeded = false;  ///< whether there are values above, of the same colour
     std::string symbol = {};   ///< markup, used instead of the title if that does not fit
+    std::string mean = {};     ///< over what the values are averaged, plain words
     Language language = Language::english;  ///< of the numbers
 
     Color color(const ColorMap& map, double value) const { return map.at(value / top); }

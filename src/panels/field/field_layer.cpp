@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "draw/arrow.h"
+#include "panels/field/smooth_cells.h"
 #include "panels/thinning.h"
+#include "physics/theory/symmetry.h"
 #include "util/text.h"
 
 namespace carom {
@@ -15,7 +18,10 @@ namespace {
 
 constexpr double share_above = 0.02;  // of the cells of all frames, beyond the scale
 constexpr double least_contrast_of_outlines = 2.2;
-constexpr double key_height = 3.6;  // units, of the arrow that is the key of a flow
+constexpr double part_of_cell = 0.35;  // units: of what a colour is filled into
+constexpr double part_of_slab = 0.1;   // the same where all parts lie in one row
+constexpr int most_parts = 16;         // of a cell along an axis, unless all lie in one row
+constexpr double key_height = 3.6;     // units, of the arrow that is the key of a flow
 
 std::vector<bool> members_of(const PanelContext& context, std::optional<std::size_t> species) {
     std::vector<bool> members;
@@ -24,9 +30,15 @@ std::vector<bool> members_of(const PanelContext& context, std::optional<std::siz
     return members;
 }
 
-Cells cells_of(const PanelContext& context) {
-    const Scene& scene = context.scene;
-    return scene.film.field ? square_cells(scene.gas.box, scene.film.field->cells) : Cells{};
+// "mean over height and the last 10".
+std::string words_of_mean(const Scene& scene) {
+    const Language language = scene.film.language;
+    const std::array<bool, 2> even = even_axes(scene.gas, scene.run.events);
+    const std::string time = plain_number(language, scene.film.field->over);
+    if (even[0] && even[1]) return say(language, "mean over the box and the last {}", time);
+    if (even[0]) return say(language, "mean over width and the last {}", time);
+    if (even[1]) return say(language, "mean over height and the last {}", time);
+    return say(language, "mean over the last {}", time);
 }
 
 std::string size_of_cells(Language language, const Box& box, const Cells& cells) {
@@ -45,6 +57,17 @@ std::string short_name(const Scene& scene, const Field& field) {
 }
 
 }  // namespace
+
+Cells cells_of_field(const Scene& scene) {
+    Cells cells = square_cells(scene.gas.box, scene.film.field->cells);
+    const std::array<bool, 2> even = even_axes(scene.gas, scene.run.events);
+    for (const Eigen::Index axis : {0, 1}) {
+        if (!even.at(static_cast<std::size_t>(axis))) continue;
+        cells.count[axis] = 1;
+        cells.size[axis] = cells.box[axis];
+    }
+    return cells;
+}
 
 std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
                              std::optional<std::size_t> species) {
@@ -120,8 +143,11 @@ Eigen::ArrayXd CellQuantity::values(Eigen::Index axis, double least_particles) c
 }
 
 FieldLayer::FieldLayer(const PanelContext& context)
-    : context_(context), field_(context.scene.film.field), cells_(cells_of(context)) {
+    : context_(context), field_(context.scene.film.field) {
     if (!field_) return;
+    cells_ = cells_of_field(context.scene);
+    squares_ = square_cells(context.scene.gas.box, field_->cells);
+    scale_.mean = words_of_mean(context.scene);
     scale_.language = context.language();
     scale_.title = name_of_quantity(context.language(), context.scene, field_->of, field_->species);
     scale_.symbol = escape_markup(short_name(context.scene, *field_));
@@ -184,8 +210,13 @@ ColorMap FieldLayer::colors(const Theme& theme) const {
     return is_turned ? color_map(name, last, first) : color_map(name, first, last);
 }
 
-// The longest arrow of the scale has the width of a cell.
-double FieldLayer::reach(double scale) const { return cells_.size[0] * scale / scale_.top; }
+// The longest arrow of the scale has the width of a square cell.
+double FieldLayer::reach(double scale) const { return squares_.size[0] * scale / scale_.top; }
+
+Eigen::Index FieldLayer::measured_in(Eigen::Index square) const {
+    const Eigen::Index x = square % squares_.count[0], y = square / squares_.count[0];
+    return (cells_.count[0] == 1 ? 0 : x) + (cells_.count[1] == 1 ? 0 : y) * cells_.count[0];
+}
 
 void FieldLayer::draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, Point velocity,
                            double reach) const {
@@ -205,21 +236,66 @@ void FieldLayer::draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, 
 
 void FieldLayer::draw(Canvas& canvas, const DrawContext& dc, const FieldState& state,
                       const std::function<Rect(const Region&)>& place) const {
-    const ColorMap map = colors(dc.theme);
-    for (std::size_t cell = 0; cell < state.values.size(); ++cell) {
+    if (!is_flow()) return draw_colors(canvas, dc, state, place);
+    for (Eigen::Index square = 0; square < squares_.all(); ++square) {
+        const auto cell = static_cast<std::size_t>(measured_in(square));
         const double value = static_cast<double>(state.values[cell]);
         if (std::isnan(value)) continue;
-        const Rect exact = place(cells_.region(static_cast<Eigen::Index>(cell)));
-        if (is_flow()) {
-            const double up = state.up.empty() ? 0.0 : static_cast<double>(state.up[cell]);
-            draw_flow(canvas, dc, {exact.x + exact.width / 2, exact.y + exact.height / 2},
-                      {value, up}, exact.width / scale_.top);
-            continue;
-        }
-        // Rounded to whole pixels, so that neighbouring cells neither overlap nor leave a gap.
-        const double x = std::round(exact.x), y = std::round(exact.y);
-        canvas.fill({x, y, std::round(exact.right()) - x, std::round(exact.bottom()) - y},
-                    with_alpha(scale_.color(map, value), field_->opacity));
+        const Rect exact = place(squares_.region(square));
+        const double up = state.up.empty() ? 0.0 : static_cast<double>(state.up[cell]);
+        draw_flow(canvas, dc, {exact.x + exact.width / 2, exact.y + exact.height / 2}, {value, up},
+                  exact.width / scale_.top);
+    }
+}
+
+// Cells are divided into parts that can hardly be told apart. Parts of one colour beside each other
+// are filled together.
+void FieldLayer::draw_colors(Canvas& canvas, const DrawContext& dc, const FieldState& state,
+                             const std::function<Rect(const Region&)>& place) const {
+    const ColorMap map = colors(dc.theme);
+    const Box& box = context_.scene.gas.box;
+    const Rect first = place(cells_.region(0));
+    const bool has_rows = cells_.count[0] > 1 && cells_.count[1] > 1;
+    const auto parts_of = [&](Eigen::Index axis) {
+        if (cells_.count[axis] == 1) return 1;
+        const double size = (axis == 0 ? first.width : first.height) / dc.unit;
+        if (!has_rows) return static_cast<int>(std::ceil(size / part_of_slab));
+        return std::clamp(static_cast<int>(std::round(size / part_of_cell)), 1, most_parts);
+    };
+    const std::array<int, 2> parts{parts_of(0), parts_of(1)};
+    Eigen::ArrayXd values(static_cast<Eigen::Index>(state.values.size()));
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        values[i] = static_cast<double>(state.values[static_cast<std::size_t>(i)]);
+    const bool is_plane = box.dimension == 2;
+    values = smooth_cells(values, cells_.count[0], parts,
+                          {box.is_periodic(0), is_plane && box.is_periodic(1)});
+    Cells fine = cells_;
+    for (const std::size_t axis : {0, 1}) {
+        fine.count[static_cast<Eigen::Index>(axis)] *= parts.at(axis);
+        fine.size[static_cast<Eigen::Index>(axis)] /= parts.at(axis);
+    }
+    const auto color_at = [&](Eigen::Index i) -> std::optional<std::uint32_t> {
+        if (std::isnan(values[i])) return std::nullopt;
+        return to_pixel(scale_.color(map, std::max(0.0, values[i])));
+    };
+    // On whole pixels, and each edge once, so that neighbours neither overlap nor leave a gap.
+    const Eigen::Index columns = fine.count[0], rows = fine.count[1];
+    std::vector<double> left{}, bottom{};
+    for (Eigen::Index x = 0; x < columns; ++x) left.push_back(std::round(place(fine.region(x)).x));
+    left.push_back(std::round(place(fine.region(columns - 1)).right()));
+    for (Eigen::Index y = 0; y < rows; ++y)
+        bottom.push_back(std::round(place(fine.region(y * columns)).bottom()));
+    bottom.push_back(std::round(place(fine.region((rows - 1) * columns)).y));
+    for (Eigen::Index begin = 0, next = 0; begin < values.size(); begin = next) {
+        const std::optional<std::uint32_t> color = color_at(begin);
+        next = begin + 1;
+        while (next % columns != 0 && color_at(next) == color) ++next;
+        if (!color) continue;
+        const auto row = static_cast<std::size_t>(begin / columns);
+        const double x = left[static_cast<std::size_t>(begin % columns)], y = bottom[row + 1];
+        canvas.fill(
+            {x, y, left[static_cast<std::size_t>((next - 1) % columns) + 1] - x, bottom[row] - y},
+            with_alpha(rgb(*color & 0xFFFFFF), field_->opacity));
     }
 }
 
@@ -228,17 +304,17 @@ void FieldLayer::draw_key(Canvas& canvas, const DrawContext& dc, double scale) c
     Rect area = dc.area;
     TextStyle style = label_style(dc);
     style.max_width = area.width;
-    if (is_clear_somewhere_) {
-        const std::vector<std::string> lines =
-            wrapped(say(context_.language(), "blank: fewer than 3"), style, 3);
-        const double height = 1.35 * u * static_cast<double>(lines.size());
-        double y = area.bottom() - height + 1.2 * u;
-        for (const std::string& line : lines) {
-            draw_text(canvas, {area.x, y}, line, style);
-            y += 1.35 * u;
-        }
-        area.height -= height + 0.9 * u;
+    std::vector<std::string> lines = wrapped(scale_.mean, style, 4);
+    if (is_clear_somewhere_)
+        for (std::string& line : wrapped(say(context_.language(), "blank: fewer than 3"), style, 3))
+            lines.push_back(std::move(line));
+    const double height = 1.35 * u * static_cast<double>(lines.size());
+    double baseline = area.bottom() - height + 1.2 * u;
+    for (const std::string& line : lines) {
+        draw_text(canvas, {area.x, baseline}, escape_markup(line), style);
+        baseline += 1.35 * u;
     }
+    area.height -= height + 0.9 * u;
     if (!is_flow())
         return draw_color_bar(canvas, {area, u, dc.theme, dc.disks}, colors(dc.theme), scale_,
                               field_->opacity);
@@ -266,6 +342,7 @@ void FieldLayer::add_key(KeyRow& row, double scale) const {
                 });
     }
     if (is_clear_somewhere_) row.add_words(say(context_.language(), "blank: fewer than 3"));
+    if (is_flow()) row.add_words(scale_.mean);
 }
 
 void FieldLayer::add_columns(Table& table) const {
@@ -314,13 +391,10 @@ std::string FieldLayer::account(const FieldState& state) const {
 std::string words_of_field(const Scene& scene) {
     const std::optional<Field>& field = scene.film.field;
     if (!field) return "";
-    const Cells cells = square_cells(scene.gas.box, field->cells);
     const Language language = scene.film.language;
-    return say(language,
-               "Field: {}, in {}, averaged over a time of {}; cells with fewer than 3 particles "
-               "are blank",
-               name_of_quantity(language, scene, field->of, field->species),
-               size_of_cells(language, scene.gas.box, cells), plain_number(language, field->over));
+    return say(language, "Field: {}, {}, in {}; cells with fewer than 3 particles are blank",
+               name_of_quantity(language, scene, field->of, field->species), words_of_mean(scene),
+               size_of_cells(language, scene.gas.box, cells_of_field(scene)));
 }
 
 }  // namespace carom

@@ -16,6 +16,10 @@
 
 namespace carom {
 
+/// The cells in which a film's field is measured: square ones or, along directions in which all
+/// places are alike (even_axes()), as long as the box. Requires a field.
+Cells cells_of_field(const Scene& scene);
+
 /// Cells with a lower mean number of particles show nothing.
 inline constexpr double least_in_cell = 3.0;
 
@@ -106,13 +110,17 @@ class FieldLayer {
   private:
     bool is_flow() const { return field_->of == FieldOf::flow; }
     ColorMap colors(const Theme& theme) const;
+    void draw_colors(Canvas& canvas, const DrawContext& dc, const FieldState& state,
+                     const std::function<Rect(const Region&)>& place) const;
     double reach(double scale) const;  ///< pixels of an arrow per unit of speed
+    Eigen::Index measured_in(Eigen::Index square) const;
     void draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, Point velocity,
                    double reach) const;
 
     PanelContext context_;
     const std::optional<Field>& field_;
-    Cells cells_;
+    Cells cells_;    ///< in which it is measured
+    Cells squares_;  ///< in which a flow is drawn
     std::optional<CellQuantity> surveyed_, shown_;
     std::vector<double> pool_;
     int frames_seen_ = 0;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double between_parts = 1.2, before_ramp = 0.5;  // units
 constexpr double ramp_width = 10.6, ramp_height = 0.45;   // units
+constexpr double short_ramp = 8.0;                        // the same, beside two lines
 constexpr double ramp_top = 0.1, ramp_numbers = 1.82;     // units, from the top
 constexpr double only_words = 1.35;                       // the same, to the baseline
 
@@ -26,17 +27,45 @@ void KeyRow::add_words(const std::string& words) {
         [markup, style](Canvas& canvas, Point at) { draw_text(canvas, at, markup, style); });
 }
 
+// In one line or, with the words for a mean, in two of nearly equal length.
+std::vector<std::string> KeyRow::title_of_ramp(const ColorScale& scale, double most) const {
+    const std::string all =
+        scale.mean.empty() ? scale.title : say(scale.language, "{}, {}", scale.title, scale.mean);
+    TextStyle style = label_style(dc_);
+    const double whole = measure_text(escape_markup(all), style).width;
+    for (const double share : {0.5, 0.55, 0.6, 0.65}) {
+        style.max_width = share * whole;
+        if (scale.mean.empty() || style.max_width > most) break;
+        const std::vector<std::string> lines = wrapped(all, style, 3);
+        if (lines.size() == 2) return {escape_markup(lines[0]), escape_markup(lines[1])};
+    }
+    return {escape_markup(scale.title)};
+}
+
 void KeyRow::add_ramp(const ColorMap& map, const ColorScale& scale, double opacity) {
     const double u = dc_.unit;
-    const std::string title = escape_markup(scale.title);
     const TextStyle style = label_style(dc_);
-    const double name = measure_text(title, style).width + before_ramp * u;
     const std::string last = localised(scale.language, marks_of(scale).back().label);
     const double past_end = 0.5 * measure_text(last, style).width;
+    double free = dc_.area.width;
+    for (const Part& part : parts_) free -= part.width + between_parts * u;
+    const std::vector<std::string> title =
+        title_of_ramp(scale, free - (before_ramp + short_ramp) * u - 2.0 * past_end);
+    double name = measure_text(title.front(), style).width + before_ramp * u;
+    if (title.size() > 1) {  // beside the first number
+        const std::string zero = localised(scale.language, marks_of(scale).front().label);
+        name = std::max(name, measure_text(title.back(), style).width + before_ramp * u +
+                                  0.5 * measure_text(zero, style).width);
+    }
+    const double width = title.size() == 1
+                             ? ramp_width * u
+                             : std::clamp(free - name - past_end, short_ramp * u, ramp_width * u);
     const auto draw = [=, dc = dc_](Canvas& canvas, Point at) {
         const double top = dc.area.y + ramp_top * u;
-        draw_text(canvas, {at.x, top + 0.7 * u}, title, style);
-        const double left = at.x + name, width = ramp_width * u;
+        draw_text(canvas, {at.x, top + 0.7 * u}, title.front(), style);
+        if (title.size() > 1)
+            draw_text(canvas, {at.x, dc.area.y + ramp_numbers * u}, title.back(), style);
+        const double left = at.x + name;
         plot::draw_strip(canvas, {left, top, width, ramp_height * u}, [&](double share) {
             return mix(dc.theme.ground, map.at(share), opacity);
         });
@@ -53,7 +82,7 @@ void KeyRow::add_ramp(const ColorMap& map, const ColorScale& scale, double opaci
             end = x + half;
         }
     };
-    add(name + ramp_width * u + past_end, draw);
+    add(name + width + past_end, draw);
 }
 
 // As many parts as have room, and the width of all of them.

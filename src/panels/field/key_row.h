@@ -23,7 +23,8 @@ class KeyRow {
     /// Adds plain words.
     void add_words(const std::string& words);
 
-    /// Adds a ramp of colours with its title before it and its numbers below. With `opacity` below
+    /// Adds a ramp of colours with its title before it and its numbers below. The words for a mean
+    /// follow the title, in a second line, if they fit beside a shorter ramp. With `opacity` below
     /// 1 the colours are blended with the ground.
     void add_ramp(const ColorMap& map, const ColorScale& scale, double opacity = 1.0);
 
@@ -41,6 +42,7 @@ class KeyRow {
         DrawPart draw;
     };
     std::pair<std::size_t, double> shown() const;
+    std::vector<std::string> title_of_ramp(const ColorScale& scale, double most) const;
 
     DrawContext dc_;
     std::vector<Part> parts_;

@@ -68,8 +68,10 @@ void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf&
 
 // They hide nothing of what is behind them.
 void GasPanel::Drawing::draw_outlines() const {
+    constexpr double opacity = 0.55;  // the field is what is to be seen
     const auto color_of = [&](Eigen::Index i) {
-        return gas.seen(edge_of(colors[shade(i)], dc.theme), i, dc.theme.ground);
+        return with_alpha(gas.seen(edge_of(colors[shade(i)], dc.theme), i, dc.theme.ground),
+                          opacity);
     };
     draw_crowd(gas.place, [&](Eigen::Index i) { return rgb_of(color_of(i)); });
     const double line = std::max(1.0, 0.08 * dc.unit);

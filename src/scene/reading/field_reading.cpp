@@ -72,7 +72,10 @@ Binding<Film> field_key() {
         parsed(complete_mapping(table, "{of: density, cells: 20, over: 1}"), field_of);
     return bind_key("field", &Film::field, made,
                     "A quantity in square cells, drawn under the particles, which are then drawn "
-                    "as outlines. Cells with fewer than three particles on average are blank.")
+                    "as dim outlines. Along a direction in which all places of the gas are alike "
+                    "it is the mean over the whole box. Colours go over smoothly from cell to "
+                    "cell, with the mean of each cell kept; tables give the cells. Cells with "
+                    "fewer than three particles on average are blank.")
         .default_text("none");
 }
 

@@ -30,7 +30,8 @@ const std::string three_groups =
 
 Scene scene_with(const std::string& field, const std::string& more = "panels: []",
                  const std::string& gas = three_groups) {
-    return test::scene_from("title: T\nbox: {size: [20, 20]}\n" + gas +
+    const std::string box = gas.starts_with("walls") ? ", " : "}\n";
+    return test::scene_from("title: T\nbox: {size: [20, 20]" + box + gas +
                             "run: {until: 4}\nfilm: {seconds: 1, size: [1280, 720], field: {" +
                             field + "}, " + more + "}\n");
 }
@@ -87,6 +88,7 @@ TEST_CASE("a field shows what is in its cells, and nothing where there are fewer
 
 TEST_CASE("the scale of a field is one for the film, and is read back with it") {
     WholeFilm film(scene_with("of: density, cells: 4, over: 1", "panels: []",
+                              "walls: {left: {temperature: 1}, bottom: {temperature: 1}}}\n"
                               "gas: [{count: 200, radius: 0.1, temperature: 1}]\n"));
     const Recording run = film.record();
     const std::vector<float> values = WholeFilm::last(film.panels, run);
@@ -105,6 +107,35 @@ TEST_CASE("the scale of a field is one for the film, and is read back with it") 
     }
     // All cells are full enough: each has 25, and all together 200 particles.
     CHECK(sum == doctest::Approx(200.0 / 25.0).epsilon(1e-5));
+}
+
+TEST_CASE("along a direction in which all places are alike a field is the mean, and says so") {
+    const auto words_of = [](const std::string& gas) {
+        return words_of_field(scene_with("of: density, cells: 4", "panels: []", gas));
+    };
+    const std::string disks = "gas: [{count: 200, radius: 0.1, temperature: 1}]\n";
+    const Scene scene = scene_with("of: density, cells: 4", "panels: []",
+                                   "walls: {left: {temperature: 4}}}\n" + disks);
+    const test::FirstFrame first(scene);
+    const std::vector<float>& slabs =
+        static_cast<const ParticleState&>(*first.frame.states.front()).field->values;
+    REQUIRE(slabs.size() == 4);
+    std::vector<double> counts(4);
+    Simulation simulation(scene.gas, scene.run);
+    for (const double x : simulation.sample().position.col(0))
+        counts[static_cast<std::size_t>(x / 5.0)] += 1.0;
+    for (std::size_t k = 0; k < 4; ++k)
+        CHECK(slabs[k] == doctest::Approx(counts[k] / (5.0 * 20.0)));
+    CHECK(
+        words_of("walls: {left: {temperature: 4}}}\n" + disks) ==
+        "Field: density, mean over height and the last 0.5, in cells of 5 by 20; cells with fewer "
+        "than 3 particles are blank");
+    CHECK(words_of("walls: {top: {temperature: 4}}}\n" + disks).find("mean over width and") !=
+          std::string::npos);
+    CHECK(words_of(disks).find("mean over the box and the last 0.5, in cells of 20 by 20") !=
+          std::string::npos);
+    CHECK(words_of(three_groups).find("density, mean over the last 0.5, in cells of 5 by 5") !=
+          std::string::npos);
 }
 
 TEST_CASE("disks over a field hide nothing of it") {
@@ -188,10 +219,9 @@ TEST_CASE("a field is listed and told in words") {
     }
     CHECK(cells == 4);
     const std::string words = first.panels.gas().account(*first.frame.states.front());
-    CHECK(
-        words ==
-        "Field: density, in cells of 10 by 10, averaged over a time of 0.5; cells with fewer than "
-        "3 particles are blank. The values are between 0.0400 and 0.120.");
+    CHECK(words ==
+          "Field: density, mean over the last 0.5, in cells of 10 by 10; cells with fewer than 3 "
+          "particles are blank. The values are between 0.0400 and 0.120.");
 }
 
 TEST_CASE("the key of a flow has the numbers of the film's language") {

@@ -34,7 +34,7 @@ struct Fluid {
     }
     double tension() const {
         const double free = 1.0 - packing_fraction();
-        return -density * density / (3.0 * free * free);
+        return -0.5 * density * packing_fraction() / (free * free);
     }
     // Excess number of particles per length of wall, relative to the fluid density up to the line
     // that the centres can reach.
@@ -72,6 +72,37 @@ std::optional<Fluid> fluid_of(EquationOfState equation, const Room& room, double
     return Fluid{equation, 0.5 * (low + high)};
 }
 
+// The fluid that disks of one radius form between their walls; nothing for other particles.
+struct Filled {
+    double diameter;
+    Room room;
+    Fluid fluid;
+
+    /// On a wall across an axis, or through a line across a periodic one.
+    double force(int axis) const {
+        const int other = 1 - axis;
+        const bool has_ends = room.has_walls[static_cast<std::size_t>(other)];
+        return fluid.pressure() * room.reach[other] - (has_ends ? 2.0 * fluid.tension() : 0.0);
+    }
+};
+
+std::optional<Filled> filled(EquationOfState equation, const Box& box, const Particles& particles) {
+    const auto count = static_cast<double>(particles.count());
+    if (box.dimension != 2 || count == 0.0 || !(particles.inverse_mass > 0.0).all())
+        return std::nullopt;
+    const double diameter = 2.0 * particles.radius[0];
+    if (!(diameter > 0.0) || (particles.radius != particles.radius[0]).any()) return std::nullopt;
+    Room room;
+    for (int axis = 0; axis < 2; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        room.has_walls[a] = !box.is_periodic(axis);
+        room.reach[axis] = (box.size[axis] - (room.has_walls[a] ? diameter : 0.0)) / diameter;
+    }
+    if (!(room.reach > 0.0).all()) return std::nullopt;
+    const std::optional<Fluid> fluid = fluid_of(equation, room, count);
+    return fluid ? std::optional(Filled{diameter, room, *fluid}) : std::nullopt;
+}
+
 }  // namespace
 
 double compressibility_factor(EquationOfState equation, double packing_fraction) {
@@ -96,38 +127,32 @@ double pressure_of_points(const Box& box, double thermal_energy) {
 
 std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal) {
+    if (!(thermal.degrees_of_freedom > 0.0)) return std::nullopt;
+    const std::optional<Filled> gas = filled(equation, box, particles);
+    if (!gas) return std::nullopt;
     const auto count = static_cast<double>(particles.count());
-    if (box.dimension != 2 || count == 0.0 || !(thermal.degrees_of_freedom > 0.0) ||
-        !(particles.inverse_mass > 0.0).all())
-        return std::nullopt;
-    const double diameter = 2.0 * particles.radius[0];
-    if (!(diameter > 0.0) || (particles.radius != particles.radius[0]).any()) return std::nullopt;
-    Room room;
-    for (int axis = 0; axis < 2; ++axis) {
-        const auto a = static_cast<std::size_t>(axis);
-        room.has_walls[a] = !box.is_periodic(axis);
-        room.reach[axis] = (box.size[axis] - (room.has_walls[a] ? diameter : 0.0)) / diameter;
-    }
-    if (!(room.reach > 0.0).all()) return std::nullopt;
-    const std::optional<Fluid> fluid = fluid_of(equation, room, count);
-    if (!fluid) return std::nullopt;
 
     // The force on the two walls across each axis divided by their length; without walls the bulk
     // pressure.
     double force = 0.0, length = 0.0;
     for (int axis = 0; axis < 2; ++axis) {
-        const int other = 1 - axis;
-        if (!room.has_walls[static_cast<std::size_t>(axis)]) continue;
-        force += fluid->pressure() * room.reach[other];
-        if (room.has_walls[static_cast<std::size_t>(other)]) force += 2.0 * fluid->tension();
-        length += box.size[other] / diameter;
+        if (!gas->room.has_walls[static_cast<std::size_t>(axis)]) continue;
+        force += gas->force(axis);
+        length += box.size[1 - axis] / gas->diameter;
     }
-    const double in_units = length > 0.0 ? force / length : fluid->pressure();
+    const double in_units = length > 0.0 ? force / length : gas->fluid.pressure();
     // Where momentum is conserved, the thermal energy is less than that of N particles at this
     // temperature.
     const double temperature = thermal.temperature();
     const double missing = count * temperature - thermal.energy;
-    return temperature * in_units / (diameter * diameter) - missing / (box.size[0] * box.size[1]);
+    return temperature * in_units / (gas->diameter * gas->diameter) -
+           missing / (box.size[0] * box.size[1]);
+}
+
+std::optional<double> force_of_disks(EquationOfState equation, const Box& box,
+                                     const Particles& particles, int axis) {
+    const std::optional<Filled> gas = filled(equation, box, particles);
+    return gas ? std::optional(gas->force(axis) / gas->diameter) : std::nullopt;
 }
 
 std::optional<double> pressure_of_rods(const Box& box, const Particles& particles,

@@ -39,16 +39,21 @@ double pressure_of_points(const Box& box, double thermal_energy);
 /// state; the masses do not matter. Returns nothing on a line, and unless all disks have the same
 /// radius and finite masses and form a fluid.
 ///
-/// The effect of solid sides is that of a surface tension gamma at the line that the centres can
-/// reach. Each such wall adds -rho d(gamma)/d(P) particles per length to the number that fill the
-/// area accessible to the centres at the density of the fluid, and it adds gamma to the force on
-/// the walls at its ends. With the diameter sigma, the number density rho and the packing fraction
-/// eta, gamma / T = -sigma^3 rho^2 / (3 (1 - eta)^2): exact to second order in the density, with
-/// the dependence on eta from scaled-particle theory (Helfand, Frisch and Lebowitz, J. Chem. Phys.
-/// 34, 1037, 1961). The pressure is within 1 % up to a packing fraction of 0.5 for boxes 20
-/// diameters wide.
+/// The effect of solid sides is that of a tension gamma of the line that the centres can reach.
+/// Each such wall adds -rho d(gamma)/d(P) particles per length to the number that fill the area
+/// accessible to the centres at the density of the fluid. With the grand potential -P A + gamma
+/// times the perimeter of this area, it takes gamma from the force on the walls at its ends. With
+/// the diameter sigma, the number density rho and the packing fraction eta, gamma / T = -sigma rho
+/// eta / (2 (1 - eta)^2) by scaled-particle theory (Helfand, Frisch and Lebowitz, J. Chem. Phys.
+/// 34, 1037, 1961): the work of making a large empty circle less that of P times its area. The
+/// pressure is within 1 % up to a packing fraction of 0.5 for boxes 13 diameters wide.
 std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal);
+
+/// The mean force of such a gas on each side across an axis, or through a line across a periodic
+/// axis, divided by the temperature: 1/length. Returns nothing where pressure_of_disks() does.
+std::optional<double> force_of_disks(EquationOfState equation, const Box& box,
+                                     const Particles& particles, int axis);
 
 /// The pressure of beads on a line, which is a force: that of points on the length that the rods
 /// leave free (Tonks, Phys. Rev. 50, 955, 1936), exact for any number of beads. Returns nothing in

@@ -288,12 +288,14 @@ std::vector<PanelKind> all_kinds() {
          .has_plot = false},
         {.name = "pressure-volume",
          .words = Phrase{"pressure and volume"},
-         .shows = "The pressure on a moving wall against the area, as a path; if the gas fills the "
-                  "area and there is no gravity, with the isotherm and the adiabat of an ideal gas "
-                  "from the same start.",
+         .shows =
+             "The pressure on a moving wall against the area, as a path; if the gas fills the "
+             "area and there is no gravity, with the isotherm and the adiabat of hard disks or "
+             "rods from the same start; where the radii of disks differ or they are very "
+             "few, with those of an ideal gas.",
          .make = make_pressure_volume,
          .abilities = {over, theory, comparison},
-         .keys = surfaces_key(),
+         .keys = pressure_volume_keys(),
          .rule = check_pressure_volume,
          .laws = always(LawOf::isotherm)},
         {.name = "piston",

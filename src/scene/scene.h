@@ -239,6 +239,7 @@ struct PanelSpec {
     PartMeasure measure = PartMeasure::count;
     EntropyOf entropy_of = EntropyOf::velocities;
     bool gauge = false;                     ///< a pressure: a dial instead of a plot
+    std::vector<double> levels = {};        ///< pressure and volume: lines, in units of the start
     std::optional<CountingLine> line = {};  ///< crossings: the line that replaces a partition
     std::optional<Counted> counted = {};    ///< none: depends on the surfaces
     Carried carried = Carried::particles;   ///< of a flux

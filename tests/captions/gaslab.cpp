@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "captions/claims.h"
+#include "physics/theory/law.h"
 
 namespace carom::test {
 
@@ -22,6 +23,22 @@ Reading heat_of_three_walls() {
     }};
 }
 
+// The temperature to which slow work brings the gas under the piston of a scene, from its start.
+double adiabat_at(const Course& course, double height) {
+    const BoxedGas gas(course.scene.gas.box, course.scene.run.events, course.particles,
+                       course.moments.front().sample);
+    return law(gas, LawOf::adiabat, {.surface = 3, .lengths = {height}}).temperatures.at(0);
+}
+Measure adiabat(double height) {
+    return {[=](const Course& course) { return adiabat_at(course, height); }};
+}
+Reading by_adiabat() {
+    return {[](const Course& course, const Moment& moment) {
+        return temperature().of(course, moment) /
+               adiabat_at(course, place_of_surface(3).of(course, moment));
+    }};
+}
+
 std::vector<SceneClaims> claims_of_pistons() {
     const Measure coldest = at(0.0, temperature());
     return {
@@ -33,6 +50,7 @@ std::vector<SceneClaims> claims_of_pistons() {
           {"becomes three times as hot", highest(0, 68, temperature()) / coldest, about(3.0)},
           {"two fifths of its room left at the lowest",
            (1.0 / 38.0) * lowest(0, 68, place_of_surface(3)), exactly(0.4, 0.05)},
+          {"as the adiabat of hard disks demands", at(30.4, by_adiabat()), about(1.0)},
           {"Then it rises again, and the gas cools", at(60, temperature()) / coldest, about(1.1)},
           {"gets back going up, nearly all of it", (1.0 / 38.0) * at(61, place_of_surface(3)),
            nearly_all_of(1.0)},
@@ -76,7 +94,10 @@ std::vector<SceneClaims> claims_of_pistons() {
           {"goes down to 16/44 of the room", (1.0 / 44.0) * lowest(0, 33, place_of_surface(3)),
            exactly(16.0 / 44.0, 0.005)},
           {"they would come from 50 to 137.5", coldest, exactly(50.0)},
-          {"and become hotter", (1.0 / 137.5) * at(14, temperature()), at_least(1.05)}}},
+          {"their adiabat leads to 158", adiabat(16), exactly(158.0, 0.5)},
+          {"makes them a little hotter still", at(14, by_adiabat()), {1.0, 1.1}},
+          {"Going down, the gas stays near the adiabat", highest(0, 14, by_adiabat()),
+           about(1.0)}}},
     };
 }
 

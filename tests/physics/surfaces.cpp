@@ -455,3 +455,36 @@ TEST_CASE("disks meet one another wherever the walls have gone") {
     }
     CHECK(farthest > 40.0);
 }
+
+TEST_CASE("disks that a slow wall squeezes to half their room follow the adiabat of hard disks") {
+    // Walls of two speeds, extrapolated to a wall without speed. An ideal gas would come to twice
+    // its temperature.
+    constexpr int count = 100, runs = 32;
+    constexpr double size = 20.0;
+    double expected = 0.0;
+    const auto hotter = [&](double speed, std::uint64_t seed) {
+        Gas gas;
+        gas.seed = seed;
+        gas.box.size = {size, size};
+        gas.box.surfaces.sides[3] = Driven{-speed, 0.5 * size / speed};
+        gas.species = {
+            {.name = "", .count = count, .radius = 0.5, .velocity = Temperature{1.0, true}}};
+        Simulation simulation(gas, {});
+        const BoxedGas boxed(gas.box, {}, simulation.particles(), simulation.sample());
+        const Law adiabat = law(boxed, LawOf::adiabat, {.surface = 3, .lengths = {0.5 * size}});
+        expected = adiabat.temperatures[0] / boxed.thermal.temperature();
+        const double before = simulation.energy_account().kinetic;
+        simulation.advance_to(0.5 * size / speed);
+        return simulation.energy_account().kinetic / before;
+    };
+    std::vector<double> found;
+    for (std::uint64_t seed = 1; seed <= runs; ++seed)
+        found.push_back(2.0 * hotter(0.02, seed) - hotter(0.04, seed + runs));
+    const test::Estimate ratio = test::estimate(found);
+    CAPTURE(ratio.mean);
+    CAPTURE(ratio.error);
+    CAPTURE(expected);
+    CHECK(expected > 2.5);
+    CHECK(std::abs(ratio.mean / expected - 1.0) < 0.005 + 5.0 * ratio.error / expected);
+    CHECK(ratio.error < 0.004 * expected);
+}

@@ -30,6 +30,16 @@ std::vector<Binding<PanelSpec>> pressure_keys() {
                              "gauges: one for each surface, or one for all walls.")});
 }
 
+std::vector<Binding<PanelSpec>> pressure_volume_keys() {
+    return joined<PanelSpec>(
+        surfaces_key(),
+        std::vector{bind_key("levels", &PanelSpec::levels,
+                             list_of(number(positive), 1, most_chosen, "a list of numbers"),
+                             "Multiples of the pressure *p* of the start, by theory, at which "
+                             "lines are drawn: [1, 2] for *p* and 2 *p*.")
+                        .default_text("none")});
+}
+
 std::vector<Binding<PanelSpec>> flux_keys() {
     return joined<PanelSpec>(
         line_keys(),

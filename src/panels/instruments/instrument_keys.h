@@ -9,6 +9,7 @@
 namespace carom {
 
 std::vector<Binding<PanelSpec>> surfaces_key();
+std::vector<Binding<PanelSpec>> pressure_volume_keys();
 std::vector<Binding<PanelSpec>> pressure_keys();
 std::vector<Binding<PanelSpec>> flux_keys();
 std::vector<Binding<PanelSpec>> counter_keys();

@@ -1,5 +1,7 @@
 // The pressure on a moving wall against the area that the walls enclose, as a path; with the
-// isotherm and the adiabat of an ideal gas through its start.
+// isotherm and the adiabat of the gas through its start.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,20 +24,48 @@ constexpr std::size_t longest_path = 5000;  // points: drawing must not grow wit
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
 const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::highlight}, .dashes = {0.5, 0.3}};
 
-// The path of a run, and where an ideal gas would start.
+// From its start, at areas that go from an eighth to eight times that: the isotherm and the adiabat
+// of hard disks or rods; those of an ideal gas where theory knows none of these.
+struct Compression {
+    std::vector<double> area = {}, isotherm = {}, adiabat = {};  // empty: none is known
+    double start = 0.0;                                          // pressure there
+    bool is_ideal = false;
+    void archive(Archive& archive) { archive(area, isotherm, adiabat, start, is_ideal); }
+    bool operator==(const Compression&) const = default;
+};
+
+Compression compression_of(const PanelContext& context, std::int32_t surface) {
+    constexpr int steps = 150;  // in either direction
+    const Box& box = context.scene.gas.box;
+    if (!Surfaces::is_side(surface)) return {};
+    const int axis = box.surfaces.axis_of(surface);
+    const double width = box.dimension == 1 ? 1.0 : box.length(1 - axis);
+    Compression found;
+    Asked asked{.surface = surface};
+    for (int i = -steps; i <= steps; ++i)
+        asked.lengths.push_back(box.length(axis) * std::pow(8.0, double(i) / steps));
+    if (!law(context.gas, LawOf::adiabat, asked)) asked.as_points = found.is_ideal = true;
+    const Law isotherm = law(context.gas, LawOf::isotherm, asked);
+    const Law adiabat = law(context.gas, LawOf::adiabat, asked);
+    if (!isotherm || !adiabat) return {};
+    for (std::size_t i = 0; i < asked.lengths.size(); ++i) {
+        if (!std::isfinite(isotherm.curve[i]) || !std::isfinite(adiabat.curve[i])) continue;
+        found.area.push_back(asked.lengths[i] * width);
+        found.isotherm.push_back(isotherm.curve[i]);
+        found.adiabat.push_back(adiabat.curve[i]);
+    }
+    found.start = isotherm.curve[steps];
+    return found;
+}
+
+// The path of a run, and what theory knows of it.
 struct PressureVolumeRun {
     std::string name = {};                                    // among compared runs
     std::vector<double> time = {}, area = {}, pressure = {};  // at samples; NaN: none
     std::vector<double> frame_time = {}, frame_area = {}, frame_pressure = {};  // at frames
-    double work = 0.0;     // number of particles times temperature
-    double start = 0.0;    // area at the start
-    bool has_law = false;  // that of an ideal gas
+    Compression theory = {};
     void archive(Archive& archive) {
-        archive(name, time, area, pressure, frame_time, frame_area, frame_pressure, work, start,
-                has_law);
-    }
-    bool begins_as(const PressureVolumeRun& other) const {
-        return work == other.work && start == other.start;
+        archive(name, time, area, pressure, frame_time, frame_area, frame_pressure, theory);
     }
 };
 
@@ -56,14 +86,12 @@ PressureVolumeRecord compare(std::vector<PressureVolumeRecord> records,
 }
 
 plot::Line curve(const plot::Plot& plot, const char* name, const plot::Stroke& stroke,
-                 const std::function<double(double)>& pressure) {
-    constexpr int steps = 200;
+                 const std::vector<double>& area, const std::vector<double>& pressure) {
     std::vector<double> across, up;
-    for (int i = 0; i <= steps; ++i) {
-        const double area = plot.x.low + (plot.x.high - plot.x.low) * i / steps;
-        if (!(area > 0.0)) continue;
-        across.push_back(area);
-        up.push_back(pressure(area));
+    for (std::size_t i = 0; i < area.size(); ++i) {
+        if (area[i] < plot.x.low || area[i] > plot.x.high) continue;
+        across.push_back(area[i]);
+        up.push_back(pressure[i]);
     }
     plot::Line line;
     line.part = "theory";
@@ -103,7 +131,7 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
         return over().since != Over::Since::window || time >= (1.0 - 1e-9) * over().window;
     }
     void make_axes() override;
-    void add_curves();
+    void add_curves(const Compression& theory);
     plot::Line path_of(std::size_t run, std::size_t shown) const;
 
     PanelContext context_;
@@ -116,12 +144,8 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
 void PressureVolumePanel::survey(const FrameInput& input) {
     PressureVolumeRun& run = record_.runs.front();
     const double area = enclosed_area(box(), input.advanced.surfaces);
-    if (run.frame_area.empty() && run.area.empty()) {
-        const auto finite = static_cast<double>((context_.particles.inverse_mass > 0.0).count());
-        run.work = finite * thermal_motion(box(), context_.particles, input.sample).temperature();
-        run.start = area;
-        run.has_law = bool(law(context_.gas, LawOf::isotherm));
-    }
+    if (run.frame_area.empty() && run.area.empty())
+        run.theory = compression_of(context_, spec_.surfaces.front());
     double pressure = meter_(input).front();
     if (!is_measured(input.tick.time)) pressure = std::numeric_limits<double>::quiet_NaN();
     if (input.is_sample) {
@@ -174,26 +198,47 @@ void PressureVolumePanel::make_axes() {
     std::vector<std::string> names;
     for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);
     if (record_.compares()) plot::name_runs(whole_, std::move(names));
-    const bool have_one_law = std::ranges::all_of(record_.runs, [&](const PressureVolumeRun& run) {
-        return run.has_law && run.begins_as(record_.runs.front());
-    });
-    if (spec_.theory && have_one_law) add_curves();
+    const Compression& theory = record_.runs.front().theory;
+    const bool have_one_law = std::ranges::all_of(
+        record_.runs, [&](const PressureVolumeRun& run) { return run.theory == theory; });
+    if (spec_.theory && have_one_law && !theory.area.empty()) add_curves(theory);
 }
 
-void PressureVolumePanel::add_curves() {
-    const double work = record_.runs.front().work, area = record_.runs.front().start;
-    const double exponent = (box().dimension + 2.0) / box().dimension;
+void PressureVolumePanel::add_curves(const Compression& theory) {
     const Language language = context_.language();
+    for (const double times : spec_.levels) {
+        plot::Level level;
+        level.part = "level";
+        level.still = true;
+        level.depth = 3;
+        level.column = whole_.columns[1];
+        level.x_column = whole_.columns[0];
+        level.value = times * theory.start;
+        level.stroke.role = {.of = plot::Role::Of::accent};
+        level.label = plot::Label{};
+        level.label->still = true;
+        level.label->role = level.stroke.role;
+        const std::string p = "<i>p</i>";
+        level.label->words = {plot::Text(
+            times == 1.0 ? p : localised(language, fmt::format("{:g}", times)) + "\u2009" + p)};
+        for (const double share : {0.9, 0.03, 0.7, 0.5, 0.3})
+            level.label->anchors.push_back(
+                {.at = {whole_.x.low + share * (whole_.x.high - whole_.x.low), level.value},
+                 .offset = {0.0, -0.4},
+                 .is_inside = true});
+        whole_.layers.emplace_back(std::move(level));
+        whole_.y.high = std::max(whole_.y.high, round_up_for_axis(1.05 * times * theory.start));
+    }
     whole_.layers.emplace_back(
-        curve(whole_, "isotherm", of_isotherm, [=](double its) { return work / its; }));
-    whole_.layers.emplace_back(curve(whole_, "adiabat", of_adiabat, [=](double its) {
-        return work / area * std::pow(area / its, exponent);
-    }));
-    const plot::Text isotherm = say(language, "isotherm");
-    const plot::Text of_ideal_gas =
-        plot::text_of(language, Phrase{"{}, {}"}, {say(language, "ideal gas"), isotherm});
-    whole_.notes.push_back({.entries = {{of_isotherm, {of_ideal_gas, isotherm}},
-                                        {of_adiabat, {plot::Text(say(language, "adiabat"))}}},
+        curve(whole_, "isotherm", of_isotherm, theory.area, theory.isotherm));
+    whole_.layers.emplace_back(curve(whole_, "adiabat", of_adiabat, theory.area, theory.adiabat));
+    const bool is_line = box().dimension == 1;
+    const Phrase gas = theory.is_ideal ? Phrase{"ideal gas"}
+                       : is_line       ? Phrase{"hard rods"}
+                                       : Phrase{"hard disks"};
+    whole_.notes.push_back({.entries = {{{}, {say(language, gas)}},
+                                        {of_isotherm, {say(language, "isotherm")}},
+                                        {of_adiabat, {say(language, "adiabat")}}},
                             .wraps = true});
 }
 

@@ -46,7 +46,9 @@ enum class LawOf {
     side_energy,       ///< mean energy there
     side_temperature,  ///< temperature there, with Law::deviation
     piston,            ///< place of a free side over an ideal gas (piston_law.h)
-    isotherm,          ///< isotherm and adiabat of an ideal gas through the start
+    isotherm,          ///< pressure on a side at Asked::lengths, at the temperature of the start:
+                       ///< Law::curve; for disks by equations of state
+    adiabat,           ///< the same after slow work without heat, with Law::temperatures
     heights,           ///< density of an ideal gas along Asked::axis under gravity: Law::curve
     error_growth,      ///< bits that small differences gain per collision; a fit (error_growth.h)
 };
@@ -64,6 +66,8 @@ struct Asked {
     std::optional<double> at = {};          ///< place of a line across `axis`
     bool is_whole_line = true;              ///< from wall to wall
     bool ends_at_walls = false;             ///< free flights
+    std::vector<double> lengths = {};       ///< of the box across `surface`, in rising order
+    bool as_points = false;                 ///< an ideal gas in place of disks or rods that collide
     EquationOfState equation = EquationOfState::kolafa_rottner;  ///< of disks
 };
 
@@ -75,7 +79,8 @@ struct Law {
     double deviation = 0.0;  ///< standard deviation of single values about it; 0: unknown
     double energy = std::numeric_limits<double>::quiet_NaN();  ///< carried by a flux
     std::optional<EquilibriumGas> equilibrium = {};
-    std::vector<double> curve = {};
+    std::vector<double> curve = {};         ///< NaN where theory ends
+    std::vector<double> temperatures = {};  ///< along an adiabat
 
     explicit operator bool() const { return !none; }
 };

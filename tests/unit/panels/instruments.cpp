@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/relative.h"
 #include "support/seen_panel.h"
 
 using namespace carom;
@@ -354,12 +355,22 @@ TEST_CASE("a piston swings with the period of a column of gas that it closes") {
     CHECK(period_of_piston(30'000, 0.02, 10.0).second > 900.0);
 }
 
-TEST_CASE("pressure against area begins at the box, with the ideal gas from there") {
+// The longest name of an entry of the first note.
+std::string name_in_note(const plot::Plot& plot, std::size_t entry) {
+    std::string all;
+    for (const auto& piece : plot.notes.at(0).entries.at(entry).words.front().pieces)
+        all += piece.markup;
+    return all;
+}
+
+TEST_CASE("pressure against area begins at the box, with the ideal gas of disks that differ") {
     const Seen seen(
         "box: {size: [10, 14], walls: {top: {velocity: -0.5}}}\n"
-        "gas: [{name: a, count: 20, radius: 0.01, temperature: {exact: 2}}]\n"
+        "gas: [{name: a, count: 10, radius: 0.01, temperature: {exact: 2}}, "
+        "{name: b, count: 10, radius: 0.02, temperature: {exact: 2}}]\n"
         "run: {until: 8}\nfilm: {seconds: 8, panels: [pressure-volume]}\n");
     const plot::Plot plot = seen.plot();
+    CHECK(name_in_note(plot, 0) == "ideal gas");
     std::size_t found = 0;
     for (const auto& layer : plot.layers) {
         const auto* line = std::get_if<plot::Line>(&layer);
@@ -387,6 +398,33 @@ TEST_CASE("pressure against area begins at the box, with the ideal gas from ther
         for (const auto& layer : without.layers)
             if (const auto* line = std::get_if<plot::Line>(&layer)) CHECK(line->part != "theory");
     }
+}
+
+TEST_CASE("equal disks have their own isotherm and adiabat, and lines at multiples of the start") {
+    const Seen seen(
+        "box: {size: [60, 44], walls: {top: {velocity: -2}}}\n"
+        "gas: [{name: a, count: 200, radius: 0.34, temperature: {exact: 50}}]\n"
+        "run: {until: 14}\n"
+        "film: {seconds: 8, panels: [{kind: pressure-volume, levels: [1, 2.5]}]}\n");
+    const plot::Plot plot = seen.plot();
+    CHECK(name_in_note(plot, 0) == "hard disks");
+    // Of points at the start 200 * 50 / (60 * 44), and more for the room that disks take up: the
+    // pressure times the area, and the density with Z = 1.0594 of Kolafa and Rottner at 0.0285.
+    const double ideal = 200 * 50.0 / (60 * 44);
+    std::vector<double> levels;
+    for (const auto& layer : plot.layers) {
+        if (const auto* level = std::get_if<plot::Level>(&layer)) levels.push_back(level->value);
+        const auto* line = std::get_if<plot::Line>(&layer);
+        if (line == nullptr || line->of != "adiabat") continue;
+        // By the same equation, integrated elsewhere: 157.6 at a height of 16, where the pressure
+        // is 40.2; of points it would be 137.5 and 28.65.
+        const auto at = std::ranges::lower_bound(line->x, 960.0) - line->x.begin();
+        CHECK(line->y[std::size_t(at)] == test::relative(40.2, 0.04));
+    }
+    REQUIRE(levels.size() == 2);
+    CHECK(levels[0] == test::relative(ideal * 1.075, 0.015));
+    CHECK(levels[1] == test::relative(2.5 * levels[0], 1e-12));
+    CHECK(plot.y.high > levels[1]);
 }
 
 TEST_CASE("the path of pressure and area begins when its window is full") {

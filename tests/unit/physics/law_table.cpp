@@ -216,8 +216,13 @@ const std::map<LawOf, std::string>& table() {
         {LawOf::isotherm,
          "yes yes yes yes gravity fixed_particles moving_infinite_mass yes yes yes yes "
          "partitions partitions partitions obstacles yes partitions partitions yes "
-         "keeps_axes no_freedom obstacles obstacles obstacles yes yes no_finite_mass "
-         "at_rest yes points gravity yes yes yes yes yes yes yes yes"},
+         "keeps_axes no_freedom obstacles obstacles obstacles few yes no_finite_mass "
+         "at_rest yes points gravity yes yes yes yes yes yes yes driven"},
+        {LawOf::adiabat,
+         "yes yes yes yes gravity fixed_particles moving_infinite_mass yes yes yes yes "
+         "partitions partitions partitions obstacles yes partitions partitions yes "
+         "keeps_axes no_freedom obstacles obstacles obstacles few yes no_finite_mass "
+         "at_rest yes points gravity yes yes yes yes yes yes yes driven"},
         {LawOf::heights,
          "no_gravity no_gravity no_gravity no_gravity yes no_gravity "
          "moving_infinite_mass bath bath driven piston membrane partitions partitions "

@@ -20,6 +20,10 @@ inline bool are_equal(const Eigen::ArrayXd& values) { return (values == values[0
 /// The particles of finite mass among those asked for.
 std::vector<Eigen::Index> members(const BoxedGas& gas, const Asked& asked);
 
+/// Whether theory for many particles errs too much for so few, where interactions make a pressure
+/// so many times that of an ideal gas.
+bool is_few(double relative_to_ideal, double count);
+
 /// Whether a particle ever moves.
 bool moves(const BoxedGas& gas);
 
@@ -54,10 +58,11 @@ Law free_flight(const BoxedGas& gas, const Asked& asked);
 Law memoryless(const BoxedGas& gas, const Asked& asked);
 Law error_growth(const BoxedGas& gas, const Asked& asked);
 
-// Walls and lines (walls.cpp).
+// Walls and lines (walls.cpp, compression.cpp).
 Law flux(const BoxedGas& gas, const Asked& asked);
 Law gap_flux(const BoxedGas& gas, const Asked& asked);
 Law piston(const BoxedGas& gas, const Asked& asked);
 Law isotherm(const BoxedGas& gas, const Asked& asked);
+Law adiabat(const BoxedGas& gas, const Asked& asked);
 
 }  // namespace carom::laws

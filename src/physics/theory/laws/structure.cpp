@@ -11,14 +11,6 @@
 namespace carom::laws {
 namespace {
 
-// What interactions add to an estimate for many particles errs by about its share in one of them;
-// beyond this relative error of the whole it is not given.
-constexpr double most_error = 0.015;
-
-bool is_few(double relative_to_ideal, double count) {
-    return std::abs(1.0 - 1.0 / relative_to_ideal) / count > most_error;
-}
-
 std::optional<NoLaw> why_not_still(const BoxedGas& gas) {
     if (const auto reason = first_of(gas, {Why::moving_infinite_mass, Why::driven, Why::piston,
                                            Why::membrane, Why::gravity}))
@@ -27,6 +19,13 @@ std::optional<NoLaw> why_not_still(const BoxedGas& gas) {
 }
 
 }  // namespace
+
+// What interactions add to an estimate for many particles errs by about its share in one of them;
+// beyond this relative error of the whole it is not given.
+bool is_few(double relative_to_ideal, double count) {
+    constexpr double most_error = 0.015;
+    return std::abs(1.0 - 1.0 / relative_to_ideal) / count > most_error;
+}
 
 // Walls and collisions give the same pressure only if the motion along both axes has the same
 // energy: a single particle keeps that along each axis, and of few particles whose momentum is

@@ -108,18 +108,4 @@ Law piston(const BoxedGas& gas, const Asked& asked) {
     return gas.has_points() ? none(Why::points) : Law{};
 }
 
-// Through the start, whatever moves the wall: only a gas that fills the area, with energy that its
-// motion along all axes shares.
-Law isotherm(const BoxedGas& gas, const Asked&) {
-    if (const auto reason =
-            first_of(gas, {Why::moving_infinite_mass, Why::partitions, Why::obstacles, Why::gravity,
-                           Why::no_finite_mass, Why::fixed_particles}))
-        return none(*reason);
-    if (!(gas.energy > 0.0)) return none(Why::at_rest);
-    if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
-    if (gas.box.dimension == 1) return {};
-    if (gas.finite == 1.0) return none(Why::keeps_axes);
-    return gas.has_points() ? none(Why::points) : Law{};
-}
-
 }  // namespace carom::laws

@@ -218,7 +218,9 @@ std::vector<PanelKind> all_kinds() {
          .laws = always(LawOf::distribution)},
         {.name = "position-histogram",
          .words = Phrase{"position histogram"},
-         .shows = "A histogram of the positions along one axis.",
+         .shows = "A histogram of the positions along one axis; on a Galton board of pegs with the "
+                  "binomial distribution that balls would have if each row sent them to the left "
+                  "or to the right independently.",
          .make = make_position_histogram,
          .abilities = {bars, of, over, component, means, comparison},
          .keys = samples_key(),

@@ -178,6 +178,7 @@ HistogramRules HistogramPanel::rules() const {
     // mean over time has its own axis.
     rules.only_last = shows_one_mean();
     if (!spec_.theory) return rules;
+    if (choices_.size() == 1 && !record_.compares) rules.shares = subject_.shares;
     rules.density = subject_.density;
     rules.probability = subject_.probability;
     return rules;

@@ -43,6 +43,10 @@ struct HistogramSubject {
     std::function<double(const EquilibriumGas& gas, double low, double high)> probability =
         {};  ///< of a value between `low` and `high`; needed if the density is not finite
              ///< everywhere
+    std::vector<std::pair<double, double>> shares =
+        {};  ///< instead of a density: values at equal distances and their shares
+    Phrase curve = Phrase{"equilibrium"};  ///< its name
+    Phrase short_curve = Phrase{"equilibrium"};
     bool symmetric = false;  ///< about 0; otherwise values are never negative
     std::optional<std::pair<double, double>> extent =
         {};  ///< range of all values; none: determined from the run

@@ -300,7 +300,8 @@ std::optional<plot::Label> HistogramPanel::name_of_curve() const {
     plot::Label label;
     label.still = true;
     label.role = {Role::Of::accent};
-    label.words = {say(context_.language(), "equilibrium")};
+    label.words = {say(context_.language(), subject_.curve),
+                   say(context_.language(), subject_.short_curve)};
     const auto peak =
         static_cast<std::size_t>(std::ranges::max_element(curve.count) - curve.count.begin());
     constexpr int places = 14;

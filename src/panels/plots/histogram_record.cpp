@@ -164,6 +164,11 @@ double expected_share(const HistogramRules& rules, const EquilibriumGas& gas, do
 HistogramCurve curve_of(const HistogramSeries& series, const HistogramRules& rules,
                         const Bins& bins) {
     HistogramCurve curve;
+    for (const auto& [value, share] : rules.shares) {
+        const double distance = rules.shares[1].first - rules.shares[0].first;
+        curve.value.push_back(value);
+        curve.count.push_back(series.unit * series.values() * share * bins.width() / distance);
+    }
     if (!rules.density || series.equilibria.empty()) return curve;
     constexpr int points = 240;  // so that no corners are seen where a curve turns
     const double first = bins.low + (rules.probability ? 0.5 * bins.width() : 0.0);

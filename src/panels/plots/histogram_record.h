@@ -86,6 +86,8 @@ struct HistogramRules {
     std::function<double(const EquilibriumGas&, double low, double high)> probability =
         {};  ///< of a value between `low` and `high`; needed if the density is not finite
              ///< everywhere
+    /// Instead: values at equal distances and their shares.
+    std::vector<std::pair<double, double>> shares = {};
 };
 
 /// What is the same for a whole film, or for all runs of a figure.

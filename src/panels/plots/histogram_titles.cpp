@@ -74,7 +74,7 @@ plot::Text HistogramPanel::add_titles() {
         if (!axes_.has_curves()) return both(apart, what, when);
         if (count() > 1)
             return both(aside, both(apart, what, when), say(language, "lines: equilibrium"));
-        const Text curve = named(say(language, "equilibrium"), {Role::Of::accent});
+        const Text curve = named(say(language, subject_.curve), {Role::Of::accent});
         return both(apart, what, both(Phrase{"{} / {}"}, when, curve));
     };
     if (spec_.title) {

@@ -23,6 +23,13 @@ std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, cons
         .position_axis = axis,
         .means = false,
         .unit = reduced::length};
+    const Law board = law(context.gas, LawOf::binomial, {.axis = static_cast<int>(axis)});
+    for (std::size_t k = 0; k < board.places.size(); ++k)
+        subject.shares.emplace_back(board.places[k], board.curve[k]);
+    if (board) {
+        subject.curve = Phrase{"binomial: independent choices"};
+        subject.short_curve = Phrase{"binomial"};
+    }
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }
 

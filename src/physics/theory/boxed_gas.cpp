@@ -225,6 +225,8 @@ BoxedGas::BoxedGas(const Box& its_box, const std::vector<RunEvent>& events,
         const auto lowest = gravity < 0.0 ? particles->radius : box.size[axis] - particles->radius;
         falling_energy -= gravity * (masses * (start.position.col(axis) - lowest)).sum();
     }
+    for (Eigen::Index axis = 0; axis < start.position.cols() && particles->count() > 0; ++axis)
+        mean_place[axis] = start.position.col(axis).mean();
     drifts = 0.5 * mass * drift.square().sum() > negligible_share * energy;
     if (box.dimension == 1) line = start;
     no_equilibrium = why_not(*this);

@@ -55,10 +55,11 @@ struct BoxedGas {
     double energy = 0.0;                              ///< kinetic, of finite masses
     double falling_energy = 0.0;                      ///< of gravity, from the lowest place of each
     ThermalMotion thermal;
-    Eigen::Array2d drift{0.0, 0.0};  ///< of the centre of mass, where it is conserved
-    bool drifts = false;             ///< more than round-off does
-    Sample line;                     ///< the start of beads on a line; empty in a plane
-    bool is_placed = false;          ///< whether positions are known
+    Eigen::Array2d drift{0.0, 0.0};       ///< of the centre of mass, where it is conserved
+    bool drifts = false;                  ///< more than round-off does
+    Eigen::Array2d mean_place{0.0, 0.0};  ///< of all particles, at the start
+    Sample line;                          ///< the start of beads on a line; empty in a plane
+    bool is_placed = false;               ///< whether positions are known
     std::optional<NoLaw> no_equilibrium = NoLaw{NoLaw::Why::unknown_gas};
     std::optional<EquilibriumGas> equilibrium;  ///< of all finite masses; none if no_equilibrium
 

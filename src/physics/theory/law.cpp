@@ -22,7 +22,8 @@ constexpr std::array<LawFunction, laws_count> functions{
     laws::free_flight,      laws::memoryless,       laws::flux,
     laws::gap_flux,         laws::side_count,       laws::side_energy,
     laws::side_temperature, laws::piston,           laws::isotherm,
-    laws::adiabat,          laws::heights,          laws::error_growth};
+    laws::adiabat,          laws::binomial,         laws::heights,
+    laws::error_growth};
 
 }  // namespace
 

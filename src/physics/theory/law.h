@@ -49,6 +49,8 @@ enum class LawOf {
     isotherm,          ///< pressure on a side at Asked::lengths, at the temperature of the start:
                        ///< Law::curve; for disks by equations of state
     adiabat,           ///< the same after slow work without heat, with Law::temperatures
+    binomial,          ///< places of points that a Galton board sends left or right at each row
+                       ///< anew: Law::places and their shares, Law::curve; an idealisation
     heights,           ///< density of an ideal gas along Asked::axis under gravity: Law::curve
     error_growth,      ///< bits that small differences gain per collision; a fit (error_growth.h)
 };
@@ -80,6 +82,7 @@ struct Law {
     double energy = std::numeric_limits<double>::quiet_NaN();  ///< carried by a flux
     std::optional<EquilibriumGas> equilibrium = {};
     std::vector<double> curve = {};         ///< NaN where theory ends
+    std::vector<double> places = {};        ///< at equal distances
     std::vector<double> temperatures = {};  ///< along an adiabat
 
     explicit operator bool() const { return !none; }

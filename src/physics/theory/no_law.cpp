@@ -64,6 +64,7 @@ constexpr std::array words{
     Phrase{"there are too many kinds of particles"},
     Phrase{"walls reflect the particle without ending its flight"},
     Phrase{"the obstacles are not disks that leave room between them"},
+    Phrase{"the obstacles are not staggered rows of pegs under gravity"},
     Phrase{"there have been no collisions yet"},
     Phrase{"there have been too few collisions"}};
 static_assert(words.size() == reasons_count);

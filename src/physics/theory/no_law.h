@@ -75,6 +75,7 @@ struct NoLaw {
         many_kinds,  ///< of masses and radii
         flies_on,    ///< walls that do not end a flight
         shapes,      ///< obstacles of which no mean path is known
+        no_board,    ///< obstacles that are not the pegs of a Galton board
         // Not yet.
         no_collisions,   ///< nothing has collided yet
         few_collisions,  ///< too few collisions for diffusion or equilibrium

@@ -76,6 +76,7 @@ constexpr std::array<const char*, reasons_count> words_of_reasons{"unknown_gas",
                                                                   "many_kinds",
                                                                   "flies_on",
                                                                   "shapes",
+                                                                  "no_board",
                                                                   "no_collisions",
                                                                   "few_collisions"};
 
@@ -223,6 +224,13 @@ const std::map<LawOf, std::string>& table() {
          "partitions partitions partitions obstacles yes partitions partitions yes "
          "keeps_axes no_freedom obstacles obstacles obstacles few yes no_finite_mass "
          "at_rest yes points gravity yes yes yes yes yes yes yes driven"},
+        {LawOf::binomial,
+         "no_board no_board no_board no_board no_board no_board no_board no_board no_board "
+         "no_board "
+         "no_board no_board no_board no_board no_board no_board no_board no_board no_board "
+         "no_board "
+         "no_board no_board no_board no_board no_board no_board no_finite_mass no_board no_board "
+         "no_board no_board line line line no_board no_board line line no_board"},
         {LawOf::heights,
          "no_gravity no_gravity no_gravity no_gravity yes no_gravity "
          "moving_infinite_mass bath bath driven piston membrane partitions partitions "

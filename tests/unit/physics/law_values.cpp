@@ -419,3 +419,33 @@ TEST_CASE("the entropy of velocities in equilibrium is that of an independent co
               4.0 * std::hypot(entropy.error(), found.error));
     }
 }
+
+TEST_CASE("a Galton board has the binomial distribution of its rows") {
+    // Pegs at every fourth place, three rows, and walls between bins under the gaps of the last.
+    GasState s = state_named("gravity");
+    const auto peg = [&](double x, double y) {
+        s.gas.box.surfaces.obstacles.push_back({"", Obstacle::Disk{{x, y}, 0.2}});
+    };
+    for (const double x : {2.0, 6.0, 10.0, 14.0, 18.0}) peg(x, 10.0), peg(x, 6.0);
+    for (const double x : {4.0, 8.0, 12.0, 16.0}) {
+        peg(x, 8.0);
+        s.gas.box.surfaces.obstacles.push_back({"", Obstacle::Lines{{{x, 0.0}, {x, 3.0}}, false}});
+    }
+    s.gas.species = {disks(1)};
+    s.asked.axis = 0;
+    const auto found_from = [&](double x) {
+        s.start.position.row(0) << x, 14.0;
+        return law(s.boxed(), LawOf::binomial, s.asked);
+    };
+    std::tie(s.particles, s.start) = place(s.gas);
+    // Over a peg of the first row there are four choices, over a gap three.
+    const Law four = found_from(10.3), three = found_from(11.8);
+    CHECK(four.places == std::vector{2.0, 6.0, 10.0, 14.0, 18.0});
+    CHECK(four.curve == std::vector{0.0625, 0.25, 0.375, 0.25, 0.0625});
+    CHECK(three.places == std::vector{6.0, 10.0, 14.0, 18.0});
+    CHECK(three.curve == std::vector{0.125, 0.375, 0.375, 0.125});
+    s.gas.box.surfaces.obstacles.pop_back();  // one of the walls, at the end
+    CHECK(found_from(10.3));
+    peg(8.5, 8.0);
+    CHECK(found_from(10.3).none->why == NoLaw::Why::no_board);
+}

@@ -48,6 +48,7 @@ Law heights(const BoxedGas& gas, const Asked& asked);
 Law side_count(const BoxedGas& gas, const Asked& asked);
 Law side_energy(const BoxedGas& gas, const Asked& asked);
 Law side_temperature(const BoxedGas& gas, const Asked& asked);
+Law binomial(const BoxedGas& gas, const Asked& asked);  // galton_board.cpp
 
 // Collisions and paths (motion.cpp).
 Law collision_rate(const BoxedGas& gas, const Asked& asked);

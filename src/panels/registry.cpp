@@ -229,7 +229,7 @@ std::vector<PanelKind> all_kinds() {
          .words = Phrase{"energy by species"},
          .shows = "The mean kinetic energy of each species against time.",
          .make = make_energy_by_species,
-         .abilities = {means},
+         .abilities = {over, means},
          .suits = has_several_species,
          .laws = laws_of_species},
         {.name = "speed-classes",
@@ -237,7 +237,7 @@ std::vector<PanelKind> all_kinds() {
          .shows = "The shares of slow (below half of the mean speed), medium and fast particles "
                   "(above one and a half times it) against time.",
          .make = make_speed_classes,
-         .abilities = {means},
+         .abilities = {over, means},
          .keys = reference_key(),
          .suits = speeds_spread},
         {.name = "temperature",
@@ -284,7 +284,7 @@ std::vector<PanelKind> all_kinds() {
          .shows = "The number of hits on walls and partitions, or of crossings of partitions or a "
                   "`line` in each direction, in large digits.",
          .make = make_counter,
-         .abilities = {of, means, comparison},
+         .abilities = {of, over, means, comparison},
          .keys = counter_keys(),
          .rule = check_counter,
          .has_plot = false},
@@ -325,7 +325,7 @@ std::vector<PanelKind> all_kinds() {
                   "box, against time; or their temperature, mean energy or centre of mass "
                   "(`measure`).",
          .make = make_sides,
-         .abilities = {component, means, comparison},
+         .abilities = {over, component, means, comparison},
          .keys = sides_keys(),
          .rule = check_sides,
          .laws = laws_of_sides},

@@ -113,7 +113,7 @@ std::vector<SceneClaims> claims_of_energy_shared() {
           {"Collisions pass it on to the light ones",
            at(10, mean_energy(light)) / at(4, mean_energy(light)), more(), 4},
           {"The lines meet: the mean energies are the same",
-           at(17.1, mean_energy(light)) / at(17.1, mean_energy(heavy)), about(1.0), 17},
+           mean(14, 24, mean_energy(light)) / mean(14, 24, mean_energy(heavy)), about(1.0), 24},
           {"With the same energy",
            mean(45, 75, mean_energy(light)) / mean(45, 75, mean_energy(heavy)), same_for(160, 30),
            45},

@@ -9,7 +9,7 @@
 #include "panels/chosen.h"
 #include "panels/dials/dial_panel.h"
 #include "panels/instruments/measured_surfaces.h"
-#include "panels/instruments/trailing.h"
+#include "panels/means/trailing.h"
 #include "panels/plot/layers.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"

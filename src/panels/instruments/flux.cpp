@@ -6,7 +6,7 @@
 #include "panels/chosen.h"
 #include "panels/instruments/crossings.h"
 #include "panels/instruments/flux_theory.h"
-#include "panels/instruments/trailing.h"
+#include "panels/means/trailing.h"
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "panels/instruments/trailing.h"
+#include "panels/means/trailing.h"
 #include "panels/panel.h"
 #include "stats/paths/line_crossings.h"
 

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "panels/instruments/surface_pressure.h"
-#include "panels/instruments/trailing.h"
+#include "panels/means/trailing.h"
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"

@@ -123,7 +123,7 @@ std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& 
     const Language language = context.language();
     const Parts parts(context.scene.gas.box, spec);
     const auto [title, quantity, unit] = quantities(spec.measure);
-    SeriesSubject subject{.quantity = quantity, .unit = unit};
+    SeriesSubject subject{.quantity = quantity, .unit = unit, .over = spec.over};
     subject.names = parts.names(language);
     const std::vector<std::string> columns = parts.names(Language::english);
     for (std::size_t k = 0; k < parts.count(); ++k)

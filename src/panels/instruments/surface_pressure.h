@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "panels/instruments/trailing.h"
+#include "panels/means/trailing.h"
 #include "panels/panel.h"
 
 namespace carom {

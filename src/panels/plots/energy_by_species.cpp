@@ -66,6 +66,7 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         .spreads = true,
         .quantity = Phrase{"mean energy"},
         .unit = reduced::energy,
+        .over = spec.over,
         .needs_positions = false};
     const std::vector<Species>& species = context.scene.gas.species;
     for (std::size_t k = 0; k < species.size(); ++k) {

@@ -71,7 +71,10 @@ Phrase series_event_word(const RunEvent& event) {
 }  // namespace
 
 SeriesPanel::SeriesPanel(const PanelContext& context, const PanelSpec& spec, SeriesSubject subject)
-    : context_(context), subject_(std::move(subject)), is_titled_by_scene_(spec.title.has_value()) {
+    : context_(context),
+      subject_(std::move(subject)),
+      mean_(subject_.over.value_or(Over{})),
+      is_titled_by_scene_(spec.title.has_value()) {
     if (is_titled_by_scene_) {
         subject_.titles = {escape_markup(*spec.title)};
         subject_.compared_title.reset();
@@ -80,8 +83,13 @@ SeriesPanel::SeriesPanel(const PanelContext& context, const PanelSpec& spec, Ser
     record_.compared = subject_.compared;
 }
 
+bool SeriesPanel::is_mean() const {
+    return subject_.over && subject_.over->since != Over::Since::now;
+}
+
 void SeriesPanel::survey(const FrameInput& input) {
-    const std::vector<double> now = subject_.measure(input);
+    const std::vector<double> now =
+        mean_(input.tick.time, subject_.measure(input), input.is_sample);
     SeriesRun& run = record_.runs.front();
     const auto add_to = [&](SeriesPoints& points) {
         points.time.push_back(input.tick.time);
@@ -95,6 +103,8 @@ void SeriesPanel::survey(const FrameInput& input) {
 void SeriesPanel::finish_record() {
     SeriesRun& run = record_.runs.front();
     if (subject_.references) run.levels = subject_.references();
+    if (is_mean())  // the deviations are those of single moments
+        for (ReferenceLevel& level : run.levels) level.deviation = 0.0;
     if (subject_.numbers) run.numbers = subject_.numbers();
     if (subject_.laws) run.laws = subject_.laws();
     run.turns = reversal_times(context_.scene.run);

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/means/running_mean.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/series_record.h"
 
@@ -39,8 +40,10 @@ struct SeriesSubject {
     std::string unit = {};   ///< "1"
     std::size_t compared = 0;  ///< index of the line that represents a run in a comparison
     std::optional<plot::Text> compared_title = {};  ///< title of that line; none: the usual title
-    bool needs_collisions = false;                  ///< to measure
-    bool needs_positions = true;                    ///< to measure
+    std::optional<Over> over =
+        {};  ///< what is measured is averaged over this time; none: it is not
+    bool needs_collisions = false;  ///< to measure
+    bool needs_positions = true;    ///< to measure
     std::function<void(const SeriesRecord&, plot::Plot& whole)> add =
         {};  ///< adds layers, notes and words made from the whole record
 };
@@ -80,6 +83,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     void make_axes() override;
 
   private:
+    bool is_mean() const;
     bool rests_at_zero() const;
     Phrase time_name() const;
     plot::Axis axis_up() const;
@@ -106,6 +110,7 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
 
     PanelContext context_;
     SeriesSubject subject_;
+    RunningMean mean_;
     bool is_titled_by_scene_;
     std::size_t seen_ = 0;
     plot::Plot whole_;  ///< of the whole film

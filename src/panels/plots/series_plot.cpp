@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "util/text.h"
 
@@ -121,6 +122,7 @@ std::vector<std::string> SeriesPanel::notes() const {
         both.insert(both.end(), more.begin(), more.end());
         all = std::move(both);
     };
+    if (is_mean()) append({words_of_window(language, *subject_.over, Phrase{"now"})});
     if (record_.runs_in_mean > 1) {
         const std::string mean = counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
                                          Phrase{"mean of {} runs"});

@@ -46,6 +46,7 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
         .top = 100.0,
         .quantity = Phrase{"share"},
         .unit = "per cent",
+        .over = spec.over,
         .needs_positions = false};
     for (std::size_t k = 0; k < subject.lines.size(); ++k)
         subject.lines[k].role =

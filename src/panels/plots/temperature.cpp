@@ -20,6 +20,7 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
         subject.references = [bath] { return ReferenceLevels{ReferenceLevel{"bath", bath.value}}; };
     subject.quantity = Phrase{"temperature"};
     subject.unit = reduced::energy;
+    subject.over = spec.over;
     subject.needs_positions = false;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }

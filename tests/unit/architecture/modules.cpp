@@ -57,7 +57,7 @@ const std::map<std::string, Parts> parts_of_module{
        "scene", "manual"},
       {"limits.h", "panel_kind.h", "scene.h", "sweep.h", "words.h"}}},
     {"panels",
-     {{"callouts", "plot", "surfaces", "field", "gas", "line", "plots", "correlations",
+     {{"means", "callouts", "plot", "surfaces", "field", "gas", "line", "plots", "correlations",
        "instruments", "dials", "sweep", "echo", "collision", "words", "panels"},
       {"archived.h", "chosen.h", "layout.h", "panel.h", "registry.h", "shared_panel.h", "table.h",
        "thinning.h"}}},

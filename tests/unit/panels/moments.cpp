@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "panels/instruments/trailing.h"
+#include "panels/means/trailing.h"
 #include "panels/recording.h"
 
 using namespace carom;

@@ -118,6 +118,29 @@ TEST_CASE("slow and fast are beside the present mean speed, or that at the start
     }
 }
 
+// Light energies: 0.5 up to time 4, 2 from then on; linear between 4 and 5.
+TEST_CASE("a series over a window is the mean over the time before the present") {
+    const Stage stage(2);
+    for (const std::string kind : {"energy-by-species", "temperature"}) {
+        CAPTURE(kind);
+        PanelSpec spec{.kind = kind, .over = Over{Over::Since::window, 4.0}};
+        const auto panel = stage.panel(spec);
+        for (int time = 0; time <= 12; ++time) {
+            const double v = time < 5 ? 1.0 : 2.0;
+            stage.show(*panel, time, along_x({v, v, 0.5 * v, 0.5 * v}));  // of mass 1 and 4
+        }
+        panel->fix_axes();
+        const std::vector<double>& line = panel->record().runs.front().lines[0];
+        CHECK(line[0] == relative(0.5, 1e-14));
+        CHECK(line[4] == relative(0.5, 1e-14));
+        CHECK(line[6] == relative((2.0 * 0.5 + 1.25 + 2.0) / 4.0, 1e-14));
+        CHECK(line[8] == relative((1.25 + 3.0 * 2.0) / 4.0, 1e-14));
+        CHECK(line[9] == relative(2.0, 1e-14));
+        CHECK(panel->plot(nullptr).notes.at(0).entries.at(0).words.at(0).pieces.at(0).markup ==
+              "mean over the last 4");
+    }
+}
+
 TEST_CASE("the temperature of a plane is its mean energy, of all and of those chosen") {
     const Stage stage(2);
     PanelSpec spec{.kind = "temperature"};

@@ -12,6 +12,11 @@ namespace carom {
 /// The default averaging window of a reading: a twentieth of the run.
 inline Over usual_window(const Run& run) { return {Over::Since::window, 0.05 * run.until}; }
 
+/// The same for a profile: a tenth.
+inline Over usual_window_of_profile(const Run& run) {
+    return {Over::Since::window, 0.1 * run.until};
+}
+
 /// Accumulated sums of a run, each with its `time`; kept as far back as the difference of two of
 /// them over the window needs. Windows begin at samples of the run, so that they do not depend on
 /// what is shown in between.

@@ -21,19 +21,24 @@ Rect Grid::place(const Slot& slot) const {
 
 std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count) {
     if (count == 0 || count >= slots.size()) return slots;
-    const Slot &first = slots.front(), &last = slots.back();
-    const bool is_column = std::ranges::all_of(slots, [&](const Slot& slot) {
-        return same(slot.x, first.x) && same(slot.width, first.width) &&
-               same(slot.height, first.height);
-    });
     std::vector<Slot> shared(slots.begin(), slots.begin() + std::ptrdiff_t(count));
-    if (!is_column) return shared;
-    const double gap = slots[1].y - (first.y + first.height);
-    const double height = (last.y + last.height - first.y + gap) / static_cast<double>(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        shared[i].y = first.y + height * static_cast<double>(i);
-        shared[i].height = height - gap;
-    }
+    const auto are_same = [&](double Slot::*side) {
+        return std::ranges::all_of(
+            slots, [&](const Slot& slot) { return same(slot.*side, slots.front().*side); });
+    };
+    if (!are_same(&Slot::width) || !are_same(&Slot::height)) return shared;
+    const auto share = [&](double Slot::*start, double Slot::*size) {
+        const Slot &first = slots.front(), &last = slots.back();
+        const double gap = slots[1].*start - (first.*start + first.*size);
+        const double step =
+            (last.*start + last.*size - first.*start + gap) / static_cast<double>(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            shared[i].*start = first.*start + step * static_cast<double>(i);
+            shared[i].*size = step - gap;
+        }
+    };
+    if (are_same(&Slot::x)) share(&Slot::y, &Slot::height);
+    if (are_same(&Slot::y)) share(&Slot::x, &Slot::width);
     return shared;
 }
 

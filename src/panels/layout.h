@@ -41,8 +41,8 @@ inline constexpr double plate_margin = 1.2;
 /// The place of a panel on its plate if `slot` lies over the gas; otherwise `slot` itself.
 Slot on_plate(const Slot& slot, const LayoutSpec& layout, const Grid& grid);
 
-/// The places of `count` panels. If there are fewer panels than places and these form one column of
-/// equal places, the panels share its whole height; otherwise they take the first places.
+/// The places of `count` panels. If there are fewer panels than places and these form one column or
+/// one row of equal places, the panels share all of it; otherwise they take the first places.
 std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count);
 
 /// Adjusts places that form one column: a place for which `enough` (height in grid units; none:

@@ -387,3 +387,4 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
 }
 
 }  // namespace carom
+    if (film.panels.empty()) film.layout = without_panels(film.layout);

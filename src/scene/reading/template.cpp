@@ -121,6 +121,35 @@ Notation<Placed<Slot>> slot_notation() {
         checked(mapped(list_of(number(units), 4, {4}, "[x, y, width, height]"), slot), check));
 }
 
+// One direction of places.
+struct Along {
+    double Slot::*start;
+    double Slot::*size;
+    double end(const Slot& slot) const { return slot.*start + slot.*size; }
+};
+constexpr Along across{&Slot::x, &Slot::width}, down{&Slot::y, &Slot::height};
+
+// Lengthens the gas's place to the end of those of the panels; others between them move on.
+void lengthen_gas(LayoutSpec& layout, const Along& along, const Along& other) {
+    double end = along.end(layout.gas);
+    for (const Slot& slot : layout.panels) end = std::max(end, along.end(slot));
+    std::vector<Slot*> others{&layout.title, &layout.color_bar};
+    for (std::optional<Slot>* slot : {&layout.caption, &layout.clock, &layout.monitors})
+        if (*slot) others.push_back(&**slot);
+    const double from = along.end(layout.gas);
+    double last = from;
+    std::erase_if(others, [&](const Slot* slot) {
+        return slot->*along.start < from || slot->*along.start >= end ||
+               other.end(*slot) <= layout.gas.*other.start ||
+               slot->*other.start >= other.end(layout.gas);
+    });
+    for (const Slot* slot : others) last = std::max(last, along.end(*slot));
+    const double more = end - last;
+    if (more <= 0.0) return;
+    layout.gas.*along.size += more;
+    for (Slot* slot : others) slot->*along.start += more;
+}
+
 bool overlap(const Slot& a, const Slot& b) {
     constexpr double rounding = 1e-9;
     return std::min(a.x + a.width, b.x + b.width) - std::max(a.x, b.x) > rounding &&
@@ -249,6 +278,13 @@ Notation<LayoutSpec> layout_notation() {
         const bool has_panels = find(node, "panels") == nullptr || given(node, "panels") != nullptr;
         return layout.grid && has_panels ? std::optional<LayoutSpec>(layout) : std::nullopt;
     });
+}
+
+LayoutSpec without_panels(LayoutSpec layout) {
+    lengthen_gas(layout, across, down);
+    lengthen_gas(layout, down, across);
+    layout.panels.clear();
+    return layout;
 }
 
 std::optional<TemplateFile> find_template(const Node& asked, const fs::path& scene,

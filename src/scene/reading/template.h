@@ -33,6 +33,10 @@ bool stays_inside(const std::filesystem::path& file, const std::filesystem::path
 /// leaves the layout undetermined.
 Notation<LayoutSpec> layout_notation();
 
+/// Returns the layout of a film without panels: the gas has their room, too, and what stands
+/// between it and them moves to the end of that room.
+LayoutSpec without_panels(LayoutSpec layout);
+
 /// Returns the names of the templates in `templates`/films that have places for at least `panels`
 /// panels, in order of increasing number of places.
 std::vector<std::string> templates_with_places(const std::filesystem::path& templates,

@@ -67,9 +67,10 @@ TEST_CASE("drawing a frame is a pure function of it: any order, any painter, any
 }
 
 TEST_CASE("a disk is drawn where it is, to an eighth of a pixel") {
-    const Shot film(
-        scene_of("seconds: 1, size: [1280, 720], theme: dark, color_by: species, panels: []",
-                 "{count: 1, radius: 2, position: [13.37, 17.91], color: \"#ffffff\"}"));
+    const Shot film(scene_of(
+        "seconds: 1, size: [1280, 720], theme: dark, color_by: species, template: lecture, "
+        "panels: [temperature]",
+        "{count: 1, radius: 2, position: [13.37, 17.91], color: \"#ffffff\"}"));
     FramePainter painter(*film.panels);
     const Canvas& canvas = painter.paint(film.frames.front());
     // A box of 40 : 30 stands at the top left of lecture's place for the gas.

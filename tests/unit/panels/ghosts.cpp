@@ -24,7 +24,7 @@ Scene one_particle(const std::string& events, bool wire) {
     return test::scene_from("title: T\nbox: {" + box + "}\ngas: [{radius: 2, " + gas +
                             "}]\nrun: {until: 6, events: [" + events +
                             "]}\nfilm: {seconds: 12, fps: 10, size: [1280, 720], theme: light, "
-                            "panels: []}\n");
+                            "template: lecture, panels: [temperature]}\n");
 }
 
 std::size_t frame_at(const Shot& film, double time) {

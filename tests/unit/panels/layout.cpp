@@ -37,7 +37,7 @@ TEST_CASE("a grid fills a picture of any shape, and its unit fits both ways") {
     CHECK(wide.place({40, 0, 40, 45}).x == doctest::Approx(800.0));
 }
 
-TEST_CASE("fewer panels than places share the height of a column, and nothing else") {
+TEST_CASE("fewer panels than places share a column or a row, and nothing else") {
     const std::vector<Slot> column{{0, 0, 10, 6}, {0, 7, 10, 6}, {0, 14, 10, 6}};
     const std::vector<Slot> two = shared_slots(column, 2);
     REQUIRE(two.size() == 2);
@@ -45,6 +45,9 @@ TEST_CASE("fewer panels than places share the height of a column, and nothing el
     check_slot(two[1], {0, 10.5, 10, 9.5});
     check_slot(shared_slots(column, 1).front(), {0, 0, 10, 20});
     check_slot(shared_slots(column, 3)[1], column[1]);
+    const std::vector<Slot> row{{2, 5, 10, 6}, {14, 5, 10, 6}, {26, 5, 10, 6}};
+    check_slot(shared_slots(row, 1).front(), {2, 5, 34, 6});
+    check_slot(shared_slots(row, 2)[1], {20, 5, 16, 6});
     const std::vector<Slot> of_four = shared_slots(grid_of_four, 3);
     REQUIRE(of_four.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) check_slot(of_four[i], grid_of_four[i]);

@@ -234,8 +234,7 @@ TEST_CASE("what is written on surfaces lies in the picture, and on nothing else 
         for (const DrawnLine& line : log.lines)
             marks +=
                 line.markup.find(" = ") != std::string::npos && !line.markup.starts_with("t = ");
-        // The boxes of pictures that are not wide have room for one less.
-        CHECK(marks == (name == "lecture" || name == "minimal" ? 6 : 5));
+        CHECK(marks == 6);
         for (std::size_t i = 0; i < log.lines.size(); ++i) {
             const Rect& a = log.lines[i].ink;
             CAPTURE(log.lines[i].markup);

@@ -74,11 +74,11 @@ namespace {
 // the way from the ground to white, one row from left to right; less than 0 where there is none.
 std::vector<double> row_of_trail(const std::string& gas, const std::string& walls) {
     const auto shot = [&](const std::string& seconds) {
-        return Shot(test::scene_from("title: T\nbox: {size: [64, 48], walls: " + walls +
-                                     "}\ngas: " + gas +
-                                     "\nrun: {until: 3}\nfilm: {seconds: 4, fps: 20, size: [1280, "
-                                     "720], panels: [], trails: {of: 0, seconds: " +
-                                     seconds + "}}\n"));
+        return Shot(test::scene_from(
+            "title: T\nbox: {size: [64, 48], walls: " + walls + "}\ngas: " + gas +
+            "\nrun: {until: 3}\nfilm: {seconds: 4, fps: 20, size: [1280, "
+            "720], template: lecture, panels: [temperature], trails: {of: 0, seconds: " +
+            seconds + "}}\n"));
     };
     const Shot with = shot("2"), without = shot("0.05");
     FramePainter painter(*with.panels), plain(*without.panels);

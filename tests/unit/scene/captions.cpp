@@ -143,6 +143,30 @@ TEST_CASE("every template has a line for captions, in which numbers of one line 
     }
 }
 
+TEST_CASE("without panels the gas has their room, and nothing overlaps") {
+    for (const auto& [name, gas] : {std::pair{"lecture", Slot{2, 4, 60, 27.2}},
+                                    {"side-by-side", Slot{2, 4, 60, 27.4}},
+                                    {"data", Slot{2, 4, 60, 24.4}},
+                                    {"portrait", Slot{1.4, 5.8, 24.2, 32.4}},
+                                    {"square", Slot{1.6, 4, 32.8, 26}}}) {
+        CAPTURE(name);
+        const LayoutSpec layout = film("{at: 0, caption: words}",
+                                       std::string("seconds: 20, panels: [], template: ") + name)
+                                      .film.layout;
+        CHECK(layout.gas.x == gas.x);
+        CHECK(layout.gas.y == gas.y);
+        CHECK(layout.gas.width == doctest::Approx(gas.width));
+        CHECK(layout.gas.height == doctest::Approx(gas.height));
+        CHECK(layout.panels.empty());
+        for (const Slot& other : {layout.color_bar, *layout.caption, *layout.clock}) {
+            CHECK(is_within(other, {0.0, 0.0, layout.grid_width, layout.grid_height}));
+            const bool is_apart = other.y + other.height <= layout.gas.y + 1e-9 ||
+                                  other.y >= layout.gas.y + layout.gas.height - 1e-9;
+            CHECK(is_apart);
+        }
+    }
+}
+
 TEST_CASE("a template without a place for captions has it at the gas's foot") {
     LayoutSpec layout;
     layout.gas = {1.0, 6.0, 40.0, 30.0};

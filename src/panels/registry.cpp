@@ -68,7 +68,43 @@ Binding<PanelSpec> cells_key() {
 std::vector<Binding<PanelSpec>> profile_keys() {
     return {bind_key("quantity", &PanelSpec::quantity, quantity_notation(false),
                      "What it shows; `flow` is the mean velocity along the axis."),
-            cells_key()};
+            cells_key(),
+            bind_key("around", &PanelSpec::around, pair_of(not_negative, "[x, y]"),
+                     "A point: the density then is shown in rings around it, against the distance "
+                     "from it, up to the nearest side of the box.")
+                .default_text("none: along an axis"),
+            bind_key("mark_front", &PanelSpec::front, flag(),
+                     "With `around`: whether to mark the distance at which the density is highest, "
+                     "as the mean over three neighbouring rings, where it exceeds the mean density "
+                     "of the box by more than three standard deviations of a gas at rest.")};
+}
+
+void check_profile(PanelSpec& panel, const Node& node, Reading& reading) {
+    const Box& box = reading.gas.box;
+    const auto refuse_key = [&](const char* key, const char* message, const char* hint) {
+        if (const Node* written = given(node, key)) reading.errors.add(*written, message, hint);
+    };
+    if (!panel.around) {
+        if (panel.front)
+            refuse_key("mark_front",
+                       "`mark_front` needs `around`, the point that it runs away from",
+                       "for instance around: [20, 15]");
+        return;
+    }
+    if (box.dimension == 1)
+        return refuse_key("around", "on a wire there are no rings around a point",
+                          "leave it out: a profile along the wire shows the density");
+    for (const char* key : {"component", "quantity"})
+        refuse_key(key, "a profile `around` a point is of the density in rings", "leave it out");
+    const bool is_inside = (box.size <= 0.0).any() ||  // reported
+                           ((*panel.around > 0.0).all() && (*panel.around < box.size).all());
+    if (!is_inside)
+        refuse_key("around", "this point is not inside the box",
+                   "rings reach from the point to the nearest side");
+}
+
+std::unique_ptr<Panel> make_profile_or_rings(const PanelContext& context, const PanelSpec& spec) {
+    return spec.around ? make_radial_profile(context, spec) : make_profile(context, spec);
 }
 
 std::vector<Binding<PanelSpec>> entropy_keys() {
@@ -412,10 +448,12 @@ std::vector<PanelKind> all_kinds() {
          .words = Phrase{"profile"},
          .shows = "Density, temperature, mean speed or flow (`quantity`) in slabs along an axis, "
                   "which is vertical for y. A density in gravity comes with that of an ideal gas "
-                  "of as many disks that share a fixed energy.",
-         .make = make_profile,
+                  "of as many disks that share a fixed energy. With `around`, the density in rings "
+                  "around a point against the distance from it.",
+         .make = make_profile_or_rings,
          .abilities = {of, over, component, theory, means, comparison},
-         .keys = profile_keys()},
+         .keys = profile_keys(),
+         .rule = check_profile},
         {.name = "phase",
          .words = Phrase{"phase space"},
          .shows = "Position and velocity along one axis, a point for each particle; a single "

@@ -47,9 +47,10 @@ PanelMaker make_speed_histogram, make_energy_histogram, make_velocity_histogram,
     make_energy_by_species, make_position_histogram, make_speed_classes, make_temperature,
     make_entropy, make_pressure, make_mean_squared_displacement, make_return_distance, make_phase,
     make_pair_correlation, make_velocity_autocorrelation, make_free_path, make_free_time,
-    make_orientational_order, make_profile, make_positions, make_monitors, make_single_collision,
-    make_contact_time, make_collision_map, make_text, make_sides, make_piston,
-    make_piston_histogram, make_pressure_volume, make_energy_account, make_pressure_gauge,
-    make_thermometer, make_stopwatch, make_counter, make_flux, make_sweep;
+    make_orientational_order, make_profile, make_radial_profile, make_positions, make_monitors,
+    make_single_collision, make_contact_time, make_collision_map, make_text, make_sides,
+    make_piston, make_piston_histogram, make_pressure_volume, make_energy_account,
+    make_pressure_gauge, make_run_distance, make_thermometer, make_stopwatch, make_counter,
+    make_flux, make_sweep;
 
 }  // namespace carom

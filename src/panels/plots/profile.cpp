@@ -10,6 +10,7 @@
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"
 #include "panels/plot/plot_panel.h"
+#include "panels/means/trailing.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "panels/thinning.h"
@@ -24,7 +25,6 @@ namespace {
 using plot::Role;
 
 constexpr int usual_slabs = 20;
-constexpr double share_of_run = 0.1;  // that it is averaged over
 
 using Values = std::vector<Eigen::ArrayXd>;  // choice x slab; NaN: too few particles
 
@@ -83,10 +83,6 @@ ProfileRecord compare(const std::vector<ProfileRecord>& records,
         all.runs.back().name = names[k];
     }
     return all;
-}
-
-Over over_of(const PanelContext& context, const PanelSpec& spec) {
-    return spec.over.value_or(Over{Over::Since::window, share_of_run * context.scene.run.until});
 }
 
 class ProfilePanel : public RecordPanel<ProfileRecord> {
@@ -148,7 +144,7 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
       spec_(spec),
       axis_(spec.component == Component::y ? 1 : 0),
       cells_(slabs(context.scene.gas.box, axis_, spec.bins.value_or(usual_slabs))),
-      over_(over_of(context, spec)),
+      over_(spec.over.value_or(usual_window_of_profile(context.scene.run))),
       choices_(choices(spec)) {
     for (const std::vector<Eigen::Index>& list : carom::members(context, choices_)) {
         std::vector<bool> members(static_cast<std::size_t>(context.particles.count()));

@@ -85,6 +85,7 @@ plot::Role kind_role(const PanelContext& context, std::size_t index) {
 }  // namespace
 
 plot::Role species_role(const PanelContext& context, std::size_t species) {
+    if (context.run_in_box) return plot::stroke_of_run(*context.run_in_box).role;
     const std::optional<std::string>& own = context.scene.looks[species].color;
     if (own)
         if (const std::optional<Color> parsed = parse_color(*own))

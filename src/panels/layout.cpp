@@ -8,6 +8,8 @@ namespace {
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-6; }
 
+double line_under_box(const Grid& grid) { return grid.height_of(1.9); }
+
 }  // namespace
 
 Grid::Grid(const LayoutSpec& layout, PictureSize size)
@@ -98,3 +100,15 @@ std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, co
 }
 
 }  // namespace carom
+std::array<PlaceBeside, 2> places_overlaid(const Slot& place, double box_shape, const Grid& grid) {
+    const double words = line_under_box(grid), shape = grid.shape_of(box_shape);
+    const double width = std::min(place.width, (place.height - words) / shape);
+    const Slot box{place.x, place.y, width, width * shape};
+    const double half = 0.5 * place.width;
+    std::array<PlaceBeside, 2> places;
+    for (std::size_t i = 0; i < 2; ++i)
+        places.at(i) = {box,
+                        {place.x + static_cast<double>(i) * half, box.y + box.height, half, words}};
+    return places;
+}
+

@@ -64,3 +64,6 @@ struct PlaceBeside {
 std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape, const Grid& grid);
 
 }  // namespace carom
+/// The places of two boxes in one, and of their lines of text side by side below it.
+std::array<PlaceBeside, 2> places_overlaid(const Slot& place, double shape, const Grid& grid);
+

@@ -31,6 +31,10 @@ struct PanelContext {
     int frames;           ///< of the film
     const BoxedGas& gas;  ///< at the start, for law()
     bool in_film = true;  ///< then a present is marked, and names fade out after a while
+    /// Of two runs that share a box, the one whose colour its disks have: 0, or 1 for that drawn
+    /// over the other.
+    std::optional<std::size_t> run_in_box = {};
+    bool is_laid_over() const { return run_in_box == 1u; }
     Language language() const { return scene.film.language; }  ///< of the program's texts
 };
 

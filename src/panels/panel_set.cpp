@@ -90,8 +90,8 @@ PanelContext PanelSet::context_of(std::size_t run) const {
     return {its.scene, its.particles, frame_count(scene().film), its.gas};
 }
 
-// Adds the box and the row of numbers. For two runs: a box for each with a line of its own numbers
-// below, and the row shows the time only.
+// Adds the box and the row of numbers. For two runs: a box for each, or one for both, with a line
+// of each run's numbers below, and the row shows the time only.
 void PanelSet::add_boxes(const LayoutSpec& layout) {
     const Film& film = scene().film;
     if (runs_.size() == 1) {
@@ -100,12 +100,16 @@ void PanelSet::add_boxes(const LayoutSpec& layout) {
     }
     const Box& box = scene().gas.box;
     const double shape = box.dimension == 1 ? 0.0 : box.size[1] / box.size[0];
-    const std::array<PlaceBeside, 2> places =
-        places_beside(layout.gas, shape, Grid(layout, film.size));
+    const Beside& beside = *film.beside;
+    const Grid grid(layout, film.size);
+    const std::array<PlaceBeside, 2> places = beside.is_overlaid
+                                                  ? places_overlaid(layout.gas, shape, grid)
+                                                  : places_beside(layout.gas, shape, grid);
     for (const std::size_t run : {own, other}) {
-        const Beside& beside = *film.beside;
         const PanelContext context = context_of(run);
-        panels_.push_back({places.at(run).box, make_gas_panel(context), {}, run});
+        PanelContext of_box = context;
+        if (beside.is_overlaid) of_box.run_in_box = run;
+        panels_.push_back({places.at(run).box, make_gas_panel(of_box), {}, run});
         panels_.push_back({places.at(run).words,
                            make_run_line(context, {.kind = "monitors", .numbers = film.monitors},
                                          {beside.own_label, beside.label}, run),

@@ -15,6 +15,8 @@
 #include "panels/sweep/sweep_keys.h"
 #include "physics/theory/law.h"
 #include "scene/instruments/instrument_reading.h"
+#include "scene/limits.h"
+#include "scene/reading/gas_reading.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/reading/panel_reading.h"
 
@@ -142,6 +144,14 @@ void check_words(PanelSpec&, const Node& node, Reading& reading) {
 
 std::unique_ptr<Panel> make_gas(const PanelContext& context, const PanelSpec& spec) {
     return make_gas_panel(context, spec.view);
+}
+
+void check_run_distance(PanelSpec& panel, const Node& node, Reading& reading) {
+    std::int64_t count = panel.of.empty() ? particles_in(reading.gas).value_or(0) : 0;
+    for (const Chosen& chosen : panel.of) count += count_of(chosen, reading.gas).value_or(0);
+    if (count > static_cast<std::int64_t>(most_in_both_runs.count()))
+        reading.errors.add(node, fmt::format("`run-distance` of {} particles", count),
+                           to_text(most_in_both_runs) + ": name some in `of`");
 }
 
 std::int64_t count_of(const Gas& gas) {
@@ -444,6 +454,15 @@ std::vector<PanelKind> all_kinds() {
          .rule = check_return_distance,
          .suits = returns,
          .laws = always(LawOf::error_growth)},
+        {.name = "run-distance",
+         .words = Phrase{"distance between the runs"},
+         .shows =
+             "The distance between two runs (`beside` of the film, or `compare` of the figure), "
+             "as the root mean square over the particles that `of` names, on a logarithmic "
+             "axis; where it grows exponentially, with the exponent.",
+         .make = make_run_distance,
+         .abilities = {of, two_runs, comparison},
+         .rule = check_run_distance},
         {.name = "profile",
          .words = Phrase{"profile"},
          .shows = "Density, temperature, mean speed or flow (`quantity`) in slabs along an axis, "

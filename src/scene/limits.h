@@ -41,6 +41,8 @@ inline constexpr Limit most_points{10'000, "points of a sweep"};
 inline constexpr Limit largest_seed{9007199254740991, "of a seed: 2^53 - 1, exact in every reader"};
 inline constexpr Limit most_particles{2'000'000, "particles in all"};
 inline constexpr Limit most_returning{300'000, "particles whose return distance is measured"};
+inline constexpr Limit most_in_both_runs{1'000, "particles whose distance in two runs is measured"};
+inline constexpr Limit most_seed_paths{10, "runs whose paths are drawn with trails"};
 inline constexpr Limit most_species{200, "species"};
 inline constexpr Limit most_obstacles{1'000, "obstacles in a box"};
 inline constexpr Limit most_partitions{64, "partitions of a box"};

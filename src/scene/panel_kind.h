@@ -37,6 +37,7 @@ enum class Ability {
                   ///< `test`
     means,        ///< shows the mean of several runs: `seeds` of a figure
     comparison,   ///< shows several runs, a line of each: `compare` of a figure
+    two_runs,     ///< shows what two runs have between them, and nothing of one alone
     strip         ///< shows several moments side by side: `strip` of a figure
 };
 

@@ -320,7 +320,8 @@ struct FigureSpec {
 
 /// The second run that a film shows side by side with the scene's own, at the same times.
 struct Beside : ComparedRun {
-    std::string own_label;  ///< of the scene's own run
+    std::string own_label;     ///< of the scene's own run
+    bool is_overlaid = false;  ///< both in one box, each in its own colour
 };
 
 enum class SoundOf { collisions };

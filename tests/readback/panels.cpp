@@ -62,6 +62,7 @@ const std::map<std::string, Check>& checks() {
         {"orientational-order", plot({"time (time)", "hexagonal order (1)"})},
         {"return-distance",
          plot({"collisions of each (count)", "log10 of distance", "", false, true})},
+        {"run-distance", plot({"time (time)", "log10 of distance", "", false, true})},
         {"profile", plot({"density (1/length^2)", "y (length)"})},
         {"phase", plot({"position (length)", "velocity (length/time)"})},
         {"positions", plot({"position of particle 0 (length)", "position of particle 1 (length)"})},

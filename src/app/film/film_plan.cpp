@@ -11,6 +11,8 @@
 #include "media/gif_palette.h"
 #include "panels/archived.h"
 #include "panels/precision.h"
+#include "physics/sample_times.h"
+#include "scene/limits.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
 #include "sound/film_sound.h"
@@ -160,6 +162,9 @@ double memory_of_ways(const Scene& scene, double particles) {
     for (const PanelSpec& panel : film.panels)
         if (panel.all_origins || panel.kind == "velocity-autocorrelation")
             bytes += of_lags * particles;
+        else if (panel.kind == "run-distance")  // places of both runs
+            bytes += sizeof(Eigen::Array2d) * std::min(particles, 2.0 * most_in_both_runs.value) *
+                     (frame_count(film) + static_cast<double>(sample_count(scene.run)));
     return bytes;
 }
 

@@ -179,7 +179,7 @@ std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
 bool GasColors::is_of_species(std::uint16_t shade) { return shade >= first_species; }
 
 bool GasColors::has_own_color(std::size_t species) const {
-    return context_.scene.looks[species].color.has_value();
+    return context_.run_in_box || context_.scene.looks[species].color.has_value();
 }
 
 // Making shades includes a search for where the scale begins to stand out from the ground, so it is
@@ -243,6 +243,7 @@ std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
     const Language language = context_.language();
     const ColorBy by = context_.scene.film.color_by;
     std::vector<Entry> all;
+    if (context_.run_in_box) return all;  // the runs are named under the box
     if (by == ColorBy::speed_class)
         all = {{colors[0], say(language, "slow")},
                {colors[1], say(language, "medium")},
@@ -260,7 +261,8 @@ std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
 
 bool GasColors::has_bar() const {
     const ColorBy by = context_.scene.film.color_by;
-    return !is_plain_ && (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass);
+    return !is_plain_ && !context_.run_in_box &&
+           (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass);
 }
 
 double GasColors::key_height(const DrawContext& dc, bool has_ramp) const {

@@ -74,7 +74,8 @@ void GasPanel::Drawing::draw_outlines() const {
                           opacity);
     };
     draw_crowd(gas.place, [&](Eigen::Index i) { return rgb_of(color_of(i)); });
-    const double line = std::max(1.0, 0.08 * dc.unit);
+    const bool is_laid_over = panel.context_.is_laid_over();
+    const double line = std::max(1.0, (is_laid_over ? 0.25 : 0.08) * dc.unit);
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
         if (is_in_crowd(i)) continue;
         const Color color = color_of(i);

@@ -36,6 +36,7 @@ void GasPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& sta
 // With a moving camera, all of the box changes from frame to frame.
 void GasPanel::Drawing::draw_box() const {
     const SurfaceView& surfaces = panel.surfaces_;
+    if (panel.context_.is_laid_over()) return;
     if (!panel.camera_.moves()) {
         if (!surfaces.is_still()) surfaces.draw_room(canvas, dc, map, gas.surfaces);
         return;
@@ -139,7 +140,7 @@ void GasPanel::Drawing::draw_contents() const {
     draw_streaks();
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     draw_trails();
-    gas.field ? draw_outlines() : draw_disks();
+    are_outlines() ? draw_outlines() : draw_disks();
     if (scene.film.labels == Labels::none)
         draw_infinite();
     else
@@ -268,7 +269,7 @@ void GasPanel::Drawing::draw_followed() const {
     for (const Followed& one : panel.followed_) {
         const Eigen::Index i = one.particle;
         const double shown = radius[i] * scale, line = followed_line * dc.unit;
-        if (gas.field)  // else it was drawn with the disk
+        if (gas.field)  // a disk was drawn with it; the other run's has it
             for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
                 canvas.stroke_circle(at, shown + 0.5 * line, line, dc.theme.ink);
             });

@@ -99,6 +99,7 @@ struct GasPanel::Drawing {
     Rect place_of_callout(const std::vector<Callouts::Step>& steps, Eigen::Index particle,
                           const CalloutPlate& plate, std::span<const Rect> others) const;
     void draw_field() const;
+    bool are_outlines() const { return gas.field || panel.context_.is_laid_over(); }
     void draw_outlines() const;
     double radius_in_crowd() const;
     template <class ColorOf>

@@ -75,7 +75,9 @@ class GasPanel : public ParticlePanel {
     BoxMap part_of(const BoxMap& whole, const CameraView& view) const;
     std::string label(Eigen::Index particle, const State& state) const;
     Eigen::Index disks_below(double radius) const;
-    bool is_disk(Eigen::Index particle) const { return !field_.shown() && is_filled(particle); }
+    bool is_disk(Eigen::Index particle) const {
+        return !field_.shown() && !context_.is_laid_over() && is_filled(particle);
+    }
 
     SurfaceView surfaces_;
     Streaks streaks_;
@@ -85,6 +87,7 @@ class GasPanel : public ParticlePanel {
     std::vector<std::deque<TrailPoint>> trails_;  // of the followed particles, at the last state
     double moving_seconds_ = 0.0;                 // film time without holds
     double last_time_ = 0.0;
+    std::vector<SeedPath> seed_paths_;            // of the followed particles in other runs
 };
 
 }  // namespace carom

@@ -315,6 +315,12 @@ void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, 
     check_test(figure, node, reading);
     if (find(node, "compare") != nullptr || find(node, "scenes") != nullptr)
         check_one_line(figure, node, reading);
+    const PanelKind* kind = kind_of(kinds, figure.kind);
+    constexpr std::size_t two = 2;
+    if (kind != nullptr && kind->can(Ability::two_runs) && figure.compare.size() != two)
+        reading.errors.add(node,
+                           fmt::format("a figure of kind `{}` compares two runs", figure.kind),
+                           "give it `compare` with two items");
     figure.panel = figure;
 }
 

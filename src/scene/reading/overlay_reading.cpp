@@ -396,10 +396,15 @@ Binding<Film> beside_key() {
         bind_key("scene", &Written::file, checked(text(6, most_title_letters), check_file),
                  "Another scene in the same folder, whose gas and run are shown as the other run.")
             .default_text("the scene itself")};
-    const std::vector own_label{bind_key("own_label", &Beside::own_label,
-                                         text(1, most_name_letters),
-                                         "The words under the scene's own run.")
-                                    .required()};
+    const std::vector own_label{
+        bind_key("own_label", &Beside::own_label, text(1, most_name_letters),
+                 "The words under the scene's own run.")
+            .required(),
+        bind_key("overlaid", &Beside::is_overlaid, checked(flag(), check_box),
+                 "Whether both runs are shown in one box: the disks of the "
+                 "scene's own filled, those of the other as rings, each in "
+                 "the colour that the run has in plots. Not with a camera "
+                 "or a field.")};
     const KeyTable<Written> table{
         .name = "`beside`",
         .keys = joined<Written>(std::vector{std::move(label).required(), changes_key()}, file,
@@ -410,6 +415,11 @@ Binding<Film> beside_key() {
     return bind_key(
                "beside", &Film::beside,
                mapped(complete_mapping(table, "{label: words, own_label: words, set: ...}"), made),
+    const auto check_box = [](const bool& is_overlaid, const Node& node, Reading& reading) {
+        if (is_overlaid && reading.gas.box.dimension == 1)
+            reading.errors.add(node, "two runs share one box in a plane only",
+                               "leave it out: each wire has a place of its own");
+    };
                "Another run that the film shows beside its own, at the same times, with the "
                "same colours and axes: the same scene with other values, or another scene.")
         .default_text("none");
@@ -429,3 +439,14 @@ void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& 
 }
 
 }  // namespace carom
+    for (const PanelSpec& panel : film.panels)
+        if (const PanelKind* kind = kind_of(kinds, panel.kind);
+            !film.beside && kind != nullptr && kind->can(Ability::two_runs))
+            errors.add(panels != nullptr ? *panels : node,
+                       fmt::format("a panel of kind `{}` needs a second run", panel.kind),
+                       "give the film `beside`");
+    for (const char* key : {"camera", "field"})
+        if (const Node* written = given(node, key);
+            written && film.beside && film.beside->is_overlaid)
+            errors.add(*written, fmt::format("two runs in one box have no `{}`", key),
+                       "leave it out, or leave out `overlaid`");

@@ -275,6 +275,12 @@ struct Spotlight {
 };
 
 /// A point of a panel's plot.
+/// A part of the box in which particles fade out after they have entered it.
+struct FadeOut {
+    Region within = {{0.0, 0.0}, {0.0, 0.0}};
+    double seconds = 3.0;  ///< of film
+};
+
 struct PlotPoint {
     std::size_t panel = 0;         ///< of Film::panels
     double x = 0.0;                ///< on its horizontal axis
@@ -360,6 +366,7 @@ struct Film {
     std::vector<std::string> panels_left_out = {};  ///< kinds an overriding template cannot place
     std::vector<Spotlight> spotlights;
     std::vector<Callout> callouts;
+    std::optional<FadeOut> fade_out;
     std::vector<CameraMove> camera;  ///< in order of time; empty: the whole box throughout
     std::optional<Field> field;
     std::optional<Beside> beside;

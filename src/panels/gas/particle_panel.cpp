@@ -62,13 +62,14 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     state.flashes = flashes_.at(input.tick);
     state.light = spotlights_.light(input.tick, input.is_still);
     state.rings = spotlights_.rings(input.tick, input.is_still);
+    fading_.see(input.tick, input.sample.position, state.light);
     state.callouts = callouts_.at(input.tick, input.is_still);
     if (camera_.moves()) state.view = camera_.next();
     state.field = field_.see(input);
 }
 
 void ParticlePanel::archive_progress(Archive& archive) {
-    archive(ghosts_);
+    archive(ghosts_, fading_);
     camera_.archive_progress(archive);
     field_.archive_progress(archive);
 }

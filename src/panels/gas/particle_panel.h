@@ -10,6 +10,7 @@
 #include "panels/gas/camera.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/gas/marks/callouts.h"
+#include "panels/gas/marks/fading.h"
 #include "panels/gas/marks/flashes.h"
 #include "panels/gas/marks/ghosts.h"
 #include "panels/gas/marks/spotlights.h"
@@ -71,6 +72,7 @@ class ParticlePanel : public Panel {
           ghosts_(context.scene),
           flashes_(context),
           spotlights_(context),
+          fading_(context),
           camera_(context, view),
           callouts_(context),
           field_(context) {}
@@ -97,6 +99,7 @@ class ParticlePanel : public Panel {
     Camera camera_;
     Callouts callouts_;
     FieldLayer field_;
+    Fading fading_;
 };
 
 }  // namespace carom

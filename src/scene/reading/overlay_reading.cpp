@@ -307,6 +307,25 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
         0, most_overlays, "a list of {at, points_to, text}");
 }
 
+namespace {
+
+Binding<Film> fade_out_key() {
+    const KeyTable<FadeOut> table{
+        .name = "`fade_out`",
+        .keys = {bind_key("within", &FadeOut::within, region_notation("within"),
+                          "The part of the box: [x0, y0, x1, y1]; on a wire [x0, x1].")
+                     .required(),
+                 bind_key("seconds", &FadeOut::seconds, number(positive),
+                          "How long it takes, in seconds of film.")}};
+    return bind_key("fade_out", &Film::fade_out,
+                    complete_mapping(table, "{within: [x0, y0, x1, y1], seconds: number}"),
+                    "Particles fade out after they have entered this part of the box, until a "
+                    "trace of them is left, and stand out again when they leave it.")
+        .default_text("none");
+}
+
+}  // namespace
+
 std::vector<Binding<Film>> overlay_keys() {
     return {
         bind_key("spotlight", &Film::spotlights,
@@ -317,7 +336,7 @@ std::vector<Binding<Film>> overlay_keys() {
                  "Moves the camera to a part of the box, to a particle that it follows, and back. "
                  "A small map and a scale bar of a round length show what the picture covers.")
             .default_text("the whole box"),
-        field_key()};
+        fade_out_key(), field_key()};
 }
 
 std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,

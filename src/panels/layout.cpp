@@ -75,13 +75,17 @@ Slot on_plate(const Slot& slot, const LayoutSpec& layout, const Grid& grid) {
 
 std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, const Grid& grid) {
     constexpr double between = 1.6;
-    const double words = grid.height_of(1.9), gap = grid.height_of(between),
+    constexpr double least_height = 17.0, least_width = 24.0;  // of a line, with its world lines
+    const double words = line_under_box(grid), gap = grid.height_of(between),
                  gap_across = grid.width_of(between), shape = grid.shape_of(box_shape);
     const double across = 0.5 * (place.width - gap_across), up = 0.5 * (place.height - gap) - words;
     const double width_beside = shape > 0.0 ? std::min(across, (place.height - words) / shape) : 0;
     const double width_above = shape > 0.0 ? std::min(place.width, up / shape) : place.width;
-    const bool is_beside = width_beside >= width_above;
-    const double width = is_beside ? width_beside : width_above;
+    const bool is_line = shape == 0.0;
+    const bool is_beside =
+        is_line ? up < grid.height_of(least_height) && across >= grid.width_of(least_width)
+                : width_beside >= width_above;
+    const double width = is_beside ? (is_line ? across : width_beside) : width_above;
     const double most = is_beside ? place.height - words : up;
     const double height = shape > 0.0 ? std::min(most, width * shape) : most;
     const double used = is_beside ? height + words : 2.0 * (height + words) + gap;
@@ -99,7 +103,6 @@ std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, co
     return places;
 }
 
-}  // namespace carom
 std::array<PlaceBeside, 2> places_overlaid(const Slot& place, double box_shape, const Grid& grid) {
     const double words = line_under_box(grid), shape = grid.shape_of(box_shape);
     const double width = std::min(place.width, (place.height - words) / shape);
@@ -112,3 +115,4 @@ std::array<PlaceBeside, 2> places_overlaid(const Slot& place, double box_shape, 
     return places;
 }
 
+}  // namespace carom

@@ -59,11 +59,12 @@ struct PlaceBeside {
 
 /// Places for two boxes of the same aspect ratio `shape` (height over width in pixels; 0 for a
 /// line, which takes the available height): side by side or one above the other, whichever makes
-/// them larger. They are centred vertically in `place` and left-aligned in their share of its
-/// width; the lines of text have the whole share.
+/// them larger; lines side by side where that alone leaves room for their world lines. They are
+/// centred vertically in `place` and left-aligned in their share of its width; the lines of text
+/// have the whole share.
 std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape, const Grid& grid);
 
-}  // namespace carom
 /// The places of two boxes in one, and of their lines of text side by side below it.
 std::array<PlaceBeside, 2> places_overlaid(const Slot& place, double shape, const Grid& grid);
 
+}  // namespace carom

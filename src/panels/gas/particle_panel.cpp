@@ -41,6 +41,7 @@ void ParticlePanel::share_scales(ParticlePanel& other) {
     other.colors_.take_scale(colors_);
     other.arrows_.take_scale(arrows_);
     other.field_.take_scale(field_);
+    share_span(other);
 }
 
 void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
@@ -61,8 +62,8 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     state.ghost_words = ghosts_.words_alpha(input.tick);
     state.flashes = flashes_.at(input.tick);
     state.light = spotlights_.light(input.tick, input.is_still);
-    state.rings = spotlights_.rings(input.tick, input.is_still);
     fading_.see(input.tick, input.sample.position, state.light);
+    state.rings = spotlights_.rings(input.tick, input.is_still);
     state.callouts = callouts_.at(input.tick, input.is_still);
     if (camera_.moves()) state.view = camera_.next();
     state.field = field_.see(input);

@@ -57,7 +57,7 @@ class ParticlePanel : public Panel {
     const GasColors& colors() const { return colors_; }
 
     /// Replaces fix_axes() for the boxes of two runs, which get common scales of colours, arrows
-    /// and field.
+    /// and field, and world lines a common span of time.
     void share_scales(ParticlePanel& other);
 
     /// Pixels per unit length.
@@ -79,6 +79,9 @@ class ParticlePanel : public Panel {
 
     KeyRow key_row(const Key& key) const;
 
+    /// Gives this panel and that of the other run a common span of time.
+    virtual void share_span(ParticlePanel&) {}
+
     /// Fills the common members of a state; `places` are the positions as drawn. Second pass, every
     /// frame in order.
     void see(const FrameInput& input, const Eigen::ArrayXXd& places, ParticleState& state);
@@ -96,10 +99,10 @@ class ParticlePanel : public Panel {
     GhostKeeper ghosts_;
     Flashes flashes_;
     Spotlights spotlights_;
+    Fading fading_;
     Camera camera_;
     Callouts callouts_;
     FieldLayer field_;
-    Fading fading_;
 };
 
 }  // namespace carom

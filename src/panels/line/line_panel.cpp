@@ -85,6 +85,15 @@ void LinePanel::fix_axes() {
     lines_.emplace(context_, *map_, colors_, memory_);
 }
 
+void LinePanel::share_span(ParticlePanel& other) {
+    auto& its = dynamic_cast<LinePanel&>(other);
+    const double memory = std::max(memory_, its.memory_);
+    for (LinePanel* panel : {this, &its}) {
+        panel->memory_ = memory;
+        panel->lines_.emplace(panel->context_, *panel->map_, panel->colors_, memory);
+    }
+}
+
 void LinePanel::archive(Archive& archive) {
     archive(colors_, arrows_, flashes_, map_, memory_, ends_, camera_, callouts_, field_);
     if (archive.is_reading()) lines_.emplace(context_, *map_, colors_, memory_);

@@ -8,6 +8,8 @@
 
 #include "draw/palette.h"
 #include "draw/text.h"
+#include "panels/line/line_panel.h"
+#include "panels/plot/layers.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
 
@@ -147,22 +149,48 @@ TEST_CASE("beads on a wire stand one above the other") {
     painter.paint(both.frames.back());
 }
 
-TEST_CASE("beads on a wire have world lines only where there is room for them") {
-    for (const auto& expected : {std::pair{"wide-gas", 2}, std::pair{"side-by-side", 0}}) {
-        const std::string layout = expected.first;
-        const int lines = expected.second;
+// At 1080p a unit is 30 pixels: 260 pixels of world lines.
+TEST_CASE("world lines of two wires are high, and of one span of time") {
+    for (const std::string layout : {"wide-gas", "side-by-side"}) {
         CAPTURE(layout);
         const test::Shot both(test::scene_from(
             "title: T\nbox: {length: 12}\ngas: [{count: 6, radius: 0.1, speed: 1}]\nrun: {until: "
-            "8}\nfilm: {fps: 1, seconds: 2, panels: [], beside: {own_label: a, label: b, set: "
-            "seed=7}, "
-            "template: " +
-            std::string(layout) + "}\n"));
+            "40}\nfilm: {fps: 4, seconds: 8, panels: [], beside: {own_label: a, label: b, set: "
+            "gas.0.speed=5}, template: " +
+            layout + "}\n"));
+        const std::vector<std::size_t> boxes = boxes_of(*both.panels);
+        const auto memory = [&](std::size_t box) {
+            return dynamic_cast<const LinePanel&>(*both.panels->panels()[boxes[box]].panel)
+                .memory();
+        };
+        CHECK(memory(0) == memory(1));
+        const Grid grid(both.scene.film.layout, both.scene.film.size);
+        const double overhead = 8.0;  // units: the wire, its beads and the words
+        for (const std::size_t box : boxes)
+            CHECK(grid.place(both.panels->panels()[box].slot).height - overhead * grid.unit() >=
+                  260.0);
         const TextLog log;
         FramePainter(*both.panels).paint(both.frames.back());
-        CHECK(std::ranges::count(log.lines, "world lines", &DrawnLine::markup) == lines);
-        CHECK(std::ranges::count(log.lines, "time before now", &DrawnLine::markup) == lines);
+        CHECK(std::ranges::count(log.lines, "time before now", &DrawnLine::markup) == 2);
     }
+}
+
+TEST_CASE("two runs in one box have one place and the colours that they have in plots") {
+    const test::Shot both(
+        test::scene_from(text_of("beside: {own_label: a, label: b, set: seed=7, overlaid: true}")));
+    const std::vector<std::size_t> boxes = boxes_of(*both.panels);
+    const std::vector<Rect> places =
+        both.panels->boxes(Grid(both.scene.film.layout, both.scene.film.size));
+    REQUIRE(places.size() == 2);
+    CHECK(places[0].x == places[1].x);
+    CHECK(places[0].width == places[1].width);
+    const Theme& theme = theme_of(both.scene.film.theme);
+    for (const std::size_t run : {0U, 1U}) {
+        const std::string own = hex_of(plot::color_of(plot::stroke_of_run(run).role, theme));
+        for (const Cell& cell : column(table_at(both, 20, boxes[run]), "colour"))
+            CHECK(std::get<std::string>(cell) == own);
+    }
+    CHECK(column(table_at(both, 20, boxes[0]), "x") != column(table_at(both, 20, boxes[1]), "x"));
 }
 
 TEST_CASE("a reversal is announced over the runs that are reversed") {

@@ -150,11 +150,16 @@ TEST_CASE("two boxes share a place, of one size, with words below each") {
     CHECK(wide[1].box.x + wide[1].box.width == doctest::Approx(51.0));
     // A tall place, or a line: one above the other.
     for (const auto& tall : {places_beside({0, 0, 20, 50}, 0.75, square),
-                             places_beside({0, 0, 60, 20}, 0.0, square)}) {
+                             places_beside({0, 0, 40, 20}, 0.0, square)}) {
         CHECK(tall[0].box.x == tall[1].box.x);
         CHECK(tall[1].box.y > tall[0].words.y + tall[0].words.height);
         CHECK(tall[0].box.height == tall[1].box.height);
     }
+    // Lines for which that is too low, in a wide place.
+    const auto lines = places_beside({0, 0, 60, 20}, 0.0, square);
+    CHECK(lines[0].box.y == lines[1].box.y);
+    CHECK(lines[1].box.x > lines[0].box.x + lines[0].box.width);
+    CHECK(lines[0].words.y + lines[0].words.height == doctest::Approx(20.0));
     // In pictures of other shapes the boxes have theirs in pixels, and the words are next to them.
     for (const PictureSize size : {PictureSize{960, 720}, PictureSize{360, 640}}) {
         const Grid grid(layout, size);

@@ -290,7 +290,7 @@ std::vector<PanelKind> all_kinds() {
          .words = Phrase{"temperature"},
          .shows = "The temperature against time, of all particles or of those that `of` names.",
          .make = make_temperature,
-         .abilities = {of, means, comparison},
+         .abilities = {of, over, means, comparison},
          .suits = acts_on_gas},
         {.name = "entropy",
          .words = Phrase{"entropy"},
@@ -330,7 +330,7 @@ std::vector<PanelKind> all_kinds() {
          .shows = "The number of hits on walls and partitions, or of crossings of partitions or a "
                   "`line` in each direction, in large digits.",
          .make = make_counter,
-         .abilities = {of, over, means, comparison},
+         .abilities = {of, means, comparison},
          .keys = counter_keys(),
          .rule = check_counter,
          .has_plot = false},

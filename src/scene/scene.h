@@ -260,6 +260,7 @@ struct PanelSpec {
 struct Trails {
     std::vector<Chosen> of;  ///< empty: none
     double seconds = 0.0;    ///< of film
+    int seeds = 0;           ///< runs with further seeds whose whole paths are drawn faintly
 };
 
 /// A span of simulated time that a film shows in slow motion.
@@ -274,13 +275,13 @@ struct Spotlight {
     std::vector<Chosen> on;
 };
 
-/// A point of a panel's plot.
 /// A part of the box in which particles fade out after they have entered it.
 struct FadeOut {
     Region within = {{0.0, 0.0}, {0.0, 0.0}};
     double seconds = 3.0;  ///< of film
 };
 
+/// A point of a panel's plot.
 struct PlotPoint {
     std::size_t panel = 0;         ///< of Film::panels
     double x = 0.0;                ///< on its horizontal axis
@@ -365,8 +366,8 @@ struct Film {
     std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
     std::vector<std::string> panels_left_out = {};  ///< kinds an overriding template cannot place
     std::vector<Spotlight> spotlights;
-    std::vector<Callout> callouts;
     std::optional<FadeOut> fade_out;
+    std::vector<Callout> callouts;
     std::vector<CameraMove> camera;  ///< in order of time; empty: the whole box throughout
     std::optional<Field> field;
     std::optional<Beside> beside;

@@ -43,7 +43,7 @@ std::vector<WorkPart> first_pass(const Scene& scene, double passes, double frame
     std::vector<WorkPart> parts =
         panel_parts(scene, panels_of_film(scene, frames), moments_seen(scene, frames, sees_samples),
                     counts.own, 1.0);
-    parts.push_back(simulation_part(scene, counts.own, passes));
+    parts.push_back(simulation_part(scene, counts.own, passes + scene.film.trails.seeds));
     if (!scene.film.beside) return parts;
     const Scene& other = *scene.film.beside->scene;
     std::ranges::move(panel_parts(other, panels_of_film(other, frames),

@@ -219,7 +219,10 @@ class LagTheory {
                   plot::Plot& plot) const {
         const std::string of = column_name_of(context_.scene, chosen_[k]);
         const Finding found = values != nullptr ? finding(*values, k) : before_all(k);
-        note.entries.push_back(finding_entry(context_.language(), found));
+        plot::KeyEntry entry = finding_entry(context_.language(), found);
+        const bool may_pass = !entry.reserved.empty();
+        entry.is_hidden = context_.in_film && may_pass && !found.is_known();
+        note.entries.push_back(std::move(entry));
         if (chosen_.size() == 1 && add_plateau(found, of, plot))
             note.entries.push_back(plateau_entry(context_.language(), found));
         if (values == nullptr) return;

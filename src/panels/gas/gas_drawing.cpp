@@ -137,6 +137,7 @@ void GasPanel::Drawing::draw_contents() const {
         surfaces.draw_obstacles(canvas, dc, map, gas.surfaces);
     }
     draw_ghosts();
+    draw_seed_paths();
     draw_streaks();
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     draw_trails();
@@ -241,6 +242,24 @@ void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t follow
         way.push_back(place(i, 0.0, 0.0));
     }
     add_trail_lines(tapers, way, dc.theme.ground, ink, dc.unit);
+}
+
+// Those so far, one after the other.
+void GasPanel::Drawing::draw_seed_paths() const {
+    constexpr double width = 0.06, share = 0.3;  // units; of the colour of names
+    const Color color = mix(dc.theme.ground, dc.theme.muted, share);
+    for (const SeedPath& path : panel.seed_paths_) {
+        std::vector<Point> way;
+        const auto draw_way = [&] {
+            if (way.size() > 1) canvas.stroke_path(way, width * dc.unit, color);
+            way.clear();
+        };
+        for (std::size_t i = 0; i < path.time.size() && path.time[i] <= gas.time; ++i) {
+            if (i > 0 && path.piece[i] != path.piece[i - 1]) draw_way();
+            way.push_back(pixel(path.place[i]));
+        }
+        draw_way();
+    }
 }
 
 void GasPanel::Drawing::draw_trails() const {

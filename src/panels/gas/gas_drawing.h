@@ -114,6 +114,7 @@ struct GasPanel::Drawing {
     bool labels_fit() const;
     void draw_labels() const;
     void add_trail(std::vector<Taper>& tapers, std::size_t followed, Point shift) const;
+    void draw_seed_paths() const;
     void draw_trails() const;
     void draw_followed() const;
     void draw_flashes() const;

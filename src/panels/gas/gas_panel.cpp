@@ -56,10 +56,13 @@ void GasPanel::fix_axes() {
     camera_.fix_way(surfaces_.extent());
     const double side = context_.scene.gas.box.size.minCoeff();
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
+    std::vector<Eigen::Index> particles;
+    for (const Followed& one : followed_) particles.push_back(one.particle);
+    seed_paths_ = seed_paths(context_, particles);
 }
 
 void GasPanel::archive(Archive& archive) {
-    archive(colors_, arrows_, flashes_, surfaces_, camera_, callouts_, field_);
+    archive(colors_, arrows_, flashes_, surfaces_, camera_, callouts_, field_, seed_paths_);
 }
 
 // The particles for which a trail is asked, and those that the film is about.
@@ -104,6 +107,7 @@ void GasPanel::extend_trails(const FrameInput& input) {
 
 std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
     auto state = std::make_shared<State>();
+    state->time = input.tick.time;
     see(input, input.sample.position, *state);
     state->surfaces = surfaces_.states(input);
     state->streaks = streaks_.see(input);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/gas/marks/seed_paths.h"
 #include "panels/gas/marks/streaks.h"
 #include "panels/gas/particle_panel.h"
 #include "panels/surfaces/surface_view.h"
@@ -56,6 +57,7 @@ class GasPanel : public ParticlePanel {
         std::vector<float> ages;    // seconds of film
     };
     struct State : ParticleState {
+        double time = 0.0;                           // simulated
         std::vector<Trail> trails;                   // one for each particle that is followed
         std::vector<SurfaceState> surfaces;          // of sides and partitions; none of a plain box
         std::shared_ptr<const StreakState> streaks;  // null: none
@@ -85,9 +87,9 @@ class GasPanel : public ParticlePanel {
     std::vector<Followed> followed_;
     std::vector<std::ptrdiff_t> trail_of_;  // for each particle its trail, or -1; empty: no trails
     std::vector<std::deque<TrailPoint>> trails_;  // of the followed particles, at the last state
+    std::vector<SeedPath> seed_paths_;            // of the followed particles in other runs
     double moving_seconds_ = 0.0;                 // film time without holds
     double last_time_ = 0.0;
-    std::vector<SeedPath> seed_paths_;            // of the followed particles in other runs
 };
 
 }  // namespace carom

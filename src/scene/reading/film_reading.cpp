@@ -65,6 +65,11 @@ Notation<double> title_card_notation() {
 }
 
 Notation<Trails> trails_notation() {
+    const auto in_a_plane = [](std::int64_t seeds, const Node& node, Reading& reading) {
+        if (seeds > 0 && reading.gas.box.dimension == 1)
+            reading.errors.add(node, "paths in other runs are drawn in a plane only",
+                               "leave it out, or show another run by `beside`");
+    };
     const KeyTable<Trails> table{
         .name = "`trails`",
         .keys = {
@@ -74,7 +79,11 @@ Notation<Trails> trails_notation() {
                 .default_value("all"),
             bind_key("seconds", &Trails::seconds, number({0.0, most_trail_seconds}),
                      "The length of the trails, in seconds of film.")
-                .default_value("1")}};
+                .default_value("1"),
+            bind_key("seeds", &Trails::seeds, checked(whole(0, most_seed_paths), in_a_plane),
+                     "The number of runs with the seeds after the scene's own in which the paths "
+                     "of all particles with trails are drawn too, thin and faint, from the start "
+                     "on.")}};
     return mapping(table, "{of: particles, seconds: length}");
 }
 
@@ -378,6 +387,7 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
     film.callouts = resolve_callouts(film.written_callouts, film.panels, kinds, reading.errors);
     complete_length(film, pauses, nodes, node, reading);
     if (layout) check_slots(node, film, templates, reading.errors);
+    if (film.panels.empty()) film.layout = without_panels(film.layout);
     check_beside(film, node, kinds, reading.errors);
     std::erase_if(film.callouts, [&](const Callout& callout) {  // to panels that are left out
         const auto* point = std::get_if<PlotPoint>(&callout.on);
@@ -387,4 +397,3 @@ Film read_film(const FilmNodes& nodes, const std::string& template_name, PanelKi
 }
 
 }  // namespace carom
-    if (film.panels.empty()) film.layout = without_panels(film.layout);

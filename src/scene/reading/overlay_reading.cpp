@@ -383,6 +383,7 @@ std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
 }
 
 // The file is named as templates are: it lies in the scene's folder.
+
 Binding<Film> beside_key() {
     struct Written : Beside {
         std::string file;
@@ -409,6 +410,11 @@ Binding<Film> beside_key() {
             reading.errors.add(node, "both runs have the same label",
                                "each run needs a `label` of its own");
     };
+    const auto check_box = [](const bool& is_overlaid, const Node& node, Reading& reading) {
+        if (is_overlaid && reading.gas.box.dimension == 1)
+            reading.errors.add(node, "two runs share one box in a plane only",
+                               "leave it out: each wire has a place of its own");
+    };
     auto label = label_key();
     label.key.meaning = "The words under the other run, and in legends.";
     const std::vector file{
@@ -434,11 +440,6 @@ Binding<Film> beside_key() {
     return bind_key(
                "beside", &Film::beside,
                mapped(complete_mapping(table, "{label: words, own_label: words, set: ...}"), made),
-    const auto check_box = [](const bool& is_overlaid, const Node& node, Reading& reading) {
-        if (is_overlaid && reading.gas.box.dimension == 1)
-            reading.errors.add(node, "two runs share one box in a plane only",
-                               "leave it out: each wire has a place of its own");
-    };
                "Another run that the film shows beside its own, at the same times, with the "
                "same colours and axes: the same scene with other values, or another scene.")
         .default_text("none");
@@ -446,6 +447,17 @@ Binding<Film> beside_key() {
 
 void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& errors) {
     const Node* panels = find(node, "panels");
+    for (const PanelSpec& panel : film.panels)
+        if (const PanelKind* kind = kind_of(kinds, panel.kind);
+            !film.beside && kind != nullptr && kind->can(Ability::two_runs))
+            errors.add(panels != nullptr ? *panels : node,
+                       fmt::format("a panel of kind `{}` needs a second run", panel.kind),
+                       "give the film `beside`");
+    for (const char* key : {"camera", "field"})
+        if (const Node* written = given(node, key);
+            written && film.beside && film.beside->is_overlaid)
+            errors.add(*written, fmt::format("two runs in one box have no `{}`", key),
+                       "leave it out, or leave out `overlaid`");
     if (!film.beside || panels == nullptr || panels->source->origin == Origin::template_file)
         return;
     const std::vector<std::string> able = kinds_that_can(kinds, Ability::comparison);
@@ -458,14 +470,3 @@ void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& 
 }
 
 }  // namespace carom
-    for (const PanelSpec& panel : film.panels)
-        if (const PanelKind* kind = kind_of(kinds, panel.kind);
-            !film.beside && kind != nullptr && kind->can(Ability::two_runs))
-            errors.add(panels != nullptr ? *panels : node,
-                       fmt::format("a panel of kind `{}` needs a second run", panel.kind),
-                       "give the film `beside`");
-    for (const char* key : {"camera", "field"})
-        if (const Node* written = given(node, key);
-            written && film.beside && film.beside->is_overlaid)
-            errors.add(*written, fmt::format("two runs in one box have no `{}`", key),
-                       "leave it out, or leave out `overlaid`");

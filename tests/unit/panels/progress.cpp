@@ -161,6 +161,10 @@ std::vector<std::string> all_kinds() {
               "beside: {own_label: A, label: B, set: "
               "gas.0.speed=2}",
               "{at: 2, pause: 0.5}"),
+        plane(
+            "panels: [run-distance, {kind: profile, around: [8, 7], cells: 4, mark_front: true}], "
+            "fade_out: {within: [0, 0, 10, 5], seconds: 1}, trails: {of: 0, seeds: 1}, "
+            "beside: {own_label: A, label: B, set: gas.0.speed=2, overlaid: true}"),
         wire("panels: [collision-map, contact-time, "
              "single-collision, return-distance]"),
         wire("panels: [{kind: phase, of: [0, 1]}, return-distance], flashes: true, camera: [{at: "

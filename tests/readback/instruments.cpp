@@ -528,10 +528,11 @@ Problems field_problems(const DrawnFigure& figure, double side, const std::strin
         const bool is_blank = cells[k].at(column).empty();
         const double covered = areas[k] / (width * width), edge = 4.0 * on_whole_pixels / width;
         if (std::abs(covered - (is_blank ? 0.0 : 1.0)) > edge)
-            problems.push_back(off_by("the area with a colour of a cell", covered));
+            problems.push_back("a cell is not covered, or one without a number is");
         if (is_blank) continue;
         const double off = sums[k] / areas[k] - number(cells[k], column);
-        if (std::abs(off) > 0.01 * key.top) problems.push_back(off_by("the mean of a cell", off));
+        if (std::abs(off) > 0.01 * key.top)
+            problems.push_back("the colours of a cell have another mean than its number");
     }
     return problems;
 }

@@ -10,7 +10,7 @@
 #include "draw/arrow.h"
 #include "panels/field/smooth_cells.h"
 #include "panels/thinning.h"
-#include "physics/theory/symmetry.h"
+#include "physics/theory/laws/symmetry.h"
 #include "util/text.h"
 
 namespace carom {

@@ -1,5 +1,5 @@
 // Which axes of a gas are even, against means over many runs.
-#include "physics/theory/symmetry.h"
+#include "physics/theory/laws/symmetry.h"
 
 #include <doctest/doctest.h>
 
@@ -114,7 +114,7 @@ std::vector<Difference> differences() {
          {false, true}},
         {"heating, a reversal",
          [](State& s) {
-             s.events = {{.at = 0.5, .action = Heat{.amount = 3.0}},
+             s.events = {{.at = 0.5, .action = Heat{.amount = 3.0, .species = {}}},
                          {.at = 0.6, .action = ReverseVelocities{}}};
          },
          both},

@@ -1,4 +1,4 @@
-#include "physics/theory/symmetry.h"
+#include "physics/theory/laws/symmetry.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -221,10 +221,10 @@ void PressureVolumePanel::add_curves(const Compression& theory) {
         const std::string p = "<i>p</i>";
         level.label->words = {plot::Text(
             times == 1.0 ? p : localised(language, fmt::format("{:g}", times)) + "\u2009" + p)};
-        for (const double share : {0.9, 0.03, 0.7, 0.5, 0.3})
+        for (const double share : {0.5, 0.7, 0.3, 0.9, 0.03})
             level.label->anchors.push_back(
                 {.at = {whole_.x.low + share * (whole_.x.high - whole_.x.low), level.value},
-                 .offset = {0.0, -0.4},
+                 .offset = {0.0, -0.8},
                  .is_inside = true});
         whole_.layers.emplace_back(std::move(level));
         whole_.y.high = std::max(whole_.y.high, round_up_for_axis(1.05 * times * theory.start));

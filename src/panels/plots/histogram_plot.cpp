@@ -312,6 +312,13 @@ std::optional<plot::Label> HistogramPanel::name_of_curve() const {
             label.anchors.push_back(
                 {.at = {curve.value[i], curve.count[i]}, .offset = {0.6, up}, .is_inside = true});
         }
+    if (!subject_.shares.empty())  // beside bars that once were higher than the curve
+        label.anchors.push_back({.at = {1.0, 0.0},
+                                 .x_is_share = true,
+                                 .y_is_share = true,
+                                 .offset = {-0.5, 1.5},
+                                 .align = Align::right,
+                                 .is_inside = true});
     return label;
 }
 

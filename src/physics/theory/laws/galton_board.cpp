@@ -1,4 +1,4 @@
-// The law of Galton's board (Natural Inheritance, 1889, p. 63): each of n rows of pegs sends a ball
+// The law of Galton's board (Natural Inheritance, 1889): each of n rows of pegs sends a ball
 // half a distance of pegs to the left or to the right, independently of the rows before, so that
 // the place under them is binomial: k steps of n to the right with the probability C(n, k) / 2^n.
 #include <algorithm>

@@ -75,7 +75,7 @@ std::vector<SceneClaims> claims_of_waves() {
                growth(2.1, 4.2, radius_of_densest_ring()),
            more()},
           {"In its middle few disks are left", at(6.5, density_of_ring(0, 10)), much_less()},
-          {"Before the ring nothing has happened yet",
+          {"Ahead of the ring nothing has happened yet",
            at(1, temperature(right_of(80))) / at(0, temperature(right_of(80))), about(1.0)},
           {"It sweeps the cold disks into a dense ring", at(3, density_of_densest_ring()), more(),
            0.5},

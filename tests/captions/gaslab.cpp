@@ -180,7 +180,7 @@ std::vector<SceneClaims> claims_in_gravity() {
           {"Gravity pulls all disks down", at(1, mean_velocity(1)), at_most(-1.0), 0},
           {"What rises over the top does not come back",
            at(60, count(escaped)) - highest(8, 60, count(escaped)), exactly(0), 8},
-          {"take more than their share",
+          {"more than their share of energy",
            {[](const Course& course) {
                const Moment& end = course.at(35);
                const Eigen::ArrayXd height = end.sample.position.col(1);

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t longest_path = 5000;  // points: drawing must not grow with the film
 
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
-const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::highlight}, .dashes = {0.5, 0.3}};
+const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::accent}, .dashes = {0.5, 0.3}};
 
 // From its start, at areas that go from an eighth to eight times that: the isotherm and the adiabat
 // of hard disks or rods; those of an ideal gas where theory knows none of these.

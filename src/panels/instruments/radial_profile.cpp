@@ -104,7 +104,8 @@ class RingsAround {
     // The distance at which the density is highest, as the mean over three neighbouring rings, and
     // the top of a parabola through three such means; none if it exceeds `at_rest` by no more than
     // three standard deviations of the number of particles in a part of a gas at rest, whose
-    // variance is `scatter` times that of points.
+    // variance is `scatter` times that of points. None either where the density is highest at the
+    // side of the box: it may be higher beyond the last ring, or the front is on its way back.
     std::optional<double> front(std::span<const double> density, double at_rest,
                                 double scatter) const {
         constexpr double deviations = 3.0;
@@ -116,7 +117,7 @@ class RingsAround {
             means.push_back(number / area_of_three(k));
         }
         const auto highest = std::ranges::max_element(means);
-        if (highest == means.end()) return {};
+        if (means.empty() || highest == std::prev(means.end())) return {};
         const auto k = static_cast<std::size_t>(highest - means.begin());
         const double deviation = std::sqrt(scatter * at_rest / area_of_three(k + 1));
         if (!(*highest > at_rest + deviations * deviation)) return {};

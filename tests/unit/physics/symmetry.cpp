@@ -114,7 +114,7 @@ std::vector<Difference> differences() {
          {false, true}},
         {"heating, a reversal",
          [](State& s) {
-             s.events = {{.at = 0.5, .action = Heat{.amount = 3.0, .species = {}}},
+             s.events = {{.at = 0.5, .action = Heat{.species = {}, .amount = 3.0}},
                          {.at = 0.6, .action = ReverseVelocities{}}};
          },
          both},

@@ -543,7 +543,7 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "`stopwatch`, `counter`, `pressure-volume`, `piston`, `piston-histogram`, `sides`, "
           "`flux`, `energy-account`, `mean-squared-displacement`, `velocity-autocorrelation`, "
           "`pair-correlation`, `free-path`, `free-time`, `orientational-order`, "
-          "`return-distance` or `profile`");
+          "`return-distance`, `run-distance` or `profile`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")
               .find("`compare` and `seeds` cannot be combined") != std::string::npos);
     CHECK(

@@ -89,8 +89,8 @@ const std::vector<FilmCase> film_cases{
 
 // Kinds that measure nothing over time: what they draw is a present, a path or words.
 const std::set<std::string> shows_the_present{
-    "phase", "positions", "monitors", "single-collision", "contact-time",   "collision-map",
-    "text",  "sweep",     "gas",      "stopwatch",        "return-distance"};
+    "phase", "positions", "monitors", "single-collision", "contact-time",    "collision-map",
+    "text",  "sweep",     "gas",      "stopwatch",        "return-distance", "run-distance"};
 
 std::string film_scene(const FilmCase& of, const std::string& panel, int fps, bool is_figure) {
     std::string text = fmt::format(

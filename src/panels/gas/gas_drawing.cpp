@@ -292,7 +292,7 @@ void GasPanel::Drawing::draw_followed() const {
             for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
                 canvas.stroke_circle(at, shown + 0.5 * line, line, dc.theme.ink);
             });
-        if (gas.label_alpha <= 0.0) continue;
+        if (gas.label_alpha <= 0.0 || panel.context_.run_in_box) continue;  // runs have names
         const std::string name = single_name(panel.context_, i);
         if (name.empty()) continue;
         const Point at = pixel(i);

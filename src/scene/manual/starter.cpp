@@ -113,6 +113,7 @@ std::string starter_scene(PanelKinds kinds, const std::string& schema, const std
                           {{"seconds", "30"},
                            {"color_by", "species"},
                            {"beside", "#{own_label: seed 1, label: seed 2, set: seed=2}"},
+                           {"fade_out", "#{within: [0, 36, 64, 48], seconds: 3}"},
                            {"panels", "[energy-by-species, speed-histogram, energy-histogram]"}},
                           "  ");
     return text;

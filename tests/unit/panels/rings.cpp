@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "panels/registry.h"
-#include "support/relative.h"
 #include "support/scene_text.h"
 #include "support/seen_panel.h"
 
@@ -66,14 +65,14 @@ TEST_CASE("a profile around a point shows particles in each ring by its area") {
         if (const auto* line = std::get_if<plot::Line>(&layer))
             for (std::size_t ring = 0; ring < 10; ++ring)
                 CHECK(line->y[2 * ring] ==
-                      test::relative(ring == 4 ? 1e-300 : 3.0 / std::numbers::pi, 1e-12));
+                      doctest::Approx(ring == 4 ? 0.0 : 3.0 / std::numbers::pi).epsilon(1e-12));
 }
 
 TEST_CASE("the front is the ring of the highest density, if that is no chance") {
-    // 900 points in 600: 4.7, 14.1, ... in the rings of an even density
+    // 900 points in 600: 4.7, 14.1, ... in the rings of an even density; from 6 to 7 it is highest
     const RingsOfParticles ring({2, 6, 9, 13, 18, 60, 80, 90, 60, 60});
     REQUIRE(ring.front());
-    CHECK(*ring.front() == doctest::Approx(7.0).epsilon(0.05));
+    CHECK(*ring.front() == doctest::Approx(6.5).epsilon(0.05));
     const RingsOfParticles even({5, 14, 24, 33, 44, 53, 61, 73, 80, 88});
     CHECK(!even.front());
 }

@@ -73,7 +73,7 @@ std::vector<SceneClaims> claims_of_energy_shared() {
           {"follows the equilibrium curve", equilibrium_chance(36), at_least(0.05)},
           {"One fast disk has nearly all of the energy", share, nearly_all_of(1.0), 0},
           {"After three hits it", collisions_of(200, 0.8), exactly(3), 0.8},
-          {"it has passed nearly all of it on",
+          {"it has passed on nearly all its energy",
            at(0.8, mean_energy(fast)) / at(0, mean_energy(fast)), at_most(1.0 / 8.0), 0.8},
           {"Those that were hit are fast now", at(1.5, count(faster_than(1))), at_least(10), 1.5},
           {"Nearly all disks move now", at(12, count(faster_than(0.1))), nearly_all_of(201), 12},

@@ -11,6 +11,7 @@ namespace {
 constexpr double number_size = 4.0 / 3.0;                  // units
 constexpr double between_numbers = 1.6, after_name = 0.4;  // units
 constexpr double widest_share = 0.55;                      // of the line
+constexpr std::size_t most_numbers = 2;
 
 class NumbersLine : public MonitorsPanel {
   public:
@@ -45,7 +46,7 @@ double NumbersLine::fitted(const Rect& area, double unit) const {
     return unit * std::min(1.0, area.width / width_of(numbers_.front(), unit));
 }
 
-// Of as many numbers as have room, beginning with the first.
+// Of as many numbers as have room, at most two, beginning with the first.
 std::vector<double> NumbersLine::widths(const Rect& area, double unit) const {
     std::vector<double> all;
     double sum = 0.0;
@@ -53,6 +54,7 @@ std::vector<double> NumbersLine::widths(const Rect& area, double unit) const {
         const double width = width_of(number, unit);
         sum += width + (all.empty() ? 0.0 : between_numbers * unit);
         if (!all.empty() && sum > widest_share * area.width) break;
+        if (all.size() == most_numbers) break;
         all.push_back(width);
     }
     return all;

@@ -266,6 +266,25 @@ TEST_CASE("as many numbers stand in a row as it has room for") {
     CHECK(drawn(1, two) == drawn(1, {Monitor::time}));  // one is always there
 }
 
+TEST_CASE("the line of captions ends with two numbers at most, and says which it leaves out") {
+    Scene scene = scene_of("{count: 3, speed: 1}", "fps: 30");
+    scene.film.size = {1920, 1080};
+    scene.film.layout.clock.reset();
+    scene.film.layout.monitors = Slot{2, 32, 60, 2.4};  // room for three
+    scene.film.monitors = {Monitor::time, Monitor::collisions, Monitor::medium};
+    const TextLog log;
+    const Picture picture(std::move(scene));
+    const auto is_drawn = [&](const std::string& words) {
+        return std::ranges::find(log.lines, words, &DrawnLine::markup) != log.lines.end();
+    };
+    CHECK(is_drawn("time"));
+    CHECK(is_drawn("collisions"));
+    CHECK(!is_drawn("medium"));
+    const std::vector<std::string> cut = picture.painter->cut_words();
+    CHECK(std::ranges::count(cut, "the monitor `medium`") == 1);
+    CHECK(std::ranges::count(cut, "the monitor `collisions`") == 0);
+}
+
 TEST_CASE("a time with a power of ten has room, and its arrow too") {
     int compared = 0;
     for (double width = 6.0; width <= 24.0; width += 1.0) {

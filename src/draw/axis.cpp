@@ -273,20 +273,29 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
     if (!title.empty()) draw_text(canvas, {end, baseline}, title, words);
 }
 
+std::vector<double> grid_lines(const Rect& area, const Scale& scale, const AxisStyle& style) {
+    std::vector<double> lines;
+    if (!style.grid) return lines;
+    for (const TickMark& mark : fitting_y_ticks(scale, style))
+        if (const double y = scale(mark.value); std::abs(y - area.bottom()) > style.line_width)
+            lines.push_back(y);
+    return lines;
+}
+
 void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const AxisStyle& style) {
     const double x = area.x;
     TextStyle label = style.label;
     label.align = Align::right;
+    for (const double y : grid_lines(area, scale, style)) {
+        AxisStyle thin = style;
+        thin.line = *style.grid;
+        draw_level_line(canvas, x + 0.5 * style.line_width, area.right(), y, thin);
+    }
     draw_upright_line(canvas, x, area.y - 0.5 * style.line_width,
                       area.bottom() + 0.5 * style.line_width, style);
     for (const TickMark& mark : fitting_y_ticks(scale, style)) {
         const double y = scale(mark.value);
         draw_level_line(canvas, x - style.tick_length, x, y, style);
-        if (style.grid && std::abs(y - area.bottom()) > style.line_width) {
-            AxisStyle thin = style;
-            thin.line = *style.grid;
-            draw_level_line(canvas, x + 0.5 * style.line_width, area.right(), y, thin);
-        }
         draw_text(canvas,
                   {x - style.tick_length - gap_to_label(style), y + half_line_height(label)},
                   mark.label, label);

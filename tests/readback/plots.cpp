@@ -50,6 +50,7 @@ class PlotReading {
                 tick.value = std::log10(tick.value);
         across_ = fitted(axes_.across);
         up_ = fitted(axes_.up);
+        find_tips();
         group_rows();
     }
 
@@ -162,6 +163,62 @@ class PlotReading {
                is_near(spot, {its.x, within(its.y)}, tolerance_ + on_whole_pixels);
     }
 
+    // Triangles with a corner on an end of the axis: there a curve is cut.
+    void find_tips() {
+        constexpr double slack = 1.0;
+        for (const Shape& shape : figure_.picture.shapes) {
+            std::vector<Spot> corners = shape.corners();
+            if (corners.size() == 4 && is_near(corners.front(), corners.back(), 0.01))
+                corners.pop_back();
+            if (shape.is_stroke || corners.size() != 3) continue;
+            for (const Spot& tip : corners) {
+                if (std::abs(tip.y - within(tip.y)) > slack ||
+                    std::min(std::abs(tip.y - axes_.lines.top),
+                             std::abs(tip.y - axes_.lines.bottom)) > slack)
+                    continue;
+                double length = 0.0;
+                for (const Spot& corner : corners)
+                    length = std::max(length, std::hypot(corner.x - tip.x, corner.y - tip.y));
+                tips_.push_back({tip, length});
+            }
+        }
+    }
+
+    // Whether a spot is under the arrow where a curve is cut.
+    bool is_at_tip(Spot spot) const {
+        return std::ranges::any_of(tips_, [&](const Tip& tip) {
+            return std::hypot(spot.x - tip.at.x, spot.y - tip.at.y) <= 1.5 * tip.length;
+        });
+    }
+
+    // Whether no line shows a datum of a curve: it lies beyond the axis, or where that is cut.
+    bool is_cut_off(const Datum& datum) const {
+        const Spot its = place(datum);
+        return std::abs(its.y - within(its.y)) > tolerance_ || is_at_tip(its);
+    }
+
+    // Whether a corner of a line lies between the data i and i + 1, where the curve is cut.
+    bool is_cut_between(Spot corner, const std::vector<Datum>& data, std::size_t i) const {
+        return i + 1 < data.size() && is_at_tip(corner) &&
+               distance(corner, place(data[i]), place(data[i + 1])) <= tolerance_ + on_whole_pixels;
+    }
+
+    // Checks that there is an arrow wherever a curve leaves the plot.
+    void check_exits(const Group& group, const std::vector<Datum>& data) {
+        constexpr double beyond = 2.0;  // pixels
+        for (std::size_t i = 1; i < data.size(); ++i) {
+            const Spot a = place(data[i - 1]), b = place(data[i]);
+            const auto is_beyond = [&](Spot at) { return std::abs(at.y - within(at.y)) > beyond; };
+            if (is_beyond(a) == is_beyond(b)) continue;
+            const double end = within(is_beyond(a) ? a.y : b.y);
+            const double share = (end - a.y) / (b.y - a.y);
+            if (share < 0.0 || share > 1.0) continue;  // within a pixel of the end
+            if (!is_at_tip({a.x + share * (b.x - a.x), end}))
+                complain("no arrow shows that the " + group.name() + " goes on after row " +
+                         std::to_string(i - 1));
+        }
+    }
+
     void keep(Spot spot, const Datum& datum) {
         x_pairs_.push_back({spot.x, datum.x});
         if (std::abs(spot.y - up_(datum.y)) <= tolerance_) y_pairs_.push_back({spot.y, datum.y});
@@ -209,9 +266,15 @@ class PlotReading {
     };
     std::optional<Match> match_along(const std::vector<Spot>& corners,
                                      const std::vector<Datum>& data, std::size_t from) const {
-        if (corners.size() < 2 || !is_at(corners.front(), data[from])) return {};
-        Match match{from, {{corners.front(), from}}};
+        if (corners.size() < 2) return {};
+        Match match{from};
         std::size_t& i = match.end;
+        if (is_at(corners.front(), data[from]))
+            match.corners = {{corners.front(), from}};
+        else if (from > 0 && is_cut_between(corners.front(), data, from - 1))
+            i = from - 1;
+        else if (!is_cut_between(corners.front(), data, from))
+            return {};
         if (is_rough_ && is_at(corners.back(), data.back())) {
             i = data.size() - 1;
             match.corners.emplace_back(corners.back(), i);
@@ -225,6 +288,10 @@ class PlotReading {
                 continue;
             }
             const auto found = next(data, i, corners[k - 1], corners[k], is_last);
+            if (!found && is_last) {
+                while (i + 1 < data.size() && !is_cut_between(corners[k], data, i)) ++i;
+                if (i + 1 < data.size()) return match;
+            }
             if (!found) return {};
             i = *found;
             match.corners.emplace_back(corners[k], i);
@@ -242,16 +309,18 @@ class PlotReading {
             for (const Shape& shape : figure_.picture.shapes) {
                 if (!shape.is_stroke || used_.contains(&shape)) continue;
                 auto match = match_along(shape.corners(), data, from);
-                if (match && match->end > longest.end)
+                if (match && (shown_by == nullptr || match->end > longest.end))
                     longest = std::move(*match), shown_by = &shape;
             }
+            if (shown_by == nullptr && is_cut_off(data[from])) continue;
             if (shown_by == nullptr)
                 return complain("no line shows the " + group.name() + " from row " +
                                 std::to_string(from) + " of " + std::to_string(data.size()));
             used_.insert(shown_by);
             for (const auto& [corner, i] : longest.corners) keep(corner, data[i]);
-            from = longest.end;
+            from = std::max(from, longest.end);
         }
+        check_exits(group, data);
     }
 
     void read_points(const Group& group) {
@@ -327,6 +396,21 @@ class PlotReading {
         return top;
     }
 
+    // Whether ever fainter pieces go on from the top of a bar to the end of the axis.
+    bool fades_out(double x, double top) const {
+        constexpr double slack = 1.0;
+        double faintest = 1.0;
+        for (const Shape& shape : figure_.picture.shapes) {
+            const auto piece = shape.is_stroke ? std::nullopt : shape.rectangle();
+            if (!piece || piece->left > x || piece->right < x) continue;
+            if (std::abs(piece->bottom - top) > 0.1 + (faintest == 1.0 ? slack : 0.0)) continue;
+            if (shape.paint[3] >= faintest) continue;
+            top = piece->top;
+            faintest = shape.paint[3];
+        }
+        return top <= axes_.lines.top + slack && faintest < 0.1;
+    }
+
     static double nearest_side(const std::vector<Spot>& outline, double x) {
         double nearest = INFINITY;
         for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -370,11 +454,13 @@ class PlotReading {
             const double left = across_(bar.x), right = across_(bar.to);
             const double bottom = axes_.lines.bottom, expected = up_(bar.y);
             const double top = top_at(outline, 0.5 * (left + right)).value_or(bottom);
-            const double most = tolerance_ + (within(expected) == expected ? 0.0 : on_whole_pixels);
-            if (std::abs(top - within(expected)) > most)
+            if (within(expected) != expected) {
+                if (!fades_out(0.5 * (left + right), top))
+                    problems.push_back(name + std::to_string(bar.x) + ": it does not fade out");
+            } else if (std::abs(top - expected) > tolerance_)
                 problems.push_back(name + std::to_string(bar.x) + ": its top is " +
                                    std::to_string(top - expected) + " pixels off");
-            else if (within(expected) == expected)
+            else
                 y_pairs_.push_back({top, bar.y});
             if (std::abs(top - before.value_or(bottom)) > 1.0) {
                 const double side = nearest_side(outline, left);
@@ -397,6 +483,11 @@ class PlotReading {
     double tolerance_ = 0.0;
     bool is_rough_ = true;
     std::vector<Pair> x_pairs_, y_pairs_;
+    struct Tip {
+        Spot at;
+        double length = 0.0;
+    };
+    std::vector<Tip> tips_;
     std::set<const Shape*> used_;  ///< shapes that were read as lines
     Problems problems_;
 };

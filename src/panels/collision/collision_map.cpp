@@ -307,7 +307,7 @@ Line CollisionMapPanel::line(const std::vector<Vector>& through, Stroke stroke, 
     Line line{{.depth = depth, .still = true}, places[0], places[1]};
     line.is_thinned = false;
     line.stroke = std::move(stroke);
-    line.beyond = Beyond::cut;
+    line.marks_exits = false;  // arrows are velocities
     return line;
 }
 

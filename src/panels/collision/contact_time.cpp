@@ -108,7 +108,6 @@ Line ContactTimePanel::line(const char* of, const Curve& curve, double from, dou
               column(square_column, std::move(squares))};
     line.is_thinned = false;
     line.stroke = std::move(stroke);
-    line.beyond = Beyond::cut;
     return line;
 }
 

@@ -112,7 +112,6 @@ bool add_ballistic(const PanelContext& context, double from, double square_speed
     line.still = is_still;
     line.x = plot::column(plot.columns[0], std::move(x));
     line.y = plot::column(plot.columns[1], std::move(y));
-    line.beyond = plot::Beyond::cut;
     line.stroke = of_ballistic;
     line.depth = 1;
     plot.layers.emplace_back(std::move(line));

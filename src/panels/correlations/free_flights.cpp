@@ -163,7 +163,6 @@ plot::Line law_of(const plot::Plot& plot, double mean) {
     line.part = "memoryless";
     line.x = plot::column(plot.columns[0], std::move(along));
     line.y = plot::column(plot.columns[2], std::move(up));
-    line.beyond = plot::Beyond::cut;
     line.is_thinned = false;
     line.depth = 1;
     return line;

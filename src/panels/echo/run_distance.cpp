@@ -198,7 +198,6 @@ void RunDistancePanel::add_growth(plot::Plot& plot) const {
     fit.part = "fit";
     fit.x = plot::column(whole_.columns[0], {0.0, growth.until});
     fit.y = plot::column(whole_.columns[1], {value_at(0.0), value_at(growth.until)});
-    fit.beyond = plot::Beyond::cut;
     fit.stroke = {.role = {.of = plot::Role::Of::ink}, .width = 0.1, .dashes = {0.5, 0.35}};
     plot.layers.emplace_back(fit);
     const std::string rate = three_digits(language, growth.slope * std::log(10.0));

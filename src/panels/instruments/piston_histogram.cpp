@@ -167,7 +167,6 @@ plot::Line curve_of(const PistonOverGas& piston, const plot::Plot& plot) {
     line.x = plot::column(plot.columns[0], std::move(along));
     line.y = plot::column(plot.columns[2], std::move(up));
     line.stroke = of_law;
-    line.beyond = plot::Beyond::cut;
     line.is_thinned = false;
     line.depth = 1;
     return line;

@@ -130,6 +130,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
         .lines = {{"on the walls", of_walls}, {"from collisions", of_virial}},
         .titles = titles(language, walls),
         .names = {say(language, "on the walls"), say(language, "from collisions")},
+        .plain_title = say(language, "Pressure"),
         .notes = {time_words(language, over, box)},
         .references = [context, thermal = gauge.thermal()] { return levels(context, *thermal); },
         .quantity = Phrase{"pressure"},

@@ -101,7 +101,6 @@ plot::Line curve(const plot::Plot& plot, const char* name, const plot::Stroke& s
     line.x = plot::column(plot.columns[0], std::move(across));
     line.y = plot::column(plot.columns[1], std::move(up));
     line.stroke = stroke;
-    line.beyond = plot::Beyond::cut;
     return line;
 }
 
@@ -262,7 +261,6 @@ plot::Line PressureVolumePanel::path_of(std::size_t run, std::size_t shown) cons
     line.x = plot::column(whole_.columns[0], std::move(area));
     line.y = plot::column(whole_.columns[1], std::move(pressure));
     line.is_thinned = false;
-    line.beyond = plot::Beyond::drawn;
     line.stroke = {
         .role = {.of = plot::Role::Of::bar}, .width = 0.1, .shade = plot::Shade::legible};
     if (record_.compares()) {

@@ -189,7 +189,7 @@ void draw_count_at_end(Canvas& canvas, const Frame& frame, LabelPlacer& placer, 
             const Rect rect{left - 0.2 * u, y - 0.95 * u, width + 0.4 * u, 1.25 * u};
             if (rect.x < frame.area.x || !placer.is_free(rect)) continue;
             placer.keep_clear(rect);
-            draw_text(canvas, {x, y}, one, style);
+            draw_text(canvas, {x, y}, one, clear_of_grid(frame, style, rect));
             return;
         }
     }
@@ -242,7 +242,7 @@ void draw_names(Canvas& canvas, const Frame& frame, const Plot& plot) {
         TextStyle style = label_style(frame.dc);
         style.color = legible(color_of(name.sample, frame.dc.theme), frame.dc.theme);
         style.max_width = frame.notes.width;
-        draw_text(canvas, {at.x + 0.6 * u, at.y}, words, style);
+        draw_text(canvas, {at.x + 0.6 * u, at.y}, words, clear_of_grid(frame, style, places[k]));
         draw_straight(canvas, frame.dc, {at.x, at.y + 0.1 * u}, {at.x, at.y - 0.85 * u},
                       name.sample);
     }

@@ -1,5 +1,5 @@
-// What is drawn over all bars of a plot and below its lines and marks: breaks of bars that are too
-// tall, error bars of means, and casings that separate lines from bars.
+// What is drawn over all bars of a plot and below its lines and marks: error bars of means, and
+// casings that separate lines from bars; and the numbers of bars that are taller than the axis.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@ namespace carom::plot {
 /// The bar layers of a plot, in its order.
 std::vector<const Bars*> bars_of(const Plot& plot);
 
-/// Draws breaks, error bars and casings; nothing if the plot has no bars.
+/// Draws error bars and casings; nothing if the plot has no bars.
 void draw_over_bars(Canvas& canvas, const Frame& frame, const Plot& plot);
 
-/// Draws the count of each bar that is taller than the axis beside the bar or over it; for several
-/// adjacent ones, all counts at the last. A count without room is left out: the break still shows
-/// that the bar is taller.
-void draw_counts_of_broken_bars(Canvas& canvas, const Frame& frame, const Plot& plot);
+/// Draws the number of each bar that is taller than the axis beside the bar, inside the plot; for
+/// several adjacent ones, all numbers together. A number without room is left out: that the bar
+/// fades out still shows that it is taller.
+void draw_numbers_of_tall_bars(Canvas& canvas, const Frame& frame, const Plot& plot);
 
 /// A count as text, or a mean of counts, which need not be whole.
 std::string count_words(Language language, double count);

@@ -37,12 +37,13 @@ struct Place {
     std::string words = {};
 };
 
-// With the sample before the words.
+// With the sample before the words, which keeps off other words.
 Rect whole_of(const Frame& frame, const Place& place) {
+    constexpr double air = 0.5;  // units
     Rect whole = place.rect;
     if (!place.has_sample) return whole;
-    whole.x += frame.pixels(sample_from);
-    whole.width -= frame.pixels(sample_from);
+    whole.x += frame.pixels(sample_from - air);
+    whole.width -= frame.pixels(sample_from - air);
     return whole;
 }
 
@@ -101,9 +102,15 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
 }
 
 // Whether the words say by a sample what they belong to, and may therefore be anywhere: words of a
-// level.
+// level, and names.
 bool has_sample(const Label& label) {
-    return label.sample && !label.anchors.empty() && label.anchors.front().has_sample;
+    return label.sample && !label.anchors.empty() &&
+           (label.is_name || label.anchors.front().has_sample);
+}
+
+// In print the words of names begin with samples.
+bool has_own_sample(const Frame& frame, const Label& label) {
+    return label.is_name && frame.dc.theme.kind == ThemeKind::print;
 }
 
 // The free place nearest to the first anchor.
@@ -117,7 +124,7 @@ std::optional<Place> place_anywhere(const Frame& frame, const Label& label, doub
     const double air = frame.pixels(step);
     for (double y = area.y + frame.pixels(ascent); y < area.bottom(); y += air)
         for (double x = area.right() - air; x > area.x; x -= air) {
-            Place place{{x, y}, Align::right, {}, true};
+            Place place{{x, y}, Align::right, {}, !has_own_sample(frame, label)};
             place.rect = rect_of(frame, place.baseline, place.align, width);
             const double distance = std::hypot(x - wanted.x, y - wanted.y);
             if (nearest && distance >= least) continue;
@@ -183,7 +190,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
     const Rect& rect = place->rect;
     TextStyle style = style_of(frame, label);
     style.align = place->align;
-    draw_text(canvas, place->baseline, place->words, style);
+    draw_text(canvas, place->baseline, place->words, clear_of_grid(frame, style, rect));
     frame.placer.place(whole_of(frame, *place));
     if (!place->has_sample || !label.sample) return;
     const double y = place->baseline.y - frame.pixels(0.35);
@@ -193,8 +200,10 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Level& level) {
     const double y = frame.y(level.value);
-    if (!is_in_area(frame, {frame.area.x, y})) return;
-    draw_straight(canvas, frame.dc, {frame.area.x, y}, {frame.area.right(), y}, level.stroke);
+    if (const auto exit = exit_of(frame, level))
+        draw_exit(canvas, frame, *exit, level.stroke);
+    else
+        draw_straight(canvas, frame.dc, {frame.area.x, y}, {frame.area.right(), y}, level.stroke);
     if (level.label) draw_layer(canvas, frame, *level.label);
 }
 

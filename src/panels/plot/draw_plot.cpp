@@ -186,67 +186,35 @@ void draw_ramp(Canvas& canvas, const Frame& frame, const Ramp& ramp) {
         [&](double share) { return ramp.color(std::lerp(x.low, x.high, share), frame.dc.theme); });
 }
 
+// The area over the place of 0, if there is one.
+Rect area_of_scale(const Frame& frame) {
+    Rect above = frame.area;
+    above.height = frame.y_scale.from - frame.area.y;
+    return above;
+}
+
+}  // namespace
+
+std::vector<double> grid_of(const Frame& frame, const Plot& plot) {
+    return grid_lines(area_of_scale(frame), frame.y_scale, style_of(plot, plot.y, frame.dc));
+}
+
+namespace {
+
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
     if (plot.ramp) draw_ramp(canvas, frame, *plot.ramp);
     const AxisStyle style = style_of(plot, plot.x, dc);
     draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame), style);
-    Rect above = frame.area;
-    above.height = frame.y_scale.from - frame.area.y;
-    draw_y_axis(canvas, above, frame.y_scale, style_of(plot, plot.y, dc));
+    draw_y_axis(canvas, area_of_scale(frame), frame.y_scale, style_of(plot, plot.y, dc));
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
     draw_y_title(canvas, frame, plot);
-}
-
-// The words of a layer; nullptr: none.
-const Label* label_of(const AnyLayer& layer) {
-    const auto of = [](const auto& part) { return part && part->label ? &*part->label : nullptr; };
-    if (const Label* level = of(std::get_if<Level>(&layer))) return level;
-    if (const Label* marker = of(std::get_if<Marker>(&layer))) return marker;
-    return std::get_if<Label>(&layer);
-}
-
-bool has_labels(const Plot& plot, bool still) {
-    return std::ranges::any_of(plot.layers, [&](const AnyLayer& layer) {
-        return common(layer).still == still && label_of(layer) != nullptr;
-    });
-}
-
-// Layers of a part in the order in which they are drawn.
-std::vector<const AnyLayer*> layers_of(const Plot& plot, bool still) {
-    std::vector<const AnyLayer*> layers;
-    for (const AnyLayer& layer : plot.layers)
-        if (common(layer).still == still) layers.push_back(&layer);
-    std::ranges::stable_sort(layers, std::ranges::greater{},
-                             [](const AnyLayer* layer) { return common(*layer).depth; });
-    return layers;
 }
 
 // Whether a frame shows nothing of a line yet.
 bool is_hidden(const AnyLayer& layer) {
     const auto* line = std::get_if<Line>(&layer);
     return line != nullptr && line->shown.end == 0;
-}
-
-// The highest that bars ever reach, and the names over them, which have numbers later.
-void keep_clear_of_bars(const Frame& frame, const Plot& plot, LabelPlacer& placer) {
-    if (!plot.bar_notes) return;
-    for (const BarNotes::Reach& bar : plot.bar_notes->highest) {
-        const double top = frame.y(bar.value, Beyond::clamped), left = frame.x(bar.from);
-        placer.keep_clear({left, top, frame.x(bar.to) - left, frame.area.bottom() - top});
-    }
-    for (Rect name : places_of_names(frame, plot)) {
-        name.width = std::max(name.width, frame.area.right() - name.x);
-        placer.keep_clear(name);
-    }
-}
-
-// All that is shown in the film, which still labels must not overlap.
-void keep_clear_of_film(const Frame& frame, const Plot& plot, LabelPlacer& placer) {
-    const Frame of_all{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
-    for (const AnyLayer& layer : plot.layers)
-        if (!std::holds_alternative<Bars>(layer)) keep_clear_of(of_all, layer);
-    keep_clear_of_bars(frame, plot, placer);
 }
 
 // Registers what the labels of a part must not overlap: for still labels, all that is shown in the
@@ -257,6 +225,13 @@ void keep_labels_clear(const Frame& frame, const Plot& plot, bool still) {
     for (const AnyLayer& layer : plot.layers)
         if (!is_hidden(layer)) keep_clear_of(frame, layer);
     for (const Rect& label : places_of_still_labels(frame, plot)) frame.placer.place(label);
+}
+
+// Whether it changes the layout where the names of lines are.
+bool depends_on_names(const Plot& plot) {
+    return plot.bar_notes || std::ranges::any_of(plot.notes, [](const Note& note) {
+               return note.of_last_titles > 0;
+           });
 }
 
 // Where markers of a part leave gaps: at the words that have their places, and at those that layers
@@ -275,18 +250,6 @@ std::vector<Rect> gaps_of(const Frame& frame, const std::vector<const AnyLayer*>
 
 }  // namespace
 
-std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot) {
-    std::vector<Rect> places;
-    if (!has_labels(plot, true)) return places;
-    LabelPlacer placer(frame.area);
-    keep_clear_of_film(frame, plot, placer);
-    const Frame of_all{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
-    for (const AnyLayer* layer : layers_of(plot, true))
-        if (const Label* label = label_of(*layer))
-            if (const auto rect = rect_of(of_all, *label)) places.push_back(*rect);
-    return places;
-}
-
 double Frame::y(double value, Beyond beyond) const {
     double power = value;
     if (y_kind == Axis::Kind::logarithmic) power = std::log10(std::max(value, 1e-300));
@@ -296,16 +259,19 @@ double Frame::y(double value, Beyond beyond) const {
 }
 
 void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part) {
+    const bool still = part == Part::still;
+    if (plot.at_lines && (still || depends_on_names(plot)))
+        return draw_plot(canvas, dc, with_names(plot, dc), part);
     LabelPlacer placer({});
     Frame frame = frame_of(plot, dc, placer);
-    const bool still = part == Part::still;
+    frame.grid = grid_of(frame, plot);
     if (still) {
         draw_panel_title(canvas, dc, title_of(plot, dc));
         draw_axes(canvas, frame, plot);
     }
     draw_notes(canvas, frame, plot, part);
     keep_labels_clear(frame, plot, still);
-    const std::vector<const AnyLayer*> layers = layers_of(plot, still);
+    const std::vector<const AnyLayer*> layers = layers_in_order(plot, still);
     frame.gaps = gaps_of(frame, layers);
     const auto last_bars = std::ranges::find_if(
         layers.rbegin(), layers.rend(),
@@ -316,7 +282,7 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         draw_over_bars(canvas, frame, plot);
         draw_counts_beyond(canvas, frame, plot);
     }
-    if (last_bars != layers.rend()) draw_counts_of_broken_bars(canvas, frame, plot);
+    if (last_bars != layers.rend()) draw_numbers_of_tall_bars(canvas, frame, plot);
     if (still)
         leave_out_names(frame, plot);
     else

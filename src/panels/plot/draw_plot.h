@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "panels/panel.h"
+#include "panels/plot/label_placer.h"
 #include "panels/plot/plot.h"
 #include "panels/table.h"
 
@@ -15,6 +17,21 @@ enum class Part { still, changing };
 
 /// Draws a part of the plot into `dc.area`. A pure function; may be called from any thread.
 void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part);
+
+/// What room the area of the data has that nothing takes in the whole film; `whole` is the plot of
+/// no frame.
+struct FreeRoom {
+    Rect area;
+    LabelPlacer taken;
+    std::vector<Rect> words;  ///< inside and around the area
+
+    bool is_free(const Rect& part) const;
+    bool is_free(const Point& from, const Point& to) const;  ///< for a thin line, of words only
+
+    /// The highest that anything reaches at `x`, pixels.
+    double top_at(double x) const;
+};
+FreeRoom free_room(const DrawContext& dc, const Plot& whole);
 
 /// The position on the canvas of a point in the plot's coordinates: at `y` or, without `y`, at the
 /// top of the highest bar that is drawn at `x`, or of the highest line if there is no bar. None if

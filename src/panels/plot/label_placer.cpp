@@ -49,7 +49,7 @@ bool LabelPlacer::is_free(const Rect& words, bool over_markers) const {
     const auto leaves_an_end = [&](const Segment& marker) {
         return words.y > marker.from.y && words.bottom() < marker.to.y;
     };
-    if (std::ranges::any_of(segments_, is_crossed) || std::ranges::any_of(parts_, overlaps))
+    if (std::ranges::any_of(parts_, overlaps) || std::ranges::any_of(segments_, is_crossed))
         return false;
     return std::ranges::none_of(markers_, [&](const Segment& marker) {
         return is_crossed(marker) && !(over_markers && leaves_an_end(marker));

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "draw/arrow.h"
@@ -23,6 +25,9 @@ struct PlaceOfNotes {
     double row = 0.0;       ///< the height of all rows, units; 0: none
 };
 
+/// What happens to data beyond the vertical axis.
+enum class Beyond { clamped, drawn };
+
 /// The mapping of a plot's data to the canvas.
 struct Frame {
     const DrawContext& dc;
@@ -30,10 +35,11 @@ struct Frame {
     Scale x_scale, y_scale;  ///< of decimal logarithms, unless an axis is linear
     Axis::Kind y_kind;
     LabelPlacer& placer;
-    PlaceOfNotes notes = {};      ///< over bars
-    Point row = {};               ///< where the last row above the plot begins, on its baseline
-    bool is_key_beside = false;   ///< whether a note that may be beside the plot is there
-    std::vector<Rect> gaps = {};  ///< where markers are not drawn, because words stand there
+    PlaceOfNotes notes = {};        ///< over bars
+    Point row = {};                 ///< where the last row above the plot begins, on its baseline
+    bool is_key_beside = false;     ///< whether a note that may be beside the plot is there
+    std::vector<Rect> gaps = {};    ///< where markers are not drawn, because words stand there
+    std::vector<double> grid = {};  ///< the heights of the lines across the plot at its ticks
 
     double x(double value) const { return x_scale(value); }
 
@@ -61,6 +67,34 @@ void draw_in_area(Canvas& canvas, const Frame& frame, std::span<const Point> pat
     canvas.release_clip();
 }
 
+/// Where a path leaves an area, or comes into it, and the direction outward along it, of length 1.
+struct Exit {
+    Point at, outward;
+};
+
+/// The pieces of a path that lie in an area, and its exits; those nearer to one another than
+/// `apart` (pixels) are listed once.
+struct CutPath {
+    std::vector<std::vector<Point>> pieces;
+    std::vector<Exit> exits;
+};
+CutPath cut_to(const Rect& area, std::span<const Point> path, double apart = 0.0);
+
+/// The part of a straight piece that lies in an area, as shares of it; none if they do not meet.
+std::optional<std::pair<double, double>> part_in(const Rect& area, Point from, Point to);
+
+/// Draws the arrows of a line whose path leaves the area of the data, and gives the pieces of the
+/// path that are to be drawn over them.
+std::vector<std::vector<Point>> draw_exits(Canvas& canvas, const Frame& frame,
+                                           std::span<const Point> path, const Line& line);
+
+/// Where the arrow of a level stands that lies beyond the axis, at the right end; none if it does
+/// not.
+std::optional<Exit> exit_of(const Frame& frame, const Level& level);
+
+/// Draws an arrow whose tip is at an exit.
+void draw_exit(Canvas& canvas, const Frame& frame, const Exit& exit, const Stroke& stroke);
+
 /// Lays out a plot in `dc.area`: the data are below the title and the notes, and inside the labels
 /// of the axes.
 Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer);
@@ -86,12 +120,35 @@ std::optional<Rect> place_of_y_title(const Plot& plot, const Frame& frame);
 /// The places of the labels that stay the same in all frames.
 std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot);
 
+/// The width of clear ground around letters, units.
+inline constexpr double halo_of_words = 0.2;
+
+/// The heights of the lines of the grid.
+std::vector<double> grid_of(const Frame& frame, const Plot& plot);
+
+/// The style of words at a place in the plot: with clear ground around the letters if a line of the
+/// grid runs there.
+TextStyle clear_of_grid(const Frame& frame, TextStyle style, const Rect& words);
+
+/// The plot as it is drawn: with the names of its lines beside these, or in its titles.
+Plot with_names(const Plot& plot, const DrawContext& dc);
+
 /// Fills a rectangle with colours from left to right, in steps of whole pixels, so that there are
 /// no seams; `color_at` gives them for shares of the width.
 void draw_strip(Canvas& canvas, const Rect& rect, const std::function<Color(double)>& color_at);
 
 /// Keep words off what a layer draws.
 void keep_clear_of(const Frame& frame, const AnyLayer& layer);
+
+/// Keeps words off all that is shown in the film.
+void keep_clear_of_film(const Frame& frame, const Plot& plot, LabelPlacer& placer);
+
+/// The words of a layer; nullptr: none. Whether a part has any.
+const Label* label_of(const AnyLayer& layer);
+bool has_labels(const Plot& plot, bool still);
+
+/// Layers of a part in the order in which they are drawn.
+std::vector<const AnyLayer*> layers_in_order(const Plot& plot, bool still);
 
 /// The colour of a role on a theme, and that of a stroke, with its shade and its fading applied.
 Color color_of(const Role& role, const Theme& theme);

@@ -9,21 +9,36 @@
 namespace carom::plot {
 namespace {
 
+constexpr double arrow = 0.9;  // units, around where a line leaves the plot
+
 // The whole course of lines and bands, not only the part that a frame shows.
 struct Obstacles {
     const Frame& frame;
+
+    // Of a straight piece, only the part in the plot, and the arrow where it leaves that.
+    void keep_clear_of_piece(const Point& from, const Point& to, double width) const {
+        const auto part = part_in(frame.area, from, to);
+        if (!part) return;
+        const auto at = [&](double share) {
+            return Point{std::lerp(from.x, to.x, share), std::lerp(from.y, to.y, share)};
+        };
+        const Point first = at(part->first), last = at(part->second);
+        frame.placer.keep_clear(first, last, width);
+        if (part->first > 0.0) frame.placer.keep_clear(first, first, frame.pixels(arrow));
+        if (part->second < 1.0) frame.placer.keep_clear(last, last, frame.pixels(arrow));
+    }
 
     void operator()(const Line& line) const {
         const double width = frame.pixels(line.stroke.width);
         std::optional<Point> before;
         for (std::size_t i = 0; i < line.x.size(); ++i) {
             const bool is_there = std::isfinite(line.y[i]);
-            const Point now{frame.x(line.x[i]), is_there ? frame.y(line.y[i], line.beyond) : 0.0};
+            const Point now{frame.x(line.x[i]), is_there ? frame.y(line.y[i]) : 0.0};
             if (!is_there) {
                 before = {};
             } else if (!before || is_apart(*before, now, frame.pixels(0.1)) ||
                        i + 1 == line.x.size()) {
-                if (before) frame.placer.keep_clear(*before, now, width);
+                if (before) keep_clear_of_piece(*before, now, width);
                 before = now;
             }
         }
@@ -60,7 +75,8 @@ struct Obstacles {
 
     void operator()(const Level& level) const {
         const double y = frame.y(level.value);
-        if (!is_in_area(frame, {frame.area.x, y})) return;
+        if (const auto exit = exit_of(frame, level))
+            return frame.placer.keep_clear(exit->at, exit->at, frame.pixels(arrow));
         frame.placer.keep_clear({frame.area.x, y}, {frame.area.right(), y},
                                 frame.pixels(level.stroke.width));
     }
@@ -78,8 +94,8 @@ struct Obstacles {
             const double left = frame.x(bars.from[i]), right = frame.x(bars.to[i]);
             double most = bars.value[i];
             if (i < bars.error.size() && std::isfinite(bars.error[i])) most += bars.error[i];
-            const bool is_broken = i < bars.broken.size() && !bars.broken[i].empty();
-            const double top = is_broken ? frame.area.y : frame.y(most, Beyond::clamped);
+            const bool is_taller = i < bars.taller.size() && !bars.taller[i].empty();
+            const double top = is_taller ? frame.area.y : frame.y(most, Beyond::clamped);
             if (top < frame.area.bottom())
                 frame.placer.keep_clear({left, top, right - left, frame.area.bottom() - top});
         }

@@ -135,9 +135,6 @@ struct Layer {
     std::vector<Column> more = {};  ///< further columns of the table, not drawn
 };
 
-/// What happens to data beyond the axes.
-enum class Beyond { clamped, cut, drawn };
-
 /// A disk at a point.
 struct Mark {
     Role role = {};
@@ -150,7 +147,8 @@ struct Mark {
     double ring = 0.0;               ///< > 0: a ring of this width instead
 };
 
-/// A path through points; it is broken where the number of the piece changes.
+/// A path through points; it is broken where the number of the piece changes, and cut where it
+/// leaves the plot.
 struct Line : Layer {
     Column x, y;
     Shown shown = {};
@@ -158,7 +156,7 @@ struct Line : Layer {
     std::string piece_column = {};                       ///< of the table; empty: not listed
     bool is_thinned = true;  ///< points that nearly coincide are drawn once
     Stroke stroke = {};
-    Beyond beyond = Beyond::clamped;
+    bool marks_exits = true;        ///< by arrows where it is cut
     std::optional<Mark> head = {};  ///< mark at its present end
 };
 
@@ -186,6 +184,7 @@ struct Label : Layer {
     std::vector<Anchor> anchors = {};
     Role role = {};
     std::optional<Stroke> sample = {};  ///< before them
+    bool is_name = false;  ///< of a line or of bars, see NamedAtLines; of all, without a sample
 };
 
 /// A line at one value of y across the plot.
@@ -219,9 +218,10 @@ struct Ramp {
 
 /// The heights of bins side by side.
 struct Bars : Layer {
-    Column from, to, value, error;         ///< errors may be none
-    double below = 0.0, above = 0.0;       ///< beyond the ends of the axis, for the table
-    std::vector<std::string> broken = {};  ///< text at each bar's break; empty: not broken
+    Column from, to, value, error;    ///< errors may be none
+    double below = 0.0, above = 0.0;  ///< beyond the ends of the axis, for the table
+    /// The number of each bar that is taller than the axis, and fades out there; empty: none is.
+    std::vector<std::string> taller = {};
     Role role = {.of = Role::Of::bar};
     std::shared_ptr<const Ramp> ramp = {};  ///< instead of the role: each bar has the colour of its
                                             ///< middle, and a strip under the axis shows them
@@ -261,6 +261,14 @@ struct BarNotes {
                                 ///< a row above
     std::vector<Reach> highest = {};                  ///< of the bars in the whole film
     std::string below = {}, above = {}, beyond = {};  ///< "3", "5", "faster"; empty: none
+};
+
+/// What a plot shows instead where all names of its lines and bars (Label::is_name) have places
+/// beside these: titles without the names, no title of the vertical axis, and no notes under
+/// titles. Where one with a sample has no place, none of the names is drawn.
+struct NamedAtLines {
+    std::vector<Text> titles = {};
+    std::vector<std::string> means = {};  ///< instead of each name over bars, if there are any
 };
 
 // ----------------------------------------------------------------------------------- words around
@@ -322,6 +330,7 @@ struct Plot {
     std::vector<Layer> numbers = {};  ///< of the table only: not drawn
     std::vector<Note> notes = {};
     std::optional<BarNotes> bar_notes = {};
+    std::optional<NamedAtLines> at_lines = {};
     std::shared_ptr<const Ramp> ramp = {};           ///< of its bars, which may come later
     std::vector<std::string> columns = {};           ///< of the table, in order
     std::vector<std::string> runs = {};              ///< names of compared runs

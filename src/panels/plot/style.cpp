@@ -132,6 +132,15 @@ void draw_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point to, con
         arrow_style(dc, color_of(arrow.role, dc.theme), color_of(arrow.edge, dc.theme), 0.08));
 }
 
+TextStyle clear_of_grid(const Frame& frame, TextStyle style, const Rect& words) {
+    const bool is_crossed = std::ranges::any_of(
+        frame.grid, [&](double y) { return y > words.y && y < words.bottom(); });
+    if (!is_crossed) return style;
+    style.halo = halo_of_words * frame.dc.unit;
+    style.behind = frame.dc.theme.page;
+    return style;
+}
+
 namespace {
 
 std::string sample_of(const Text::Piece& piece, const Theme& theme) {

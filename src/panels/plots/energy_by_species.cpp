@@ -62,7 +62,7 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         .measure = [context](const FrameInput& o) { return means(context, o.energy); },
         .lines = {},
         .titles = titles(context),
-        .last_title_names = false,
+        .plain_title = say(context.language(), "Mean energy"),
         .spreads = true,
         .quantity = Phrase{"mean energy"},
         .unit = reduced::energy,

@@ -43,7 +43,7 @@ void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
                               plot::named(subject.names[1], of_positions, plot::Sample::line, 1)});
         subject.titles = {plot::text_of(language, Phrase{"Entropy of {}"}, {names}),
                           say(language, "Entropy")};
-        subject.last_title_names = false;
+        subject.plain_title = subject.titles.back();
         subject.notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over cells"), sum};
     }
 }

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double probe_samples = 40;       // least number, to determine the height of the axis
 constexpr double most_in_probe = 100'000;  // values
-constexpr double break_seconds = 1;        // of film: how long a bar near the end stays broken
-constexpr double least_broken = 0.9;       // of the axis: lower bars are never broken
+constexpr double tall_seconds = 1;         // of film: how long a bar near the end fades out
+constexpr double least_tall = 0.9;         // of the axis: lower bars never do
 
 using Values = Eigen::Map<const Eigen::ArrayXd>;
 
@@ -239,33 +239,33 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
     if (input.refreshes_readouts || !readouts_)
         readouts_ = std::make_shared<const HistogramCounts>(state->counts);
     state->readouts = readouts_;
-    broken_until_.resize(state->counts.series.size());
-    for (std::size_t k = 0; k < broken_until_.size(); ++k)
-        state->broken.push_back(broken_bars(state->counts.series[k], input.tick.frame, k));
+    taller_until_.resize(state->counts.series.size());
+    for (std::size_t k = 0; k < taller_until_.size(); ++k)
+        state->taller.push_back(tall_bars(state->counts.series[k], input.tick.frame, k));
     return state;
 }
 
 void HistogramPanel::archive_progress(Archive& archive) {
     for (HistogramOverTime& one : bars_) archive(one);
-    archive(paths_, readouts_, broken_until_);
+    archive(paths_, readouts_, taller_until_);
 }
 
-// Broken are the bars that exceed the axis, and those near its end that exceeded it a moment ago.
+// The bars that exceed the axis, and those near its end that exceeded it a moment ago.
 // This hysteresis keeps a bar that fluctuates about the end of the axis from changing in every
 // frame.
-std::vector<bool> HistogramPanel::broken_bars(const MeanHistogram& now, int frame, std::size_t k) {
-    const int hold = static_cast<int>(std::lround(break_seconds * context_.scene.film.fps));
-    std::vector<int>& until = broken_until_[k];
+std::vector<bool> HistogramPanel::tall_bars(const MeanHistogram& now, int frame, std::size_t k) {
+    const int hold = static_cast<int>(std::lround(tall_seconds * context_.scene.film.fps));
+    std::vector<int>& until = taller_until_[k];
     until.resize(now.counts.size(), -1);
-    std::vector<bool> broken;
+    std::vector<bool> taller;
     for (std::size_t i = 0; i < now.counts.size(); ++i) {
         if (now.counts[i] > axes_.top)
             until[i] = frame + (context_.in_film ? hold : 0);
-        else if (now.counts[i] <= least_broken * axes_.top)
+        else if (now.counts[i] <= least_tall * axes_.top)
             until[i] = -1;
-        broken.push_back(frame <= until[i]);
+        taller.push_back(frame <= until[i]);
     }
-    return broken;
+    return taller;
 }
 
 std::shared_ptr<const PanelState> HistogramPanel::state_of_runs(

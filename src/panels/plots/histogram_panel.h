@@ -62,8 +62,8 @@ struct HistogramSubject {
 struct HistogramState : PanelState {
     HistogramCounts counts;
     std::shared_ptr<const HistogramCounts> readouts = {};  ///< to which numbers in texts belong
-    /// Whether each bar of each series is drawn broken; empty: decided by its height.
-    std::vector<std::vector<bool>> broken = {};
+    /// Whether each bar of each series fades out at the top; empty: decided by its height.
+    std::vector<std::vector<bool>> taller = {};
     std::size_t bytes() const override;
 };
 
@@ -118,7 +118,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void make_axes() override;
     void take_axes(const RecordPanel& of) override;
     void begin_counting();
-    std::vector<bool> broken_bars(const MeanHistogram& now, int frame, std::size_t k);
+    std::vector<bool> tall_bars(const MeanHistogram& now, int frame, std::size_t k);
     std::optional<double> window() const;
     void add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars) const;
     double samples() const;       ///< number that is surveyed
@@ -156,7 +156,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::Text add_titles_of_runs();
     std::vector<plot::Text> titles_with_asides(const plot::Text& words,
                                                const plot::Text& quantity) const;
-    std::optional<plot::Label> name_of_curve() const;
+    plot::Label name_of_curve(std::size_t k) const;
+    void add_names();
     bool marks_name_choices() const;
     void make_plot();
     std::string height_name() const;
@@ -176,7 +177,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     Paths paths_;                          ///< in the second pass, of a mean over time
     std::vector<HistogramOverTime> bars_;  ///< for each choice, in the second pass
     std::shared_ptr<const HistogramCounts> readouts_;
-    std::vector<std::vector<int>> broken_until_;  ///< last frame, for each bar of each series
+    std::vector<std::vector<int>> taller_until_;  ///< last frame, for each bar of each series
 };
 
 /// Report a figure that tests a histogram which has too few values for the test: of one number per

@@ -184,10 +184,10 @@ plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) c
     if (!state.counts.errors.empty())
         bars.error = column("standard error (count)", state.counts.errors[k]);
     for (std::size_t i = 0; i < now.counts.size(); ++i) {
-        const bool is_broken =
-            state.broken.empty() ? now.counts[i] > axes_.top : state.broken[k][i];
-        bars.broken.push_back(
-            is_broken ? count_words(context_.language(), state.readouts->series[k].counts[i]) : "");
+        const bool is_taller =
+            state.taller.empty() ? now.counts[i] > axes_.top : state.taller[k][i];
+        bars.taller.push_back(
+            is_taller ? count_words(context_.language(), state.readouts->series[k].counts[i]) : "");
     }
     return bars;
 }
@@ -293,25 +293,44 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
     return notes;
 }
 
-// The name of the curve of a single choice, beside the curve where no bar ever reaches.
-std::optional<plot::Label> HistogramPanel::name_of_curve() const {
-    const HistogramCurve& curve = axes_.curves.front();
-    if (count() > 1 || compares() || curve.empty()) return {};
+// The name of a curve: of a single choice that it is the curve of equilibrium; of one of several,
+// the name of the choice.
+plot::Label HistogramPanel::name_of_curve(std::size_t k) const {
+    const HistogramCurve& curve = axes_.curves[k];
     plot::Label label;
     label.still = true;
-    label.role = {Role::Of::accent};
-    label.words = {say(context_.language(), subject_.curve),
-                   say(context_.language(), subject_.short_curve)};
     const auto peak =
         static_cast<std::size_t>(std::ranges::max_element(curve.count) - curve.count.begin());
-    constexpr int places = 14;
-    for (const double up : {-0.5, -1.6, -2.7, -3.8})
-        for (int k = 1; k < places; ++k) {
-            const std::size_t i =
-                peak + (curve.value.size() - 1 - peak) * static_cast<std::size_t>(k) / places;
-            label.anchors.push_back(
-                {.at = {curve.value[i], curve.count[i]}, .offset = {0.6, up}, .is_inside = true});
+    const auto add = [&](std::size_t i, double across, double up, Align align) {
+        label.anchors.push_back({.at = {curve.value[i], curve.count[i]},
+                                 .offset = {across, up},
+                                 .align = align,
+                                 .is_inside = true});
+    };
+    const bool is_single = count() == 1;
+    if (is_single) {
+        label.role = {Role::Of::accent};
+        label.words = {say(context_.language(), subject_.curve),
+                       say(context_.language(), subject_.short_curve)};
+    } else {
+        label.is_name = true;
+        label.sample = *layers_[k].bars.edge;
+        label.words = {named(name_of_series(k), roles_[k].curve, plot::Sample::line, k)};
+    }
+    const std::size_t places = is_single ? 14 : 7;
+    constexpr double least = 0.25;  // of the peak: beyond, curves are close to one another
+    const std::size_t right = curve.value.size() - 1 - peak;
+    for (double up = -0.5; up > (is_single ? -4.0 : -8.0); up -= 1.1) {
+        if (!is_single) add(peak, 0.0, up, Align::center);
+        for (std::size_t place = 1; place < places; ++place) {
+            const std::size_t after = peak + right * place / places;
+            const std::size_t before = peak - peak * place / places;
+            if (is_single || curve.count[after] > least * curve.count[peak])
+                add(after, 0.6, up, Align::left);
+            if (!is_single && curve.count[before] > least * curve.count[peak])
+                add(before, -0.6, up, Align::right);
         }
+    }
     if (!subject_.shares.empty())  // beside bars that once were higher than the curve
         label.anchors.push_back({.at = {1.0, 0.0},
                                  .x_is_share = true,
@@ -320,6 +339,37 @@ std::optional<plot::Label> HistogramPanel::name_of_curve() const {
                                  .align = Align::right,
                                  .is_inside = true});
     return label;
+}
+
+// Each choice is named at its curve, where these have places; what the curves are is said where
+// there is room, from the top right on.
+void HistogramPanel::add_names() {
+    if (compares() || !axes_.has_curves()) return;
+    if (count() > 1 && (spec_.fit || std::ranges::any_of(axes_.curves, &HistogramCurve::empty)))
+        return;
+    for (std::size_t k = 0; k < count(); ++k) whole_.layers.emplace_back(name_of_curve(k));
+    if (count() == 1) return;
+    const Language language = context_.language();
+    plot::Label curves;
+    curves.still = curves.is_name = true;
+    curves.words = {say(language, "lines: equilibrium"), say(language, "equilibrium")};
+    for (double down = 1.05; down < 12.0; down += 1.4)
+        curves.anchors.push_back({.at = {1.0, 0.0},
+                                  .x_is_share = true,
+                                  .y_is_share = true,
+                                  .offset = {-0.5, down},
+                                  .align = Align::right,
+                                  .step = {-1.0, 0.0},
+                                  .is_inside = true});
+    whole_.layers.emplace_back(std::move(curves));
+    plot::NamedAtLines at_lines;
+    const plot::Text words = spec_.title ? plot::Text(escape_markup(*spec_.title))
+                                         : plot::Text(say(language, subject_.title));
+    at_lines.titles = titles_with_asides(
+        words, spec_.title ? words : capitalised(say(language, subject_.quantity)));
+    for (const BarNotes::Name& name : mean_names(nullptr))
+        at_lines.means.push_back(name.has_number ? say(language, "mean") : name.short_name);
+    whole_.at_lines = std::move(at_lines);
 }
 
 std::string HistogramPanel::from_name() const {
@@ -343,8 +393,8 @@ void HistogramPanel::make_plot() {
     whole_.y.high = axes_.top;
     whole_.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
     for (std::size_t k = 0; k < count(); ++k) layers_.push_back(layers_of(k));
-    if (auto name = name_of_curve()) whole_.layers.emplace_back(std::move(*name));
     const Text left_out = add_titles();
+    add_names();
     whole_.columns = {from_name(), to_name(), value_name()};
     if (axes_.runs > 1) whole_.columns.emplace_back("standard error (count)");
     std::vector<std::string> names;

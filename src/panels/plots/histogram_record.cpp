@@ -234,8 +234,8 @@ TallestBars tallest_bars(const HistogramRecord& record, const HistogramRules& ru
 
 // The height of the axis holds the whole curve and the bars of the second half of the run with
 // their fluctuations; earlier bars too if they are not much taller. A start far from equilibrium
-// with all values in one bin, or a return to it, would flatten everything else: such bars are
-// broken.
+// with all values in one bin, or a return to it, would flatten everything else: such bars
+// fade out.
 double height_of(const std::vector<double>& tallest, const HistogramRules& rules,
                  const HistogramAxes& axes) {
     constexpr double over_bars = 1.1, over_curve = 1.2, most_of_settled = 1.6;

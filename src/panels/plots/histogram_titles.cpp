@@ -93,7 +93,8 @@ plot::Text HistogramPanel::add_titles() {
     return {};
 }
 
-// The time, unless it is the present of a film, and what a bar counts, in smaller letters.
+// The time, unless it is the present of a film and said at a mean, and what a bar counts, in
+// smaller letters.
 std::vector<plot::Text> HistogramPanel::titles_with_asides(const plot::Text& words,
                                                            const plot::Text& quantity) const {
     const Language language = context_.language();
@@ -110,7 +111,7 @@ std::vector<plot::Text> HistogramPanel::titles_with_asides(const plot::Text& wor
         return all;
     };
     std::vector<Text> time;
-    if (window() != 0.0 || spec_.at || axes_.runs > 1) time.emplace_back(axes_.time);
+    if (window() != 0.0 || spec_.at || axes_.runs > 1 || count() > 1) time.emplace_back(axes_.time);
     if (axes_.runs > 1)
         time.emplace_back(
             counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));

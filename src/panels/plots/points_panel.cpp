@@ -185,7 +185,6 @@ plot::Line PointsPanel::line_of(std::size_t set) const {
     line.piece = std::make_shared<const std::vector<int>>(pieces_of(path));
     line.piece_column = whole_.columns[0];
     line.is_thinned = false;
-    line.beyond = plot::Beyond::cut;
     line.stroke = {.role = subject_.sets[set].role, .width = 0.1, .shade = plot::Shade::legible};
     // Dashes of a path that overlaps itself are not legible. Two paths are distinguished by their
     // greys, and by the points at their ends.

@@ -28,7 +28,7 @@ void title_with_names(SeriesSubject& subject, Language language, const std::stri
             plot::named(subject.names[k], subject.lines.at(k).role, plot::Sample::line, k));
     subject.titles = {plot::text_of(language, Phrase{"{}: {}"}, {what, joined(language, names)}),
                       what};
-    subject.last_title_names = false;
+    subject.plain_title = what;
 }
 
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title) {
@@ -40,6 +40,7 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
         subject.lines.push_back(
             {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
     for (const Chosen& one : chosen) subject.names.push_back(name_of(context.scene, one));
+    subject.plain_title = what;
     return subject;
 }
 
@@ -78,7 +79,6 @@ SeriesPanel::SeriesPanel(const PanelContext& context, const PanelSpec& spec, Ser
     if (is_titled_by_scene_) {
         subject_.titles = {escape_markup(*spec.title)};
         subject_.compared_title.reset();
-        subject_.last_title_names = false;
     }
     record_.compared = subject_.compared;
 }

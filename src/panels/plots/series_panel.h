@@ -27,7 +27,7 @@ struct SeriesSubject {
     std::vector<Line> lines = {};
     std::vector<plot::Text> titles = {};  ///< from longest to shortest
     std::vector<std::string> names = {};  ///< names of several lines in a key
-    bool last_title_names = true;         ///< names the lines; if not, a key under it does
+    plot::Text plain_title = {};          ///< where the names stand at the lines
     std::vector<std::string> notes = {};  ///< markup under the title, from longest to shortest
     std::function<ReferenceLevels()> references = {};  ///< after the first pass
     std::function<std::vector<std::vector<MeanError>>()> numbers =

@@ -60,8 +60,9 @@ void SeriesPanel::make_plot() {
     whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);
-    const bool names_lines = !subject_.last_title_names && subject_.names.size() > 1 && !compares;
-    if (names_lines) whole_.titles = {whole_.titles.back()};
+    const bool names_lines = subject_.names.size() > 1 && !compares;
+    if (names_lines && !is_titled_by_scene_)
+        whole_.at_lines = plot::NamedAtLines{.titles = {subject_.plain_title}};
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
     std::vector<std::string> names;
@@ -85,7 +86,7 @@ void SeriesPanel::add_names() {
         const auto& line = std::get<plot::Line>(whole_.layers[one.layer]);
         if (line.x.size() == 0) continue;
         plot::Label label;
-        label.still = true;
+        label.still = label.is_name = true;
         label.words = {plot::named(subject_.names.at(one.line), line.stroke.role,
                                    plot::Sample::line, one.line)};
         for (int k = 1; k < places; ++k) {
@@ -98,7 +99,6 @@ void SeriesPanel::add_names() {
                                          .is_inside = true});
         }
         label.sample = line.stroke;
-        if (!label.anchors.empty()) label.anchors.front().has_sample = true;
         whole_.layers.emplace_back(std::move(label));
     }
 }

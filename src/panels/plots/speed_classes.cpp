@@ -35,6 +35,7 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
         .lines = {{"slow"}, {"medium"}, {"fast"}},
         .titles = {},
         .names = {say(language, "slow"), say(language, "medium"), say(language, "fast")},
+        .plain_title = say(language, "{} (per cent)", capitalised(say(language, "share"))),
         .notes =
             spec.reference_initial
                 ? std::vector{say(language, "slow: &lt; ½ mean speed at the start; fast: &gt; 1½"),

@@ -150,7 +150,6 @@ void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
     drawn.x = plot::column(plot_.columns[0], curve.x);
     drawn.y = plot::column(plot_.columns[1], curve.y);
     drawn.stroke = stroke;
-    drawn.beyond = plot::Beyond::cut;
     plot_.layers.emplace_back(std::move(drawn));
 }
 

@@ -244,9 +244,10 @@ TEST_CASE("the names of means over the bars are whole") {
         const TextLog log;
         painter.paint(film.frames.back());
         const auto names = std::ranges::count_if(log.lines, [](const DrawnLine& line) {
-            return line.markup.starts_with("mean: light") || line.markup.starts_with("light ");
+            return line.markup.starts_with("mean") || line.markup.starts_with("light ") ||
+                   line.markup.starts_with("heavy ");
         });
-        CHECK(names == 1);
+        CHECK(names == 2);
         for (const DrawnLine& line : log.lines) CHECK_FALSE_MESSAGE(line.is_cut, line.markup);
     }
 }

@@ -33,7 +33,7 @@ std::vector<std::string> words_of(FramePainter& painter, const FrameData& frame)
 }
 
 struct Bar {
-    bool is_broken = false;
+    bool is_taller = false;
     double height = 0.0;  // of the axis
 };
 
@@ -54,8 +54,8 @@ std::vector<std::vector<Bar>> bars_of(const Shot& film) {
         const plot::Plot plot = panel.plot(frame.states[index].get());
         for (const plot::AnyLayer& layer : plot.layers)
             if (const auto* bars = std::get_if<plot::Bars>(&layer))
-                for (std::size_t i = 0; i < bars->broken.size(); ++i)
-                    now.push_back({!bars->broken[i].empty(), bars->value[i] / plot.y.high});
+                for (std::size_t i = 0; i < bars->taller.size(); ++i)
+                    now.push_back({!bars->taller[i].empty(), bars->value[i] / plot.y.high});
     }
     return frames;
 }
@@ -113,20 +113,20 @@ TEST_CASE("a bar that breaks stays so for a second while it is near, and breaks 
             std::size_t since = 0;
             for (std::size_t i = 1; i < frames.size(); ++i) {
                 const Bar& now = frames[i][bar];
-                if (now.is_broken) CHECK(now.height > 0.9);
-                if (now.is_broken == frames[i - 1][bar].is_broken) continue;
-                if (now.is_broken) {
+                if (now.is_taller) CHECK(now.height > 0.9);
+                if (now.is_taller == frames[i - 1][bar].is_taller) continue;
+                if (now.is_taller) {
                     CHECK(now.height > 1.0);
                     ++breaks;
                     since = i;
                 }
-                if (!now.is_broken && now.height > 0.9 && i > moving)
+                if (!now.is_taller && now.height > 0.9 && i > moving)
                     CHECK(i - since >= std::size_t(film.scene.film.fps));
             }
             CHECK(breaks <= 1);
         }
         // Once the gas has settled no bar is broken.
-        CHECK(std::ranges::count(frames[frames.size() / 2 + 60], true, &Bar::is_broken) == 0);
+        CHECK(std::ranges::count(frames[frames.size() / 2 + 60], true, &Bar::is_taller) == 0);
     }
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("a bar breaks again only where the axis cannot hold it") {
     int breaks = 0;
     for (std::size_t bar = 0; bar < frames.front().size(); ++bar)
         for (std::size_t i = 1; i < frames.size(); ++i) {
-            if (!frames[i][bar].is_broken || frames[i - 1][bar].is_broken) continue;
+            if (!frames[i][bar].is_taller || frames[i - 1][bar].is_taller) continue;
             CHECK(frames[i][bar].height > 1.0);
             ++breaks;
         }

@@ -148,3 +148,74 @@ TEST_CASE("words lie beside the lines of reversals and events, or are left out")
     CHECK(drawn(700.0));
     CHECK_FALSE(drawn(300.0));
 }
+
+namespace {
+
+const std::string two_species =
+    "title: T\nbox: {size: [60, 40]}\ngas: [{name: light, count: 160, radius: 0.3, mass: 1, "
+    "temperature: 2}, {name: heavy, count: 60, radius: 0.6, mass: 12, temperature: 2}]\n"
+    "run: {until: 20}\nfilm: {fps: 1, seconds: 10, size: ";
+
+// A word in a colour of its own, as names of lines are set.
+std::vector<DrawnLine> named(const TextLog& log, const std::string& name) {
+    std::vector<DrawnLine> lines;
+    for (const DrawnLine& line : log.lines)
+        if (line.markup.ends_with(">" + name + "</span>")) lines.push_back(line);
+    return lines;
+}
+
+bool has_title_with(const TextLog& log, const std::string& one, const std::string& other) {
+    return std::ranges::any_of(log.lines, [&](const DrawnLine& line) {
+        return line.markup.find(one) != std::string::npos &&
+               line.markup.find(other) != std::string::npos;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("species are named at their lines and humps in these colours, not in the title") {
+    for (const std::string panel : {"speed-histogram", "temperature"})
+        for (const std::string rest :
+             {"[1920, 1080], template: lecture", "[1080, 1920], template: portrait",
+              "[1920, 1080], template: lecture, theme: print",
+              "[1920, 1080], template: lecture, theme: light, language: de"}) {
+            CAPTURE(panel);
+            CAPTURE(rest);
+            const test::Shot shot(test::scene_from(two_species + rest + ", panels: [{kind: " +
+                                                   panel + ", of: [light, heavy]}]}\n"),
+                                  1);
+            const PanelSet::Placed& placed = shot.panels->panels().back();
+            const Grid grid(shot.scene.film.layout, shot.scene.film.size);
+            DiskPainter disks;
+            const auto draw = [&](const Rect& area) {
+                const DrawContext dc{area, grid.unit(), theme_of(shot.scene.film.theme), disks};
+                Canvas canvas({shot.scene.film.size.width, shot.scene.film.size.height});
+                placed.panel->draw_ground(canvas, dc);
+                placed.panel->draw(canvas, dc, *shot.frames.front().states.back());
+            };
+            const Rect place = grid.place(placed.slot);
+            {
+                const TextLog log;
+                draw(place);
+                const std::vector<DrawnLine> light = named(log, "light"),
+                                             heavy = named(log, "heavy");
+                REQUIRE(light.size() == 1);
+                REQUIRE(heavy.size() == 1);
+                const auto color_of = [](const DrawnLine& line) {
+                    return line.markup.substr(line.markup.rfind("foreground"), 20);
+                };
+                CHECK(color_of(light[0]) != color_of(heavy[0]));
+                CHECK(!has_title_with(log, "light", "heavy"));
+                const double top = place.y + 1.6 * grid.unit();
+                for (const Rect& ink : {light[0].ink, heavy[0].ink}) CHECK(ink.y > top);
+                // At the same temperature heavier disks are slower.
+                if (panel == "speed-histogram") CHECK(heavy[0].ink.x < light[0].ink.x);
+            }
+            if (rest.find("theme") != std::string::npos) continue;
+            // Without room beside the lines, the title says it, if it has room.
+            const TextLog log;
+            draw({place.x, place.y, place.width, 6.0 * grid.unit()});
+            CHECK(named(log, "light").empty());
+            CHECK(has_title_with(log, "light", "heavy"));
+        }
+}

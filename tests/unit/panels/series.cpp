@@ -83,14 +83,17 @@ TEST_CASE("a series with a title of the scene names its lines beside them, and i
         for (const plot::AnyLayer& layer : plot.layers)
             if (const auto* label = std::get_if<plot::Label>(&layer))
                 key.push_back(label->words.front().pieces[0].markup);
+        CHECK(key == std::vector<std::string>{"light", "heavy"});
         if (is_own) {
             CHECK(plot.titles.at(0).pieces.at(0).markup == "They meet &amp; mix");
             CHECK(plot.y.title.pieces.at(0).markup == "temperature");
-            CHECK(key == std::vector<std::string>{"light", "heavy"});
-        } else {
+            CHECK(!plot.at_lines);
+        } else {  // the title names them only where they have no place at their lines
             CHECK(plot.titles.at(0).pieces.at(1).markup == "Temperature");
+            CHECK(plot.titles.at(0).pieces.at(3).markup == "light");
+            CHECK(plot.at_lines->titles.at(0).pieces.at(0).markup == "Temperature");
+            CHECK(plot.at_lines->titles.at(0).pieces.size() == 1);
             CHECK(plot.y.title.empty());
-            CHECK(key.empty());
         }
     }
 }

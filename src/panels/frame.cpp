@@ -7,6 +7,7 @@
 
 #include "draw/formula/words.h"
 #include "panels/callouts/fade.h"
+#include "panels/callouts/scrim.h"
 #include "panels/gas/marks/ghosts.h"
 #include "panels/layout.h"
 #include "panels/words/monitors_panel.h"
@@ -214,33 +215,15 @@ void FramePainter::draw_fading(Canvas& canvas, const PanelSet::Placed& placed,
 void FramePainter::draw_whole(Canvas& canvas, const PanelSet::Placed& placed, const DrawContext& dc,
                               const PanelState& state) {
     if (placed.is_over_box()) {
+        constexpr double dimmed = 0.82, feather = 0.8;  // share; units
         const double out = plate_margin * unit_;
-        draw_plate(canvas, {dc.area.x - out, dc.area.y - out, dc.area.width + 2.0 * out,
-                            dc.area.height + 2.0 * out});
+        draw_scrim(canvas,
+                   {dc.area.x - out, dc.area.y - out, dc.area.width + 2.0 * out,
+                    dc.area.height + 2.0 * out},
+                   feather * unit_, with_alpha(theme_.page, dimmed));
     }
     placed.panel->draw_ground(canvas, dc);
     placed.panel->draw(canvas, dc, state);
-}
-
-// Dims what lies under a panel; toward its edges less and less.
-void FramePainter::draw_plate(Canvas& canvas, const Rect& area) const {
-    constexpr int rings = 12;
-    constexpr double dimmed = 0.82, feather = 0.8;  // share; units
-    const double step = feather * unit_ / rings;
-    const auto ring = [&](int k) {
-        const double in = k * step;
-        return Rect{area.x + in, area.y + in, area.width - 2.0 * in, area.height - 2.0 * in};
-    };
-    for (int k = 0; k < rings; ++k) {
-        const double share = (k + 0.5) / rings;
-        const Color color = with_alpha(theme_.page, dimmed * smooth(share));
-        const Rect outer = ring(k), inner = ring(k + 1);
-        canvas.fill({outer.x, outer.y, outer.width, inner.y - outer.y}, color);
-        canvas.fill({outer.x, inner.bottom(), outer.width, outer.bottom() - inner.bottom()}, color);
-        canvas.fill({outer.x, inner.y, inner.x - outer.x, inner.height}, color);
-        canvas.fill({inner.right(), inner.y, outer.right() - inner.right(), inner.height}, color);
-    }
-    canvas.fill(ring(rings), with_alpha(theme_.page, dimmed));
 }
 
 void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,

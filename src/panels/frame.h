@@ -52,7 +52,6 @@ class FramePainter {
     double end_of_title(const Panel::Key& key) const;
     void draw_whole(Canvas& canvas, const PanelSet::Placed& placed, const DrawContext& dc,
                     const PanelState& state);
-    void draw_plate(Canvas& canvas, const Rect& area) const;
     Rect before_numbers(Rect line) const;
     PlacedWords lines_of_caption(const std::string& words, const Rect& place,
                                  TextStyle style) const;

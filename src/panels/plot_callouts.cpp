@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "panels/callouts/callout.h"
+#include <algorithm>
+
+#include "panels/plot/draw_plot.h"
+#include "panels/plot/plot_panel.h"
 #include "scene/time/captions.h"
 
 namespace carom {
@@ -31,18 +34,54 @@ DrawContext PlotCallouts::context_of(const One& one) {
             theme_of(panels_.scene().film.theme), disks_};
 }
 
-// Over the plate of a panel that lies over the box, where there is no room in the plot.
-Rect PlotCallouts::area_of(const One& one) {
-    constexpr double height = 9.5, gap = 0.3;  // units
-    const DrawContext dc = context_of(one);
-    if (!panels_.panels()[one.panel].is_over_box()) return plot_area(dc);
-    const double bottom = dc.area.y - (plate_margin + gap) * dc.unit;
-    return {dc.area.x, bottom - height * dc.unit, dc.area.width, height * dc.unit};
-}
-
 std::optional<Point> PlotCallouts::place_of(const One& one, const FrameData& frame) {
     return panels_.panels()[one.panel].panel->place_of(context_of(one), *frame.states[one.panel],
                                                        std::get<PlotPoint>(one.callout->on));
+}
+
+// Where the plot is free in the whole film, so that the words stand still, in as many lines as this
+// takes; otherwise over the box around a panel that lies over it, or over the plot.
+PlotCallouts::Stand PlotCallouts::stand(const One& one, Point target,
+                                        std::span<const Rect> others) {
+    constexpr double widest = 0.55, usual_beside = 16.0, reach = 9.5;  // share; units
+    const DrawContext dc = context_of(one);
+    const PanelSet::Placed& placed = panels_.panels()[one.panel];
+    const auto plate_in = [&](double width, PlateMargin margin = PlateMargin::usual) {
+        return callout_plate(dc, one.callout->words, width, margin);
+    };
+    if (const auto* panel = dynamic_cast<const PlotPanel*>(placed.panel.get())) {
+        const plot::FreeRoom room = plot::free_room(dc, panel->plot(nullptr));
+        if (!std::get<PlotPoint>(one.callout->on).y) target.y = room.top_at(target.x);
+        const auto is_clear = [&](const Rect& place, const Point& end) {
+            return room.is_free(end, target) &&
+                   std::ranges::none_of(
+                       others, [&](const Rect& other) { return plot::overlap(place, other); });
+        };
+        const auto is_free = [&](const Rect& place, const Point& end) {
+            return room.is_free(place) && is_clear(place, end);
+        };
+        for (const double share : {widest, 0.4, 0.3, 0.22}) {
+            CalloutPlate plate = plate_in(share * dc.area.width, PlateMargin::thin);
+            if (const auto place = place_in_room(dc, room.area, plate, target, is_free))
+                return {*place, std::move(plate)};
+        }
+        if (placed.is_over_box()) {
+            const double out = plate_margin * dc.unit, far = reach * dc.unit;
+            const Rect own{dc.area.x - out, dc.area.y - out, dc.area.width + 2.0 * out,
+                           dc.area.height + 2.0 * out};
+            const double wide = std::min(usual_beside * dc.unit, own.x);
+            const auto is_beside = [&](const Rect& place, const Point& end) {
+                return !plot::overlap(place, own) && is_clear(place, end);
+            };
+            CalloutPlate plate = plate_in(widest * dc.area.width);
+            if (const auto place = place_in_room(
+                    dc, {own.x - wide, own.y - far, own.width + wide, own.height + far}, plate,
+                    target, is_beside))
+                return {*place, std::move(plate)};
+        }
+    }
+    CalloutPlate plate = plate_in(widest * dc.area.width);
+    return {place_beside(dc, plot_area(dc), plate, target.x, others), std::move(plate)};
 }
 
 void PlotCallouts::draw(Canvas& canvas, const FrameData& frame,
@@ -57,9 +96,10 @@ void PlotCallouts::draw(Canvas& canvas, const FrameData& frame,
         times_, seen, [&](std::size_t k, std::span<const Rect> others) -> std::optional<Rect> {
             targets[k] = place_of(callouts_[k], frame);
             if (!targets[k]) return std::nullopt;
-            const DrawContext dc = context_of(callouts_[k]);
-            plates[k] = callout_plate(dc, callouts_[k].callout->words, 0.55 * dc.area.width);
-            return place_beside(dc, area_of(callouts_[k]), plates[k], targets[k]->x, others);
+            std::optional<Stand>& its = callouts_[k].stand;
+            if (!its) its = stand(callouts_[k], *targets[k], others);
+            plates[k] = its->plate;
+            return its->place;
         });
     std::vector<DrawnCallout> drawn;
     for (const std::size_t k : seen) {

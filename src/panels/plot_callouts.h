@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "panels/callouts/callout.h"
 #include "panels/layout.h"
 #include "panels/panel_set.h"
 #include "scene/time/showing.h"
@@ -28,14 +30,19 @@ class PlotCallouts {
     std::vector<std::string> never_shown() const;
 
   private:
+    struct Stand {
+        Rect place;
+        CalloutPlate plate;
+    };
     struct One {
         const Callout* callout;
         std::size_t panel;  ///< of the set
         bool is_due = false, is_shown = false;
+        std::optional<Stand> stand = {};  ///< once it has been shown: the same in all frames
     };
     double alpha(std::size_t k, const FrameData& frame) const;
     DrawContext context_of(const One& one);
-    Rect area_of(const One& one);
+    Stand stand(const One& one, Point target, std::span<const Rect> others);
     std::optional<Point> place_of(const One& one, const FrameData& frame);
 
     const PanelSet& panels_;

@@ -6,20 +6,29 @@
 #include <numeric>
 
 #include "draw/formula/words.h"
+#include "panels/callouts/scrim.h"
 
 namespace carom {
 namespace {
 
 constexpr double across = 0.7, above = 0.5;  // around the words, units
+constexpr double thin_margin = 0.4;          // share of that, where nothing is near
 constexpr double line_height = 1.35;         // of the size of the words
-constexpr double callout_line = 0.12;        // units
+constexpr double callout_line = 0.08;        // units
+constexpr double dimmed = 0.82;              // share of the page's colour under the words
+constexpr double feather = 0.5;              // of that, units
 constexpr double clear = 1.6;                // units, from a target to its plate
+constexpr double clear_in_plot = 0.3;        // the same in a plot
 constexpr int columns = 9, rows = 9;         // of places that are tried
 constexpr std::size_t most_lines = 6;
 
+Point nearest_in(const Rect& rect, Point at) {
+    return {std::clamp(at.x, rect.x, rect.right()), std::clamp(at.y, rect.y, rect.bottom())};
+}
+
 double distance(const Rect& rect, Point at) {
-    return std::hypot(at.x - std::clamp(at.x, rect.x, rect.right()),
-                      at.y - std::clamp(at.y, rect.y, rect.bottom()));
+    const Point nearest = nearest_in(rect, at);
+    return std::hypot(at.x - nearest.x, at.y - nearest.y);
 }
 
 bool meet(const Rect& a, const Rect& b) {
@@ -36,14 +45,19 @@ TextStyle words_style(const DrawContext& dc) {
 
 }  // namespace
 
-CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, double most_width) {
+CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, double most_width,
+                           PlateMargin margin) {
+    const double share = margin == PlateMargin::thin ? thin_margin : 1.0;
+    CalloutPlate plate;
+    plate.across = share * across * dc.unit;
+    plate.above = share * above * dc.unit;
     TextStyle style = words_style(dc);
-    style.max_width = std::max(6.0 * dc.unit, most_width - 2.0 * across * dc.unit);
-    CalloutPlate plate{wrapped_words(words, style, most_lines)};
+    style.max_width = std::max(6.0 * dc.unit, most_width - 2.0 * plate.across);
+    plate.lines = wrapped_words(words, style, most_lines);
     for (const std::string& line : plate.lines)
         plate.width = std::max(plate.width, measure_words(line, style).width);
-    plate.width += 2.0 * across * dc.unit;
-    plate.height = 2.0 * above * dc.unit;
+    plate.width += 2.0 * plate.across;
+    plate.height = 2.0 * plate.above;
     for (const std::string& line : plate.lines)
         plate.height += line_height_of(line, style, line_height).all;
     return plate;
@@ -123,34 +137,54 @@ Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& p
     return best;
 }
 
+std::optional<Rect> place_in_room(
+    const DrawContext& dc, const Rect& area, const CalloutPlate& plate, Point target,
+    const std::function<bool(const Rect& place, const Point& end)>& is_free) {
+    constexpr int places_across = 41, places_up = 41;
+    const double wide = area.width - plate.width, high = area.height - plate.height;
+    if (wide < 0.0 || high < 0.0) return {};
+    std::optional<Rect> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int row = 0; row < places_up; ++row)
+        for (int column = 0; column < places_across; ++column) {
+            const Rect place{area.x + wide * column / (places_across - 1),
+                             area.y + high * row / (places_up - 1), plate.width, plate.height};
+            const double off = distance(place, target);
+            if (off >= least || off < clear_in_plot * dc.unit ||
+                !is_free(place, nearest_in(place, target)))
+                continue;
+            least = off;
+            best = place;
+        }
+    return best;
+}
+
 namespace {
 
 void draw_line_of(Canvas& canvas, const DrawContext& dc, const DrawnCallout& callout) {
     const auto& [place, plate, target, reach, alpha] = callout;
     const double u = dc.unit, line = callout_line * u;
-    const Point from{std::clamp(target.x, place.x, place.right()),
-                     std::clamp(target.y, place.y, place.bottom())};
+    const Point from = nearest_in(place, target);
     const double length = std::hypot(target.x - from.x, target.y - from.y);
     const double gap = reach + 0.2 * u;
     if (length <= gap) return;
     const double share = (length - gap) / length;
     const Point to{from.x + share * (target.x - from.x), from.y + share * (target.y - from.y)};
-    canvas.stroke_line(from, to, line + 0.24 * u, with_alpha(dc.theme.ground, 0.8 * alpha));
+    canvas.stroke_line(from, to, line + 0.16 * u, with_alpha(dc.theme.page, 0.7 * alpha));
     canvas.stroke_line(from, to, line, with_alpha(dc.theme.ink, alpha));
 }
 
-void draw_plate_of(Canvas& canvas, const DrawContext& dc, const DrawnCallout& callout) {
-    const double u = dc.unit, alpha = callout.alpha;
+void draw_words_of(Canvas& canvas, const DrawContext& dc, const DrawnCallout& callout) {
+    const double u = dc.unit;
     const Rect& place = callout.place;
-    canvas.fill(place, with_alpha(dc.theme.ground, 0.94 * alpha));
-    canvas.stroke_rect(place, 0.6 * callout_line * u, with_alpha(dc.theme.ink, alpha));
+    draw_scrim(canvas, place, feather * u, with_alpha(dc.theme.page, dimmed * callout.alpha));
     TextStyle style = words_style(dc);
-    style.color = with_alpha(dc.theme.ink, alpha);
-    style.max_width = place.width - 2.0 * across * u + 1.0;
-    double top = place.y + above * u;
+    style.color = with_alpha(dc.theme.ink, callout.alpha);
+    style.max_width = place.width - 2.0 * callout.plate.across + 1.0;
+    double top = place.y + callout.plate.above;
     for (const std::string& words : callout.plate.lines) {
         const LineHeight height = line_height_of(words, style, line_height);
-        draw_words(canvas, {place.x + across * u, top + height.above}, words, style);
+        draw_words(canvas, {place.x + callout.plate.across, top + height.above}, words, style);
         top += height.all;
     }
 }
@@ -159,7 +193,7 @@ void draw_plate_of(Canvas& canvas, const DrawContext& dc, const DrawnCallout& ca
 
 void draw_callouts(Canvas& canvas, const DrawContext& dc, std::span<const DrawnCallout> callouts) {
     for (const DrawnCallout& one : callouts) draw_line_of(canvas, dc, one);
-    for (const DrawnCallout& one : callouts) draw_plate_of(canvas, dc, one);
+    for (const DrawnCallout& one : callouts) draw_words_of(canvas, dc, one);
 }
 
 }  // namespace carom

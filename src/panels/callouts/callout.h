@@ -1,5 +1,5 @@
-// A callout: words on a plate, and a line from the plate to the thing that they describe.
-// Independent of the gas.
+// A callout: words on ground of their own, the plate, and a line from there to the thing that they
+// describe. Independent of the gas.
 #pragma once
 
 #include <functional>
@@ -17,8 +17,11 @@ namespace carom {
 struct CalloutPlate {
     std::vector<std::string> lines;
     double width = 0.0, height = 0.0;  ///< pixels
+    double across = 0.0, above = 0.0;  ///< of that, on each side of the words
 };
-CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, double most_width);
+enum class PlateMargin { usual, thin };
+CalloutPlate callout_plate(const DrawContext& dc, const std::string& words, double most_width,
+                           PlateMargin margin = PlateMargin::usual);
 
 /// Returns a place in `area` for a plate: near its target, but as far as possible clear of the
 /// target's whole path `way` (pixels) and of the plates `others`. `reach`: the radius of the
@@ -40,6 +43,13 @@ std::vector<std::optional<Rect>> places_in_time(
 /// plates `others` allow.
 Rect place_beside(const DrawContext& dc, const Rect& area, const CalloutPlate& plate, double x,
                   std::span<const Rect> others);
+
+/// Returns the place in `area` nearest to a target and clear of it for which `is_free(place, end)`
+/// says that nothing is at the place and no words are on the line from its `end` to the target;
+/// none if there is none.
+std::optional<Rect> place_in_room(
+    const DrawContext& dc, const Rect& area, const CalloutPlate& plate, Point target,
+    const std::function<bool(const Rect& place, const Point& end)>& is_free);
 
 /// A callout at its place, with a line to the edge of its target.
 struct DrawnCallout {

@@ -9,9 +9,12 @@
 #include "panels/callouts/callout.h"
 #include "panels/frame.h"
 #include "panels/gas/marks/view_map.h"
+#include "panels/plot/draw_plot.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/plot_callouts.h"
 #include "support/scene_text.h"
 #include "support/shot.h"
+#include "support/svg_picture.h"
 
 using namespace carom;
 using test::Shot;
@@ -171,6 +174,76 @@ TEST_CASE("callouts to a plot have places of their own, and those beyond its axe
         CHECK(likely[i].y == doctest::Approx(likely[0].y));
     }
     CHECK(callouts.never_shown() == std::vector<std::string>{"“never”"});
+}
+
+TEST_CASE("a callout to a plot stands where nothing is ever drawn, without a frame") {
+    for (const std::string theme : {"dark", "light", "print"}) {
+        const Shot shot(test::scene_from(
+            "title: T\nbox: {size: [20, 20]}\ngas: [{count: 200, radius: 0.2, temperature: 1}]\n"
+            "run: {until: 10}\nfilm: {fps: 4, seconds: 10, size: [1920, 1080], template: lecture, "
+            "theme: " +
+            theme +
+            ", panels: [speed-histogram], callouts: [{at: 1, for: 9, points_to: {panel: "
+            "speed-histogram, x: 1.2}, text: these}]}\n"));
+        FramePainter painter(*shot.panels);
+        const PanelSet::Placed& placed = shot.panels->panels().back();
+        const Grid grid(shot.scene.film.layout, shot.scene.film.size);
+        DiskPainter disks;
+        const DrawContext dc{grid.place(placed.slot), grid.unit(), theme_of(shot.scene.film.theme),
+                             disks};
+        int seen = 0;
+        for (const FrameData& frame : shot.frames) {
+            const TextLog log;
+            Canvas page({1920, 1080}, VectorFormat::svg, {"T", ""});
+            painter.paint_on(page, frame);
+            const auto words = std::ranges::find(log.lines, "these", &DrawnLine::markup);
+            if (words == log.lines.end()) continue;
+            ++seen;
+            const auto& panel = dynamic_cast<const PlotPanel&>(*placed.panel);
+            const plot::Plot plot = panel.plot(frame.states.back().get());
+            for (double x = 0.0; x < 3.0; x += 0.01) {
+                const auto top = plot::place_in(dc, plot, x, {});
+                const auto foot = plot::place_in(dc, plot, x, 0.0);
+                if (top && top->y < foot->y)
+                    CHECK(!meet(words->ink, {top->x, top->y, 0.5, foot->y - top->y}));
+            }
+            const std::vector<std::uint8_t> file = page.file();
+            for (const test::Shape& shape :
+                 test::svg_picture(std::string(file.begin(), file.end())).shapes) {
+                const auto frame_of = shape.is_stroke ? shape.rectangle() : std::nullopt;
+                CHECK(!(frame_of && frame_of->width() < 400.0 && frame_of->left < words->ink.x &&
+                        frame_of->right > words->ink.right() && frame_of->top < words->ink.y &&
+                        frame_of->bottom > words->ink.bottom()));
+            }
+        }
+        CHECK(seen > 30);
+    }
+}
+
+TEST_CASE("words over the gas have ground of the page's colour, and never lie on their subject") {
+    const Shot shot(test::scene_from(
+        "title: T\nbox: {size: [10, 10]}\ngas: [{count: 60, radius: 0.4, temperature: 1, color: "
+        "\"#ffffff\"}]\nrun: {until: 8}\nfilm: {fps: 10, seconds: 8, size: [1280, 720], template: "
+        "minimal, theme: dark, color_by: species, callouts: [{at: 2, for: 5, points_to: 7, text: "
+        "it is this one}]}\n"));
+    FramePainter painter(*shot.panels);
+    int seen = 0;
+    for (const FrameData& frame : shot.frames) {
+        const TextLog log;
+        const Canvas& picture = painter.paint(frame);
+        const auto words = std::ranges::find(log.lines, "it is this one", &DrawnLine::markup);
+        if (words == log.lines.end() || frame.tick.time < 3.0 || frame.tick.time > 6.0) continue;
+        ++seen;
+        // Between the letters nothing is nearly as light as the disks there.
+        const PixelView view = picture.pixels();
+        int gray = 0, all = 0;
+        for (int y = int(words->ink.y) - 2; y < int(words->ink.y); ++y)
+            for (int x = int(words->ink.x); x < int(words->ink.right()); ++x, ++all)
+                gray += (view.data[y * view.stride + x] & 0xFF) > 0x60;
+        CHECK(all > 100);
+        CHECK(gray < 0.02 * all);
+    }
+    CHECK(seen >= 20);
 }
 
 TEST_CASE("a callout goes with its panel, and none is about a panel that is not there") {

@@ -56,6 +56,8 @@ const std::vector<FilmCase> film_cases{
       "{kind: entropy, space: both}",
       "{kind: energy-by-species}",
       "{kind: speed-classes}",
+      "{kind: energy-by-species, over: {window: 3}}",
+      "{kind: profile, around: [9, 7], cells: 5, over: {window: 3}}",
       "{kind: free-path}",
       "{kind: free-time, over: {window: 4}}",
       "{kind: pair-correlation}",
@@ -87,7 +89,8 @@ const std::vector<FilmCase> film_cases{
      {"{kind: velocity-histogram, over: start, fit: true}", "{kind: pressure, over: {window: 2}}",
       "{kind: pair-correlation}"}}};
 
-// Kinds that measure nothing over time: what they draw is a present, a path or words.
+// Kinds that measure nothing over time: what they draw is a present, a path or words; and one that
+// needs a second run.
 const std::set<std::string> shows_the_present{
     "phase", "positions", "monitors", "single-collision", "contact-time",    "collision-map",
     "text",  "sweep",     "gas",      "stopwatch",        "return-distance", "run-distance"};

@@ -7,9 +7,9 @@
 
 #include "panels/chosen.h"
 #include "panels/correlations/curve_panel.h"
+#include "panels/means/thinning.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
-#include "panels/thinning.h"
 #include "stats/histogram.h"
 #include "stats/paths/sliding_sum.h"
 #include "util/bin_number.h"

@@ -9,7 +9,7 @@
 
 #include "draw/arrow.h"
 #include "panels/field/smooth_cells.h"
-#include "panels/thinning.h"
+#include "panels/means/thinning.h"
 #include "physics/theory/laws/symmetry.h"
 #include "util/text.h"
 

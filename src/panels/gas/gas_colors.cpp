@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "panels/chosen.h"
+#include "panels/means/thinning.h"
 #include "panels/plot/layers.h"
-#include "panels/thinning.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
 #include "util/text.h"

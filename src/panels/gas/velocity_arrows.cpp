@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panels/thinning.h"
+#include "panels/means/thinning.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 

@@ -8,10 +8,10 @@
 
 #include "panels/archived.h"
 #include "panels/chosen.h"
+#include "panels/means/thinning.h"
 #include "panels/plot/clock_samples.h"
 #include "panels/plot/window.h"
 #include "panels/surfaces/side_extent.h"
-#include "panels/thinning.h"
 #include "physics/sample_times.h"
 #include "util/text.h"
 

@@ -9,11 +9,11 @@
 
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"
-#include "panels/plot/plot_panel.h"
+#include "panels/means/thinning.h"
 #include "panels/means/trailing.h"
+#include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
-#include "panels/thinning.h"
 #include "physics/sample_times.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"

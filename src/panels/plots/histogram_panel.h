@@ -159,6 +159,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::Label name_of_curve(std::size_t k) const;
     void add_names();
     bool marks_name_choices() const;
+    bool tells_time() const;
     void make_plot();
     std::string height_name() const;
     plot::Bars bars_of(const HistogramState& state, std::size_t k) const;

@@ -36,7 +36,7 @@ bool HistogramPanel::marks_name_choices() const { return marks_mean_now() && !sp
 // The note on what a short title omits: the names of choices, and that the curves are those of
 // equilibrium.
 plot::Note HistogramPanel::note_of_short_title() const {
-    Note note{.wraps = true, .of_last_titles = spec_.title ? 2U : 1U};
+    Note note{.wraps = true, .of_last_titles = spec_.title && count() > 1 ? 2U : 1U};
     if (count() > 1 && !compares() && !(spec_.title && marks_name_choices()))
         for (std::size_t k = 0; k < count(); ++k)
             note.entries.push_back(
@@ -48,6 +48,9 @@ plot::Note HistogramPanel::note_of_short_title() const {
                                         : say(language, "lines: equilibrium")}});
     return note;
 }
+
+// Whether bars show something else than the present of a film.
+bool HistogramPanel::tells_time() const { return window() != 0.0 || spec_.at || axes_.runs > 1; }
 
 // What the words say of the time and of the equilibrium curves. A title of the scene's own is never
 // left out: what it has no room for stands below it, see note_of_short_title(). Gives what the last
@@ -71,14 +74,16 @@ plot::Text HistogramPanel::add_titles() {
         time = named(axes_.time, {Role::Of::bar});
     const auto at_time = [&](const Text& what) { return both(apart, what, time); };
     const auto with_curves = [&](const Text& what, const Text& when) {
-        if (!axes_.has_curves()) return both(apart, what, when);
-        if (count() > 1)
-            return both(aside, both(apart, what, when), say(language, "lines: equilibrium"));
-        const Text curve = named(say(language, subject_.curve), {Role::Of::accent});
-        return both(apart, what, both(Phrase{"{} / {}"}, when, curve));
+        const Text timed = both(apart, what, when);
+        return axes_.has_curves() ? both(aside, timed, say(language, "lines: equilibrium")) : timed;
     };
+    if (count() == 1 && spec_.title) {
+        whole_.titles = titles_with_asides(words, words);
+        whole_.y.title = {};
+        return tells_time() ? time : Text{};
+    }
     if (spec_.title) {
-        if (count() == 1 || marks_name_choices()) whole_.titles = {with_curves(words, time)};
+        if (marks_name_choices()) whole_.titles = {with_curves(words, time)};
         whole_.titles.push_back(at_time(words));
         whole_.titles.push_back(words);
         return time;
@@ -111,7 +116,7 @@ std::vector<plot::Text> HistogramPanel::titles_with_asides(const plot::Text& wor
         return all;
     };
     std::vector<Text> time;
-    if (window() != 0.0 || spec_.at || axes_.runs > 1 || count() > 1) time.emplace_back(axes_.time);
+    if (tells_time() || count() > 1) time.emplace_back(axes_.time);
     if (axes_.runs > 1)
         time.emplace_back(
             counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));

@@ -184,7 +184,7 @@ TEST_CASE("a callout to a plot stands where nothing is ever drawn, without a fra
             "theme: " +
             theme +
             ", panels: [speed-histogram], callouts: [{at: 1, for: 9, points_to: {panel: "
-            "speed-histogram, x: 1.2}, text: these}]}\n"));
+            "speed-histogram, x: 2.2}, text: these}]}\n"));
         FramePainter painter(*shot.panels);
         const PanelSet::Placed& placed = shot.panels->panels().back();
         const Grid grid(shot.scene.film.layout, shot.scene.film.size);

@@ -322,18 +322,37 @@ void CellAverages::add_moment(const Sample& sample) {
         several.select((squares - momentum.square().rowwise().sum() / mass).max(0.0), 0.0);
 }
 
+void CellSums::add(const CellSums& more) {
+    time += more.time;
+    particles += more.particles;
+    speed += more.speed;
+    velocity += more.velocity;
+    thermal_energy += more.thermal_energy;
+    thermal_freedom += more.thermal_freedom;
+}
+
 CellSums CellAverages::sums() const {
     if (slices_.empty()) return moment_;
     CellSums all = no_sums();
-    for (const Slice& slice : slices_) {
-        all.time += slice.sums.time;
-        all.particles += slice.sums.particles;
-        all.speed += slice.sums.speed;
-        all.velocity += slice.sums.velocity;
-        all.thermal_energy += slice.sums.thermal_energy;
-        all.thermal_freedom += slice.sums.thermal_freedom;
-    }
+    for (const Slice& slice : slices_) all.add(slice.sums);
     return all;
+}
+
+std::vector<CellSums> CellAverages::pieces() const {
+    constexpr double rounding = 1e-6;  // of a slice
+    if (!wanted_.window || slices_.empty()) return {};
+    const double length = *wanted_.window / slices_of_window;
+    double time = 0.0;
+    for (const Slice& slice : slices_) time += slice.sums.time;
+    if (time < (slices_of_window - 0.5 - rounding) * length) return {};
+    std::vector<CellSums> pieces(pieces_of_window, no_sums());
+    constexpr auto slices_of_piece = static_cast<std::int64_t>(slices_of_window) / pieces_of_window;
+    for (const Slice& slice : slices_) {
+        const std::int64_t piece = (slice.number - slices_.front().number) / slices_of_piece;
+        pieces[static_cast<std::size_t>(std::min<std::int64_t>(piece, pieces_of_window - 1))].add(
+            slice.sums);
+    }
+    return pieces;
 }
 
 }  // namespace carom

@@ -55,6 +55,8 @@ struct CellSums {
     Eigen::ArrayXXd mean_velocity() const { return velocity.colwise() / particles; }
     Eigen::ArrayXd temperature() const;
 
+    void add(const CellSums& more);
+
     void archive(auto& archive) {
         archive(time, particles, speed, velocity, thermal_energy, thermal_freedom);
     }
@@ -83,6 +85,11 @@ class CellAverages {
     /// time so far if that is shorter. Sums of the last sample alone where no time has passed or
     /// the window is 0. Requires a call of see().
     CellSums sums() const;
+
+    /// The same in 16 pieces of nearly equal time, in order: the last one is a quarter shorter or
+    /// longer at most. None without a window, and while the time so far is shorter than it.
+    static constexpr int pieces_of_window = 16;
+    std::vector<CellSums> pieces() const;
 
     /// Writes or reads the accumulated state; `wanted` is not part of it.
     void archive(auto& archive) { archive(paths_, slices_, moment_, is_first_, from_); }

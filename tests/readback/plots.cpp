@@ -140,6 +140,8 @@ class PlotReading {
                 read_curve(group);
         }
         if (columns_.y.starts_with("virial")) read_errors();
+        read_error_band(columns_.x, {1.0, 0.0});
+        read_error_band(columns_.y, {0.0, 1.0});
     }
 
     void check_ticks(const std::string& axis, const std::vector<Tick>& ticks,
@@ -382,6 +384,28 @@ class PlotReading {
                            is_near(ends[1], {x, up_(y + error)}, tolerance_);
                 });
             if (!is_shown) complain("no bar shows the error at " + row.at(columns_.x));
+        }
+    }
+
+    // Checks a band around the steps of a profile: each end of a step has two corners of it, one
+    // standard error to either side.
+    void read_error_band(const std::string& of, Spot along) {
+        for (const Row& row : rows_of(figure_, "profile")) {
+            const std::string column = "standard error of " + of;
+            if (!row.contains(column) || !is_filled(row, column)) continue;
+            const double error = number(row, column);
+            for (const double side : {-error, error}) {
+                const Spot corner{across_(number(row, columns_.x) + side * along.x),
+                                  up_(number(row, columns_.y) + side * along.y)};
+                const bool is_shown =
+                    std::ranges::any_of(figure_.picture.shapes, [&](const Shape& shape) {
+                        return !shape.is_stroke &&
+                               std::ranges::any_of(shape.corners(), [&](Spot its) {
+                                   return is_near(its, corner, tolerance_);
+                               });
+                    });
+                if (!is_shown) complain("no band shows the error at " + row.at(of));
+            }
         }
     }
 

@@ -117,29 +117,50 @@ void CellQuantity::see(const FrameInput& input) {
     if (part_) part_->see(input.sample, input.advanced.collisions);
 }
 
-Eigen::ArrayXd CellQuantity::values(Eigen::Index axis, double least_particles) const {
-    const CellSums sums = all_.sums();
-    Eigen::ArrayXd values;
+CellQuantity::Ratio CellQuantity::ratio(const CellSums& all, const CellSums* part,
+                                        Eigen::Index axis) const {
+    const auto axes = static_cast<double>(all.velocity.cols());
     switch (of_) {
         case FieldOf::density:
-            values = sums.mean_particles() / area_;
-            break;
+            return {all.particles, Eigen::ArrayXd::Constant(all.particles.size(), all.time)};
         case FieldOf::temperature:
-            values = sums.temperature();
-            break;
+            return {all.thermal_energy, all.thermal_freedom * axes};
         case FieldOf::speed:
-            values = sums.mean_speed();
-            break;
+            return {all.speed, all.particles};
         case FieldOf::flow:
-            values = sums.mean_velocity().col(axis);
-            break;
+            return {all.velocity.col(axis), all.particles};
         case FieldOf::concentration:
-            values = part_->sums().particles / sums.particles;
-            break;
+            return {part->particles, all.particles};
     }
+    return {};
+}
+
+Eigen::ArrayXd CellQuantity::values(Eigen::Index axis, double least_particles) const {
+    const CellSums sums = all_.sums();
+    const std::optional<CellSums> part = part_ ? std::optional(part_->sums()) : std::nullopt;
+    const Ratio of = ratio(sums, part ? &*part : nullptr, axis);
+    Eigen::ArrayXd values = of.sum / of.weight;
+    if (of_ == FieldOf::density) values /= area_;
     constexpr double rounding = 1e-9;
     return (sums.mean_particles() >= least_particles - rounding)
         .select(values, std::numeric_limits<double>::quiet_NaN());
+}
+
+std::optional<Eigen::ArrayXd> CellQuantity::errors(Eigen::Index axis) const {
+    const std::vector<CellSums> all = all_.pieces();
+    const std::vector<CellSums> parts = part_ ? part_->pieces() : std::vector<CellSums>{};
+    if (all.empty()) return {};
+    const auto count = static_cast<Eigen::Index>(all.size());
+    const Eigen::Index cells = all.front().particles.size();
+    PieceSums pieces{Eigen::ArrayXXd(count, cells), Eigen::ArrayXXd(count, cells)};
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const Ratio of = ratio(all[k], part_ ? &parts[k] : nullptr, axis);
+        pieces.sum.row(static_cast<Eigen::Index>(k)) = of.sum.transpose();
+        pieces.weight.row(static_cast<Eigen::Index>(k)) = of.weight.transpose();
+    }
+    std::optional<Eigen::ArrayXd> errors = standard_errors(pieces);
+    if (errors && of_ == FieldOf::density) *errors /= area_;
+    return errors;
 }
 
 FieldLayer::FieldLayer(const PanelContext& context)

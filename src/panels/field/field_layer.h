@@ -13,6 +13,7 @@
 #include "panels/field/key_row.h"
 #include "panels/panel.h"
 #include "stats/cell_averages.h"
+#include "stats/mean_error.h"
 
 namespace carom {
 
@@ -42,6 +43,10 @@ class CellQuantity {
     /// `least_particles`. `axis` selects the component of the flow; other quantities ignore it.
     Eigen::ArrayXd values(Eigen::Index axis = 0, double least_particles = least_in_cell) const;
 
+    /// The standard error of each cell's value, from the scatter of pieces of the window; NaN where
+    /// it is unknown. Nothing where the window is not full or its pieces are not independent.
+    std::optional<Eigen::ArrayXd> errors(Eigen::Index axis = 0) const;
+
     /// Writes or reads all that was seen.
     void archive(auto& archive) {
         archive(all_);
@@ -49,6 +54,12 @@ class CellQuantity {
     }
 
   private:
+    /// The value of a cell is the sum divided by the weight; a density is that divided by the area.
+    struct Ratio {
+        Eigen::ArrayXd sum, weight;
+    };
+    Ratio ratio(const CellSums& all, const CellSums* part, Eigen::Index axis) const;
+
     FieldOf of_;
     double area_;
     CellAverages all_;

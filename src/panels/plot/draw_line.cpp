@@ -180,10 +180,12 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Band& band) {
     for (std::size_t i = band.shown.first; i < end_of(band); ++i) {
         const bool ends = i + 1 == end_of(band);
         if (std::isfinite(band.error[i])) {
-            const double x = frame.x(band.x[i]);
-            const Point high{x, frame.y(band.y[i] + band.error[i], Beyond::clamped)};
-            const Point low{x, frame.y(band.y[i] - band.error[i], Beyond::clamped)};
-            if (ends || upper.empty() || is_apart(upper.back(), high, frame.pixels(detail))) {
+            const double across = band.is_along_x ? band.error[i] : 0.0;
+            const double up = band.is_along_x ? 0.0 : band.error[i];
+            const Point high{frame.x(band.x[i] + across), frame.y(band.y[i] + up, Beyond::clamped)};
+            const Point low{frame.x(band.x[i] - across), frame.y(band.y[i] - up, Beyond::clamped)};
+            if (ends || upper.empty() || is_apart(upper.back(), high, frame.pixels(detail)) ||
+                is_apart(lower.back(), low, frame.pixels(detail))) {
                 upper.push_back(high);
                 lower.push_back(low);
             }

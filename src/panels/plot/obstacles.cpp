@@ -51,15 +51,17 @@ struct Obstacles {
                 piece = {};
                 continue;
             }
-            const double x = frame.x(band.x[i]);
-            const double top = frame.y(band.y[i] + band.error[i], Beyond::clamped);
-            const double bottom = frame.y(band.y[i] - band.error[i], Beyond::clamped);
+            const double across = band.is_along_x ? band.error[i] : 0.0;
+            const double up = band.is_along_x ? 0.0 : band.error[i];
+            const double left = frame.x(band.x[i] - across), right = frame.x(band.x[i] + across);
+            const double top = frame.y(band.y[i] + up, Beyond::clamped);
+            const double bottom = frame.y(band.y[i] - up, Beyond::clamped);
             if (piece) {
-                const double high = std::min(piece->y, top);
-                frame.placer.keep_clear(
-                    {piece->x, high, x - piece->x, std::max(piece->bottom(), bottom) - high});
+                const double first = std::min(piece->x, left), high = std::min(piece->y, top);
+                frame.placer.keep_clear({first, high, std::max(piece->right(), right) - first,
+                                         std::max(piece->bottom(), bottom) - high});
             }
-            piece = Rect{x, top, 0.0, bottom - top};
+            piece = Rect{left, top, right - left, bottom - top};
         }
     }
 

@@ -163,6 +163,7 @@ struct Line : Layer {
 /// A band of an error to either side of a line.
 struct Band : Layer {
     Column x, y, error;
+    bool is_along_x = false;  ///< the error is one of x
     Shown shown = {};
     std::shared_ptr<const std::vector<int>> piece = {};
     Role role = {};

@@ -1,0 +1,184 @@
+#include "panels/field/profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/means/trailing.h"
+#include "panels/registry.h"
+#include "panels/means/thinning.h"
+#include "physics/run.h"
+#include "physics/sample_times.h"
+#include "stats/histogram.h"
+#include "stats/mean_error.h"
+
+namespace carom {
+namespace {
+
+constexpr int usual_slabs = 20;
+
+}  // namespace
+
+// There is a law only if each run has one.
+ProfileRecord mean_of(const std::vector<ProfileRecord>& records) {
+    ProfileRecord mean = records.front();
+    mean.runs_in_mean = static_cast<int>(records.size());
+    ProfileRun& all = mean.runs.front();
+    for (const ProfileRecord& record : records) {
+        all.most = std::max(all.most, record.runs.front().most);
+        if (record.runs.front().laws.size() < all.laws.size()) all.laws.clear();
+    }
+    for (std::size_t k = 0; k < all.laws.size(); ++k)
+        for (std::size_t slab = 0; slab < all.laws[k].size(); ++slab) {
+            std::vector<double> each;
+            for (const ProfileRecord& record : records)
+                each.push_back(record.runs.front().laws[k][slab]);
+            all.laws[k][slab] = mean_error(each).mean;
+        }
+    return mean;
+}
+
+ProfileRecord compare(const std::vector<ProfileRecord>& records,
+                      const std::vector<std::string>& names) {
+    ProfileRecord all{.runs = {}};
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        all.runs.push_back(records[k].runs.front());
+        all.runs.back().name = names[k];
+    }
+    return all;
+}
+
+ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
+    : context_(context),
+      spec_(spec),
+      axis_(spec.component == Component::y ? 1 : 0),
+      cells_(slabs(context.scene.gas.box, axis_, spec.bins.value_or(usual_slabs))),
+      over_(spec.over.value_or(usual_window_of_profile(context.scene.run))),
+      choices_(choices(spec)) {
+    for (const std::vector<Eigen::Index>& list : carom::members(context, choices_)) {
+        std::vector<bool> members(static_cast<std::size_t>(context.particles.count()));
+        for (const Eigen::Index i : list) members[static_cast<std::size_t>(i)] = true;
+        surveyed_.emplace_back(context, cells_, spec.quantity, std::nullopt, window_of(over_),
+                               members);
+    }
+    shown_ = surveyed_;
+}
+
+// The law of each choice, if all have one.
+void ProfilePanel::add_laws() {
+    std::vector<std::vector<double>>& laws = record_.runs.front().laws;
+    for (const Chosen& chosen : choices_) {
+        Law found =
+            law(context_.gas, LawOf::heights,
+                {.of = members(context_, chosen), .axis = axis_, .cells = cells_.count[axis_]});
+        if (!found) return laws.clear();
+        laws.push_back(std::move(found.curve));
+    }
+}
+
+// An event in the window divides it into times of different gases; only a nudge changes no mean.
+bool ProfilePanel::is_changed_in_window(double until) const {
+    const Run& run = context_.scene.run;
+    const double from = until - over_.window;
+    const auto is_inside = [&](double time) { return time > from && time < until; };
+    return std::ranges::any_of(run.events, [&](const RunEvent& event) {
+        if (std::holds_alternative<Perturbation>(event.action)) return false;
+        if (is_inside(event.at)) return true;
+        return event.is_mirrored && std::ranges::any_of(reversal_times(run), [&](double reversal) {
+                   return reversal > event.at && is_inside(2.0 * reversal - event.at);
+               });
+    });
+}
+
+std::optional<Eigen::ArrayXd> ProfilePanel::errors_of(const CellQuantity& quantity,
+                                                      double time) const {
+    if (over_.since != Over::Since::window || is_changed_in_window(time)) return {};
+    return quantity.errors(axis_);
+}
+
+void ProfilePanel::survey(const FrameInput& input) {
+    if (frames_seen_ == 0 && spec_.theory && spec_.quantity == FieldOf::density) add_laws();
+    const auto slabs = static_cast<double>(cells_.all());
+    for (CellQuantity& one : surveyed_) {
+        one.see(input);
+        const Eigen::ArrayXd values = values_of(one);
+        const double time = input.tick.time;
+        if (over_.since == Over::Since::window && time >= over_.window &&
+            !is_changed_in_window(time))
+            ++full_windows_;
+        if (errors_of(one, time)) ++known_errors_;
+        for_each_kept(values.size(), slabs * static_cast<double>(surveyed_.size()), frames_seen_,
+                      static_cast<int>(sample_count(context_.scene.run)), [&](Eigen::Index k) {
+                          if (!std::isnan(values[k])) pool_.push_back(std::abs(values[k]));
+                      });
+    }
+    ++frames_seen_;
+}
+
+void ProfilePanel::finish_record() {
+    ProfileRun& run = record_.runs.front();
+    run.length = cells_.box[axis_];
+    run.most = pool_.empty() ? 0.0 : quantile(pool_, 0.999);
+    for (const std::vector<double>& law : run.laws)
+        run.most = std::max(run.most, *std::ranges::max_element(law));
+    // By chance pieces that depend on each other pass the test now and then.
+    run.has_errors = known_errors_ > 0 && 2 * known_errors_ >= full_windows_;
+    pool_ = {};
+    surveyed_ = {};
+}
+
+void ProfilePanel::take_axes(const RecordPanel& of) {
+    record_ = of.record();
+    make_axes();
+}
+
+void ProfilePanel::archive(Archive& archive) {
+    archive(record_);
+    if (archive.is_reading()) make_axes();
+}
+
+std::shared_ptr<const PanelState> ProfilePanel::state(const FrameInput& input) {
+    auto state = std::make_shared<ProfileState>();
+    state->runs.emplace_back();
+    for (CellQuantity& one : shown_) {
+        one.see(input);
+        state->runs.front().push_back(values_of(one));
+        state->errors.push_back(errors_of(one, input.tick.time));
+    }
+    return state;
+}
+
+std::shared_ptr<const PanelState> ProfilePanel::state_of_runs(
+    const std::vector<std::shared_ptr<const PanelState>>& states) const {
+    std::vector<ProfileState::Values> all;
+    for (const auto& state : states)
+        all.push_back(dynamic_cast<const ProfileState&>(*state).runs.front());
+    auto both = std::make_shared<ProfileState>();
+    if (record_.compares()) {
+        both->runs = std::move(all);
+        return both;
+    }
+    both->runs = {all.front()};
+    for (std::size_t choice = 0; choice < choices_.size(); ++choice) {
+        Eigen::ArrayXd& errors = *both->errors.emplace_back(all.front()[choice]);
+        for (Eigen::Index slab = 0; slab < cells_.all(); ++slab) {
+            std::vector<double> each;
+            for (const ProfileState::Values& values : all) each.push_back(values[choice][slab]);
+            const MeanError mean = mean_error(each);
+            both->runs.front()[choice][slab] = mean.mean;
+            errors[slab] = mean.error;
+        }
+    }
+    return both;
+}
+
+std::optional<std::array<double, 2>> ProfilePanel::time_shown(double at) const {
+    const auto start = start_of_mean(over_, at);
+    if (!start) return {};
+    return {{*start, at}};
+}
+
+std::unique_ptr<Panel> make_profile(const PanelContext& context, const PanelSpec& spec) {
+    return std::make_unique<ProfilePanel>(context, spec);
+}
+
+}  // namespace carom

@@ -1,0 +1,115 @@
+// Density, temperature, mean speed or flow along an axis of the box: means over slabs perpendicular
+// to it, from exact residence times. A profile along y has the height as its vertical axis, as in
+// the box. If a barometric law holds for an ideal gas, it is drawn with the density. Measured in
+// profile.cpp, drawn in profile_plot.cpp.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "panels/chosen.h"
+#include "panels/field/field_layer.h"
+#include "panels/plot/plot_panel.h"
+#include "panels/plot/window.h"
+#include "stats/cell_averages.h"
+
+namespace carom {
+
+struct ProfileState : PanelState {
+    using Values = std::vector<Eigen::ArrayXd>;         // choice x slab; NaN: too few particles
+    std::vector<Values> runs;                           // one, or the compared runs
+    std::vector<std::optional<Eigen::ArrayXd>> errors;  // of each choice; NaN: unknown
+    std::size_t bytes() const override {
+        std::size_t sum = 0;
+        for (const Values& values : runs)
+            for (const Eigen::ArrayXd& slabs : values)
+                sum += static_cast<std::size_t>(slabs.size()) * sizeof(double);
+        for (const auto& slabs : errors)
+            if (slabs) sum += static_cast<std::size_t>(slabs->size()) * sizeof(double);
+        return sum;
+    }
+};
+
+// What the first pass of a run has shown.
+struct ProfileRun {
+    std::string name = {};  // among compared runs
+    double length = 1.0;    // of the axis
+    double most = 0.0;
+    std::vector<std::vector<double>> laws = {};  // choice x slab; or empty
+    bool has_errors = false;                     // known at most samples with a full window
+    void archive(Archive& archive) { archive(name, length, most, laws, has_errors); }
+};
+
+struct ProfileRecord {
+    std::vector<ProfileRun> runs = {{}};
+    int runs_in_mean = 1;
+    bool compares() const { return runs.size() > 1; }
+    bool has_errors() const { return !compares() && (runs_in_mean > 1 || runs.front().has_errors); }
+    void archive(Archive& archive) { archive(runs, runs_in_mean); }
+};
+
+ProfileRecord mean_of(const std::vector<ProfileRecord>& records);
+ProfileRecord compare(const std::vector<ProfileRecord>& records,
+                      const std::vector<std::string>& names);
+
+class ProfilePanel : public RecordPanel<ProfileRecord> {
+  public:
+    ProfilePanel(const PanelContext& context, const PanelSpec& spec);
+
+    void survey(const FrameInput& input) override;
+    SurveyedAt surveyed_at() const override { return SurveyedAt::samples; }
+    void archive(Archive& archive) override;
+    std::optional<std::array<double, 2>> time_shown(double at) const override;
+    bool surveys_collisions() const override { return window_of(over_) != 0.0; }
+    bool wants_collisions() const override { return surveys_collisions(); }
+    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
+    void archive_progress(Archive& archive) override {
+        for (CellQuantity& one : shown_) archive(one);
+    }
+    std::shared_ptr<const PanelState> state_of_runs(
+        const std::vector<std::shared_ptr<const PanelState>>& states) const override;
+    plot::Plot plot(const PanelState* state) const override;
+
+  protected:
+    void finish_record() override;
+    void make_axes() override;
+    void take_axes(const RecordPanel& of) override;
+
+  private:
+    void add_laws();
+    bool is_changed_in_window(double until) const;
+    std::optional<Eigen::ArrayXd> errors_of(const CellQuantity& quantity, double time) const;
+    bool is_up() const { return axis_ == 1; }
+    // A slab without particles has a density, 0, but no temperature.
+    Eigen::ArrayXd values_of(const CellQuantity& quantity) const {
+        return quantity.values(axis_, spec_.quantity == FieldOf::density ? 0.0 : least_in_cell);
+    }
+    plot::Line curve(std::size_t run, std::size_t choice, const char* part,
+                     std::vector<double> along, std::vector<double> up) const;
+    plot::Line line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
+                       const char* part) const;
+    plot::Line law_of(std::size_t run, std::size_t choice) const;
+    plot::Band band_of(const plot::Line& line, const Eigen::ArrayXd& values,
+                       const Eigen::ArrayXd& errors) const;
+    plot::Column column_of_errors(const Eigen::ArrayXd& values, const Eigen::ArrayXd& errors) const;
+    std::string account_of(const Eigen::ArrayXd& values, std::size_t choice) const;
+    plot::Stroke stroke_of_law() const;
+    std::vector<plot::Text> titles() const;
+    plot::Note note() const;
+
+    PanelContext context_;
+    PanelSpec spec_;
+    int axis_;
+    Cells cells_;
+    Over over_;
+    std::vector<Chosen> choices_;
+    std::vector<CellQuantity> surveyed_, shown_;
+    std::vector<double> pool_;
+    int frames_seen_ = 0, full_windows_ = 0, known_errors_ = 0;
+    plot::Plot whole_;
+};
+
+}  // namespace carom

@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "panels/field/profile.h"
+#include "util/text.h"
+
+namespace carom {
+
+std::vector<plot::Text> ProfilePanel::titles() const {
+    if (spec_.title) return {escape_markup(*spec_.title)};
+    const Language language = context_.language();
+    std::string name = capitalised(name_of_quantity(language, context_.scene, spec_.quantity, {}));
+    if (context_.scene.gas.box.dimension == 2)
+        name = is_up() ? say(language, "{} along y", name) : say(language, "{} along x", name);
+    if (spec_.of.empty()) return {name};
+    const plot::Text names = names_of(context_, choices_, plot::Sample::line);
+    return {name + ": " + names, names};
+}
+
+plot::Line ProfilePanel::curve(std::size_t run, std::size_t choice, const char* part,
+                               std::vector<double> along, std::vector<double> up) const {
+    plot::Line line;
+    line.part = part;
+    line.of = column_name_of(context_.scene, choices_[choice]);
+    if (record_.compares()) line.run = run;
+    line.x = plot::column(whole_.columns[1], is_up() ? up : along);
+    line.y = plot::column(whole_.columns[2], is_up() ? along : up);
+    line.is_thinned = false;
+    return line;
+}
+
+// A horizontal piece for each slab; the line is broken at slabs without a value.
+plot::Line ProfilePanel::line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
+                                 const char* part) const {
+    const double width = record_.runs[run].length / static_cast<double>(values.size());
+    std::vector<double> along, up;
+    std::vector<int> piece;
+    int pieces = 0;
+    for (Eigen::Index slab = 0; slab < values.size(); ++slab) {
+        if (std::isnan(values[slab])) {
+            ++pieces;
+            continue;
+        }
+        for (const int end : {0, 1}) {
+            along.push_back(static_cast<double>(slab + end) * width);
+            up.push_back(values[slab]);
+            piece.push_back(pieces);
+        }
+    }
+    plot::Line line = curve(run, choice, part, std::move(along), std::move(up));
+    line.piece = std::make_shared<const std::vector<int>>(std::move(piece));
+    line.piece_column = whole_.columns[0];
+    return line;
+}
+
+// Thin if runs are compared, since each run has its own line.
+plot::Stroke ProfilePanel::stroke_of_law() const {
+    if (record_.compares()) return {.role = {.of = plot::Role::Of::muted}, .width = 0.07};
+    if (choices_.size() == 1) return {.role = {.of = plot::Role::Of::accent}};
+    return {.role = {.of = plot::Role::Of::muted}, .dashes = {0.5}};
+}
+
+// The law as a line through the middles of the slabs.
+plot::Line ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
+    const std::vector<double>& densities = record_.runs[run].laws[choice];
+    const double width = record_.runs[run].length / static_cast<double>(densities.size());
+    std::vector<double> along;
+    for (std::size_t slab = 0; slab < densities.size(); ++slab)
+        along.push_back((static_cast<double>(slab) + 0.5) * width);
+    plot::Line law = curve(run, choice, "law", std::move(along), densities);
+    law.still = true;
+    law.depth = 1;
+    law.stroke = stroke_of_law();
+    if (record_.compares())
+        law.stroke.role = plot::stroke_of_run(run).role;
+    else if (choices_.size() > 1)
+        law.stroke.role = role_among(context_, choices_, choice);
+    return law;
+}
+
+plot::Note ProfilePanel::note() const {
+    const Language language = context_.language();
+    plot::Note note{.wraps = true};
+    note.entries.push_back({.words = {plot::Text(words_of_moments(language, spec_, over_))}});
+    if (std::ranges::any_of(record_.runs, [](const ProfileRun& run) { return !run.laws.empty(); }))
+        note.entries.push_back({.sample = stroke_of_law(), .words = {say(language, "ideal gas")}});
+    if (record_.runs_in_mean > 1)
+        note.entries.push_back(
+            {.words = {plot::Text(counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
+                                          Phrase{"mean of {} runs"}))}});
+    if (record_.has_errors()) {  // of one run, not in every frame
+        note.entries.push_back({.words = {say(language, "band: one standard error")}});
+        note.changes = true;
+    }
+    return note;
+}
+
+void ProfilePanel::make_axes() {
+    const Scene& scene = context_.scene;
+    const Language language = context_.language();
+    const std::string quantity = name_of_quantity(Language::english, scene, spec_.quantity, {});
+    const std::string place = scene.gas.box.dimension == 1 ? "position" : is_up() ? "y" : "x";
+    const double most = std::ranges::max_element(record_.runs, {}, &ProfileRun::most)->most;
+    const double top = round_up_for_axis(1.02 * most);
+    const double low = spec_.quantity == FieldOf::flow ? -top : 0.0;
+    plot::Axis places{
+        .title = scene.gas.box.dimension == 1 ? say(language, "position") : place,
+        .low = 0.0,
+        .high = std::ranges::max_element(record_.runs, {}, &ProfileRun::length)->length};
+    plot::Axis values{
+        .title = name_of_quantity(language, scene, spec_.quantity, {}), .low = low, .high = top};
+    const std::string of_place = column_name(place, reduced::length);
+    const std::string of_value = column_name(quantity, unit_of_quantity(scene, spec_.quantity));
+    whole_ = {.titles = titles(),
+              .x = is_up() ? values : places,
+              .y = is_up() ? places : values,
+              .columns = {"piece (number)", is_up() ? of_value : of_place,
+                          is_up() ? of_place : of_value}};
+    if (record_.has_errors()) whole_.columns.push_back("standard error of " + of_value);
+    whole_.language = language;
+    std::vector<std::string> names;
+    for (const ProfileRun& run : record_.runs) names.push_back(run.name);
+    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    whole_.notes.push_back(note());
+    for (std::size_t run = 0; run < record_.runs.size(); ++run)
+        for (std::size_t k = 0; k < record_.runs[run].laws.size(); ++k)
+            whole_.layers.emplace_back(law_of(run, k));
+}
+
+// At both ends of each slab that has a value, as in line_of().
+plot::Column ProfilePanel::column_of_errors(const Eigen::ArrayXd& values,
+                                            const Eigen::ArrayXd& errors) const {
+    std::vector<double> known;
+    for (Eigen::Index slab = 0; slab < values.size(); ++slab)
+        if (!std::isnan(values[slab])) known.insert(known.end(), 2, errors[slab]);
+    return plot::column(whole_.columns[3], std::move(known));
+}
+
+// A step for each slab, broken where the value or its error is unknown.
+plot::Band ProfilePanel::band_of(const plot::Line& line, const Eigen::ArrayXd& values,
+                                 const Eigen::ArrayXd& errors) const {
+    const double width = record_.runs.front().length / static_cast<double>(values.size());
+    std::vector<double> along, up, its;
+    for (Eigen::Index slab = 0; slab < values.size(); ++slab)
+        for (const int end : {0, 1}) {
+            along.push_back(static_cast<double>(slab + end) * width);
+            up.push_back(values[slab]);
+            its.push_back(std::isnan(values[slab]) ? values[slab] : errors[slab]);
+        }
+    plot::Band band;
+    band.x = plot::column(whole_.columns[1], is_up() ? up : along);
+    band.y = plot::column(whole_.columns[2], is_up() ? along : up);
+    band.error = plot::column(whole_.columns[3], std::move(its));
+    band.is_along_x = is_up();
+    band.role = line.stroke.role;
+    band.alpha = 0.5;
+    band.depth = 2;  // under the law
+    return band;
+}
+
+// "between 0.02 and 0.11", of all particles or of some.
+std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t choice) const {
+    const Language language = context_.language();
+    const auto known = !values.isNaN();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    const std::string low = three_digits(language, known.select(values, infinite).minCoeff());
+    const std::string high = three_digits(language, known.select(values, -infinite).maxCoeff());
+    if (record_.compares())
+        return known.any() ? say(language, "between {} and {}", low, high)
+                           : say(language, "unknown");
+    if (!known.any()) return "";
+    const std::string what = name_of_quantity(language, context_.scene, spec_.quantity, {});
+    const std::string axis = is_up() ? "y" : "x", time = words_of_moments(language, spec_, over_);
+    if (spec_.of.empty())
+        return say(language, "{} along {}, {}: between {} and {}.", what, axis, time, low, high);
+    return say(language, "{} of {} along {}, {}: between {} and {}.", what,
+               name_of(context_.scene, choices_[choice]), axis, time, low, high);
+}
+
+plot::Plot ProfilePanel::plot(const PanelState* state) const {
+    plot::Plot now = whole_;
+    bool has_band = false;
+    if (state == nullptr) return now;
+    const auto& shown = static_cast<const ProfileState&>(*state);
+    for (std::size_t run = 0; run < shown.runs.size(); ++run)
+        for (std::size_t k = 0; k < shown.runs[run].size(); ++k) {
+            const Eigen::ArrayXd& values = shown.runs[run][k];
+            plot::Line line = line_of(run, k, values, "profile");
+            line.stroke =
+                record_.compares()
+                    ? plot::stroke_of_run(run, 0.22)
+                    : plot::Stroke{.role = role_among(context_, choices_, k),
+                                   .width = record_.has_errors() ? 0.16 : 0.22,
+                                   .print_dashes = plot::dashes_in_print(k, choices_.size()),
+                                   .shade = plot::Shade::legible};
+            if (record_.has_errors() && shown.errors[k]) {
+                now.layers.emplace_back(band_of(line, values, *shown.errors[k]));
+                line.more = {column_of_errors(values, *shown.errors[k])};
+                has_band = true;
+            }
+            now.layers.emplace_back(std::move(line));
+            const std::string words = account_of(values, k);
+            if (record_.compares())
+                now.accounts_of_runs.push_back(words);
+            else if (!words.empty())
+                now.account += (now.account.empty() ? "" : " ") + capitalised(words);
+        }
+    if (!record_.has_errors()) return now;
+    if (has_band)
+        now.account +=
+            " " + capitalised(say(context_.language(), "band: one standard error")) + ".";
+    else
+        now.notes.back().entries.back().is_hidden = true;
+    return now;
+}
+
+}  // namespace carom

@@ -192,18 +192,19 @@ std::vector<SceneClaims> claims_in_gravity() {
            much_more(),
            35}}},
         {"gravity-box",
-         {{"yet the temperature is the same everywhere", upper_by_lower(16, 46, 15), about(1.0)},
+         {{"yet the temperature is the same everywhere", upper_by_lower(140, 300, 15),
+           exactly(1.0, 0.05)},
           {"dense below and thin above", mean(10, 30, ratio(count(below(15)), count(above(45)))),
            much_more()},
-          {"so that the temperature is the same at every height", upper_by_lower(16, 46, 15),
-           about(1.0)},
+          {"so that the temperature is the same at every height", upper_by_lower(140, 300, 15),
+           exactly(1.0, 0.05)},
           {"All fall at first", at(1, mean_velocity(1)), at_most(-5.0), 0},
           // of the kinetic energy, 178 for each disk, less than a tenth is common to all
-          {"The fall becomes disorder", highest(5, 12, mean_velocity(1)), at_most(5.9), 3},
+          {"The fall becomes disorder", highest(5, 12, mean_velocity(1)), at_most(5.9), 4},
           // (h - H / (exp(H / h) - 1)) for the height H = 60 and h = T / g, T = 178
-          {"as the barometric law says", mean(12, 30, mean_place(1)), about(15.9), 12},
-          {"The temperature is the same at every height", upper_by_lower(16, 46, 15),
-           exactly(1.0, 0.05), 30}}},
+          {"thin above, as the barometric law says", mean(16, 190, mean_place(1)), about(15.9), 16},
+          {"The temperature is the same at every height", upper_by_lower(30, 300, 15),
+           exactly(1.0, 0.05), 190}}},
     };
 }
 

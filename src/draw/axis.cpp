@@ -85,6 +85,21 @@ void draw_upright_line(Canvas& canvas, double x, double from, double to, const A
     canvas.fill({std::round(x - 0.5 * width), top, width, bottom - top}, style.line);
 }
 
+// With gaps for words.
+void draw_grid_line(Canvas& canvas, double from, double to, double y, const AxisStyle& style) {
+    AxisStyle thin = style;
+    thin.line = *style.grid;
+    std::vector<std::pair<double, double>> gaps;
+    for (const Rect& words : style.words)
+        if (y > words.y && y < words.bottom()) gaps.emplace_back(words.x, words.right());
+    std::ranges::sort(gaps);
+    gaps.emplace_back(to, to);
+    for (const auto& [first, last] : gaps) {
+        if (first > from) draw_level_line(canvas, from, std::min(first, to), y, thin);
+        from = std::max(from, last);
+    }
+}
+
 struct LabelSpan {
     double left, right;
 };
@@ -286,11 +301,8 @@ void draw_y_axis(Canvas& canvas, const Rect& area, const Scale& scale, const Axi
     const double x = area.x;
     TextStyle label = style.label;
     label.align = Align::right;
-    for (const double y : grid_lines(area, scale, style)) {
-        AxisStyle thin = style;
-        thin.line = *style.grid;
-        draw_level_line(canvas, x + 0.5 * style.line_width, area.right(), y, thin);
-    }
+    for (const double y : grid_lines(area, scale, style))
+        draw_grid_line(canvas, x + 0.5 * style.line_width, area.right(), y, style);
     draw_upright_line(canvas, x, area.y - 0.5 * style.line_width,
                       area.bottom() + 0.5 * style.line_width, style);
     for (const TickMark& mark : fitting_y_ticks(scale, style)) {

@@ -51,6 +51,7 @@ struct AxisStyle {
     TextStyle title;  ///< of the title at its end
     Color line;
     std::optional<Color> grid = {};  ///< lines across the area at the ticks of a vertical axis
+    std::vector<Rect> words = {};    ///< through which these do not run
     double below = 0;    ///< space between a horizontal axis and its ticks, for a scale of colours
     bool whole = false;  ///< ticks of linear axes at whole numbers only
     bool decades = false;  ///< for a vertical axis: its scale maps decimal logarithms

@@ -242,7 +242,7 @@ void draw_names(Canvas& canvas, const Frame& frame, const Plot& plot) {
         TextStyle style = label_style(frame.dc);
         style.color = legible(color_of(name.sample, frame.dc.theme), frame.dc.theme);
         style.max_width = frame.notes.width;
-        draw_text(canvas, {at.x + 0.6 * u, at.y}, words, clear_of_grid(frame, style, places[k]));
+        draw_text(canvas, {at.x + 0.6 * u, at.y}, words, style);
         draw_straight(canvas, frame.dc, {at.x, at.y + 0.1 * u}, {at.x, at.y - 0.85 * u},
                       name.sample);
     }

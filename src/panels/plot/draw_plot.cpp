@@ -201,12 +201,27 @@ std::vector<double> grid_of(const Frame& frame, const Plot& plot) {
 
 namespace {
 
+// With room for numbers that come later.
+std::vector<Rect> still_words(const Frame& frame, const Plot& plot) {
+    std::vector<Rect> words = places_of_still_labels(frame, plot);
+    if (!plot.bar_notes) return words;
+    const double number =
+        measure_text(" " + plot.bar_notes->typical_number, label_style(frame.dc)).width;
+    for (Rect name : places_of_names(frame, plot)) {
+        name.width += number;
+        words.push_back(name);
+    }
+    return words;
+}
+
 void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
     if (plot.ramp) draw_ramp(canvas, frame, *plot.ramp);
     const AxisStyle style = style_of(plot, plot.x, dc);
     draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame), style);
-    draw_y_axis(canvas, area_of_scale(frame), frame.y_scale, style_of(plot, plot.y, dc));
+    AxisStyle upright = style_of(plot, plot.y, dc);
+    upright.words = still_words(frame, plot);
+    draw_y_axis(canvas, area_of_scale(frame), frame.y_scale, upright);
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
     draw_y_title(canvas, frame, plot);
 }
@@ -264,7 +279,7 @@ void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part par
         return draw_plot(canvas, dc, with_names(plot, dc), part);
     LabelPlacer placer({});
     Frame frame = frame_of(plot, dc, placer);
-    frame.grid = grid_of(frame, plot);
+    if (!still) frame.grid = grid_of(frame, plot);  // it has gaps for words that stand still
     if (still) {
         draw_panel_title(canvas, dc, title_of(plot, dc));
         draw_axes(canvas, frame, plot);

@@ -35,11 +35,12 @@ struct Frame {
     Scale x_scale, y_scale;  ///< of decimal logarithms, unless an axis is linear
     Axis::Kind y_kind;
     LabelPlacer& placer;
-    PlaceOfNotes notes = {};        ///< over bars
-    Point row = {};                 ///< where the last row above the plot begins, on its baseline
-    bool is_key_beside = false;     ///< whether a note that may be beside the plot is there
-    std::vector<Rect> gaps = {};    ///< where markers are not drawn, because words stand there
-    std::vector<double> grid = {};  ///< the heights of the lines across the plot at its ticks
+    PlaceOfNotes notes = {};      ///< over bars
+    Point row = {};               ///< where the last row above the plot begins, on its baseline
+    bool is_key_beside = false;   ///< whether a note that may be beside the plot is there
+    std::vector<Rect> gaps = {};  ///< where markers are not drawn, because words stand there
+    std::vector<double> grid =
+        {};  ///< the heights of the lines across the plot at its ticks; in the changing part
 
     double x(double value) const { return x_scale(value); }
 

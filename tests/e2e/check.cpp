@@ -206,8 +206,7 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
                      std::string(40, 'w') + ", label: b, set: seed=4}}\n");
     const Outcome words = run({program, "check", "--json", "words.yaml"}, places.path());
     CHECK(json::parse(words.out).at(0).at("cut") ==
-          json{"the title or the subtitle", "the title card", "the end card",
-               "the mark “" + std::string(40, 'w') + "”",
+          json{"the title or the subtitle", "the mark “" + std::string(40, 'w') + "”",
                "the label “" + std::string(40, 'w') + "”"});
     places.write("three.yaml",
                  "title: T\nbox: {size: [40, 30]}\ngas: [{count: 9, speed: 2}]\n"
@@ -223,8 +222,8 @@ TEST_CASE("carom check names what has no room, and a field of blank cells") {
 
     const TemporaryFolder folder;
     const auto told = [&](const std::string& cells) {
-        folder.write("scene.yaml",
-                     "title: T\n" + scene + "  field: {of: density, cells: " + cells + "}\n");
+        folder.write("scene.yaml", "title: T\npartitions: [{name: p, x: 20, gaps: [[14, 16]]}]\n" +
+                                       scene + "  field: {of: density, cells: " + cells + "}\n");
         return run({program, "check", "scene.yaml"}, folder.path()).out;
     };
     CHECK(told("8").find("2 particles in a cell on average") != std::string::npos);  // of 48 cells

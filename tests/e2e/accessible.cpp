@@ -73,6 +73,12 @@ TEST_CASE("species may differ in more than colour: rings, size, trails, numbers 
     };
     CHECK(told(two + ", fill: false}\n"));
     CHECK(told(two + ", radius: 0.7}\n"));
+    const auto colored = [](const std::string& other) {
+        return "  - {name: a, count: 9, color: red}\n  - {name: b, count: 9, color: " + other +
+               "}\n";
+    };
+    CHECK(told(colored("red")));  // they are not told apart at all
+    CHECK(by_color(colored("blue")));
     CHECK(told(two + ", trail: 1}\n"));
     CHECK(told(two + "}\n", ", theme: print"));
     CHECK(told(two + "}\n", ", trails: {of: [b], seconds: 1}"));

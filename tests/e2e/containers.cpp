@@ -17,13 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Without the card at its end, which shows the words of the scene and does not move.
-std::string without_card(const TemporaryFolder& folder, const std::string& name) {
-    const std::string text = contents(library_scene(name));
-    const std::size_t from = text.find("  end_card:"), to = text.find('\n', from);
-    return folder.write(name + ".yaml", text.substr(0, from) + text.substr(to + 1)).string();
-}
-
 const TemporaryFolder of_scene;
 const std::string scene = without_card(of_scene, "one-hot-particle");
 

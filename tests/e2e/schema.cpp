@@ -49,6 +49,8 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"beside_box", several_places},        // a changed value against the scene
     {"beside_elsewhere", several_places},  // the ending and the folder of a name
     {"beside_film", several_places},
+    {"beside_overlaid_field", several_places},
+    {"beside_overlaid_wire", several_places},
     {"beside_panel", several_places},
     {"beside_reversal", several_places},
     {"beside_until", several_places},
@@ -57,6 +59,11 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"collision_map_plane", several_places},  // a kind against the box
     {"count_missing", several_places},        // a count, or a list of positions
     {"event_at_the_end", several_places},     // `at` against `until`
+    {"film_fade_out", several_places},        // a region against the box
+    {"film_trails_seeds", several_places},    // against the dimension
+    {"profile_around", several_places},       // keys against one another, a point against the box
+    {"profile_around_wire", several_places},
+    {"run_distance_alone", several_places},  // a panel against `beside`
     {"events_in_two_frames", several_places},
     {"events_paced", several_places},
     {"events_too_dense", several_places},

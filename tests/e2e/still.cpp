@@ -142,9 +142,9 @@ TEST_CASE("a quick still says that it knows the run from some frames only") {
         return at == std::string::npos ? "" : words.substr(at);
     };
     const Outcome quick = draw_one({"--quick"});
-    CHECK(quick.err.find("32 of the film's 1140 frames (--quick)") != std::string::npos);
+    CHECK(quick.err.find("32 of the film's 1260 frames (--quick)") != std::string::npos);
     CHECK(remark() ==
-          " Axes, curves, averages and trails are computed from 32 of the film’s 1140 frames.");
+          " Axes, curves, averages and trails are computed from 32 of the film’s 1260 frames.");
     const Outcome whole = draw_one({});
     CHECK(whole.err.find("--quick") == std::string::npos);
     CHECK(remark() == "");

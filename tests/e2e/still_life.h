@@ -10,7 +10,8 @@ box: {size: [40, 30]}
 gas:
   - {name: a, count: 1, radius: 6, position: [10, 20], color: "#56b4e9"}
 run: {until: 1}
-film: {seconds: 2, fps: 25, size: [640, 360], theme: light, color_by: species, panels: []}
+film: {seconds: 2, fps: 25, size: [640, 360], theme: light, color_by: species,
+       template: lecture, panels: [{kind: text, words: One}]}
 )";
 
 }  // namespace carom::test

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int width = 640, height = 360;
-const std::string scene = library_scene("one-hot-particle");
+const TemporaryFolder of_scene;
+const std::string scene = without_card(of_scene, "one-hot-particle");
 const std::string common = " '" + scene + "' --size 640x360 --quiet --theme dark ";
 constexpr int page[] = {0x10, 0x14, 0x18}, ink[] = {0xE9, 0xED, 0xF1};
 

@@ -104,9 +104,13 @@ std::vector<Diagnostic> told_by_color_alone(const Scene& scene, const Particles&
     const auto is_colored = [&](std::size_t k) {
         return scene.film.color_by == ColorBy::species || scene.looks[k].color.has_value();
     };
+    const auto are_told_apart = [&](std::size_t i, std::size_t k) {
+        const std::optional<std::string>& color = scene.looks[k].color;
+        return (is_colored(i) || is_colored(k)) && !(color && color == scene.looks[i].color);
+    };
     for (std::size_t k = 1; k < looks.size(); ++k)
         for (std::size_t i = 0; i < k; ++i)
-            if ((is_colored(i) || is_colored(k)) && !differ(looks[i], looks[k])) {
+            if (are_told_apart(i, k) && !differ(looks[i], looks[k])) {
                 found.push_back(
                     barrier(scene.species_spans[k],
                             fmt::format("WCAG 1.4.1: `{}` and `{}` are told apart by colour alone",

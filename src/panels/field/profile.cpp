@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/means/thinning.h"
 #include "panels/means/trailing.h"
 #include "panels/registry.h"
-#include "panels/means/thinning.h"
 #include "physics/run.h"
 #include "physics/sample_times.h"
 #include "stats/histogram.h"

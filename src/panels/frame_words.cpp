@@ -56,9 +56,7 @@ PlacedWords FramePainter::title_place(double end) const {
 // Draws the title as far as `end`, and the subtitle in the lines that the title leaves.
 void FramePainter::draw_title(Canvas& canvas, double end, bool has_title) const {
     const PlacedWords title = title_place(end);
-    if (has_title)
-        for (const PlacedLine& line : title.lines)
-            draw_words(canvas, line.at, line.words, title.style);
+    if (has_title) draw_placed(canvas, title, 1.0);
     if (!has_subtitle_in_title()) return;
     Rect area = grid_.place(scene_.film.layout.title);
     area.width = end - area.x;
@@ -144,10 +142,7 @@ PlacedWords FramePainter::caption_place(const std::string& words) const {
 }
 
 void FramePainter::draw_caption(Canvas& canvas, const std::string& words, double alpha) const {
-    PlacedWords caption = caption_place(words);
-    caption.style.color = with_alpha(theme_.ink, alpha);
-    for (const PlacedLine& line : caption.lines)
-        draw_words(canvas, line.at, line.words, caption.style);
+    draw_placed(canvas, caption_place(words), alpha);
 }
 
 }  // namespace carom

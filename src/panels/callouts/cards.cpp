@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "draw/formula/words.h"
+#include "panels/callouts/scrim.h"
 
 namespace carom {
 namespace {
@@ -67,12 +68,6 @@ std::vector<std::string> fitted(std::span<const std::string> parts, TextStyle& s
     }
 }
 
-void draw_lines_of_card(Canvas& canvas, const PlacedWords& set, double alpha) {
-    TextStyle style = set.style;
-    style.color = with_alpha(style.color, alpha);
-    for (const PlacedLine& line : set.lines) draw_words(canvas, line.at, line.words, style);
-}
-
 // The places of the single words of some lines, in order.
 std::vector<PlacedLine> places_of_words(const PlacedWords& set) {
     std::vector<PlacedLine> all;
@@ -94,11 +89,11 @@ std::vector<PlacedLine> places_of_words(const PlacedWords& set) {
 // first. Lines that become one are joined when their words have gone sideways, so that none crosses
 // another.
 void draw_on_way(Canvas& canvas, const PlacedWords& from, const PlacedWords& to, double way) {
-    if (way <= 0.0) return draw_lines_of_card(canvas, from, 1.0);
+    if (way <= 0.0) return draw_placed(canvas, from, 1.0);
     const std::vector<PlacedLine> begin = places_of_words(from), end = places_of_words(to);
     if (begin.size() != end.size()) {  // a word was broken
-        draw_lines_of_card(canvas, from, std::max(0.0, 1.0 - 2.0 * way));
-        return draw_lines_of_card(canvas, to, std::max(0.0, 2.0 * way - 1.0));
+        draw_placed(canvas, from, std::max(0.0, 1.0 - 2.0 * way));
+        return draw_placed(canvas, to, std::max(0.0, 2.0 * way - 1.0));
     }
     constexpr double sideways = 0.6;  // of the way, where lines are joined
     const bool joins = from.lines.size() > to.lines.size();
@@ -118,14 +113,6 @@ void draw_on_way(Canvas& canvas, const PlacedWords& from, const PlacedWords& to,
     }
 }
 
-// Covers what is around an area.
-void fill_around(Canvas& canvas, const Rect& all, const Rect& area, Color color) {
-    canvas.fill({all.x, all.y, all.width, area.y - all.y}, color);
-    canvas.fill({all.x, area.bottom(), all.width, all.bottom() - area.bottom()}, color);
-    canvas.fill({all.x, area.y, area.x - all.x, area.height}, color);
-    canvas.fill({area.right(), area.y, all.right() - area.right(), area.height}, color);
-}
-
 std::vector<std::string> words_of_lines(const PlacedWords& set) {
     std::vector<std::string> all;
     for (const PlacedLine& line : set.lines) all.push_back(line.words);
@@ -133,6 +120,12 @@ std::vector<std::string> words_of_lines(const PlacedWords& set) {
 }
 
 }  // namespace
+
+void draw_placed(Canvas& canvas, const PlacedWords& set, double alpha) {
+    TextStyle style = set.style;
+    style.color = with_alpha(style.color, alpha);
+    for (const PlacedLine& line : set.lines) draw_words(canvas, line.at, line.words, style);
+}
 
 std::vector<std::string> balanced(const std::string& words, const TextStyle& style,
                                   std::size_t most) {
@@ -204,8 +197,8 @@ void Cards::draw_title(Canvas& canvas, const PlacedWords& title,
     if (subtitle)
         draw_on_way(canvas, subtitle_on_card(words_of_lines(*subtitle)), *subtitle, way);
     else
-        draw_lines_of_card(canvas, subtitle_on_card({{words_of_text(scene_.subtitle)}}),
-                           std::max(0.0, 1.0 - 2.0 * way));
+        draw_placed(canvas, subtitle_on_card({{words_of_text(scene_.subtitle)}}),
+                    std::max(0.0, 1.0 - 2.0 * way));
 }
 
 void Cards::draw_end(Canvas& canvas, const Rect& gas, double cover) const {

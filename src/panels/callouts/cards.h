@@ -26,6 +26,9 @@ struct PlacedWords {
     TextStyle style;
 };
 
+/// Draws them with the opacity `alpha`.
+void draw_placed(Canvas& canvas, const PlacedWords& set, double alpha);
+
 class Cards {
   public:
     /// `unit` is that of the film's grid.

@@ -4,6 +4,13 @@
 
 namespace carom {
 
+void fill_around(Canvas& canvas, const Rect& all, const Rect& area, Color color) {
+    canvas.fill({all.x, all.y, all.width, area.y - all.y}, color);
+    canvas.fill({all.x, area.bottom(), all.width, all.bottom() - area.bottom()}, color);
+    canvas.fill({all.x, area.y, area.x - all.x, area.height}, color);
+    canvas.fill({area.right(), area.y, all.right() - area.right(), area.height}, color);
+}
+
 void draw_scrim(Canvas& canvas, const Rect& area, double feather, Color color) {
     constexpr int rings = 12;
     const double step = feather / rings;
@@ -14,11 +21,7 @@ void draw_scrim(Canvas& canvas, const Rect& area, double feather, Color color) {
     for (int k = 0; k < rings; ++k) {
         const double share = (k + 0.5) / rings;
         const Color thin = with_alpha(color, color.alpha * smooth(share));
-        const Rect outer = ring(k), inner = ring(k + 1);
-        canvas.fill({outer.x, outer.y, outer.width, inner.y - outer.y}, thin);
-        canvas.fill({outer.x, inner.bottom(), outer.width, outer.bottom() - inner.bottom()}, thin);
-        canvas.fill({outer.x, inner.y, inner.x - outer.x, inner.height}, thin);
-        canvas.fill({inner.right(), inner.y, outer.right() - inner.right(), inner.height}, thin);
+        fill_around(canvas, ring(k), ring(k + 1), thin);
     }
     canvas.fill(ring(rings), color);
 }

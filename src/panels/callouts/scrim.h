@@ -9,4 +9,7 @@ namespace carom {
 /// less and less. `color` has the opacity of the middle.
 void draw_scrim(Canvas& canvas, const Rect& area, double feather, Color color);
 
+/// Covers what is in `all` and not in `area`, which lies in it.
+void fill_around(Canvas& canvas, const Rect& all, const Rect& area, Color color);
+
 }  // namespace carom

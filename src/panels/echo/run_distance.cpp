@@ -32,17 +32,16 @@ struct Growth {
 };
 
 struct RunDistanceRecord {
-    RunPath samples = {}, frames = {};          // of one run
-    std::array<double, 2> period = {0.0, 0.0};  // of the box; 0: solid walls
-    double side = 1.0;                          // the shorter one of the box
-    std::size_t axes = 2;
+    RunPath samples = {}, frames = {};  // of one run
+    Box box = {};
     LogDistance at_samples = {}, at_frames = {};  // of two runs
     std::optional<Growth> growth = {};
     void archive(Archive& archive) { archive(at_samples, at_frames, growth); }
 };
 
-LogDistance distance_of(const RunPath& a, const RunPath& b, const RunDistanceRecord& box) {
+LogDistance distance_of(const RunPath& a, const RunPath& b, const Box& box) {
     LogDistance all;
+    const auto axes = static_cast<std::size_t>(box.dimension);
     const std::size_t size = a.time.empty() ? 0 : a.place.size() / a.time.size();
     for (std::size_t i = 0, k = 0; i < a.time.size(); ++i) {
         while (k < b.time.size() && b.time[k] < a.time[i]) ++k;
@@ -51,11 +50,11 @@ LogDistance distance_of(const RunPath& a, const RunPath& b, const RunDistanceRec
         double sum = 0.0;
         for (std::size_t j = 0; j < size; ++j) {
             double apart = a.place[i * size + j] - b.place[k * size + j];
-            const double period = box.period.at(j % box.axes);
-            if (period > 0.0) apart -= period * std::round(apart / period);
+            const auto axis = static_cast<int>(j % axes);
+            apart -= box.length(axis) * box.turns(axis, apart);
             sum += apart * apart;
         }
-        const double particles = static_cast<double>(size / box.axes);
+        const double particles = static_cast<double>(size / axes);
         all.time.push_back(a.time[i]);
         all.log10.push_back(0.5 * std::log10(sum / particles));
         ++k;  // several frames may have one time
@@ -85,25 +84,21 @@ std::optional<Growth> growth_of(const LogDistance& distance, double side) {
 RunDistanceRecord compare(const std::vector<RunDistanceRecord>& records,
                           const std::vector<std::string>&) {
     RunDistanceRecord both = records.at(0);
-    both.at_samples = distance_of(both.samples, records.at(1).samples, both);
-    both.at_frames = distance_of(both.frames, records.at(1).frames, both);
-    both.growth = growth_of(both.at_samples, both.side);
+    both.at_samples = distance_of(both.samples, records.at(1).samples, both.box);
+    both.at_frames = distance_of(both.frames, records.at(1).frames, both.box);
+    const double shorter = both.box.dimension == 1 ? both.box.size[0] : both.box.size.minCoeff();
+    both.growth = growth_of(both.at_samples, shorter);
     both.samples = both.frames = {};
     return both;
 }
 
-class RunDistancePanel : public RecordPanel<RunDistanceRecord> {
+class RunDistancePanel : public FramesPanel<RunDistanceRecord> {
   public:
     RunDistancePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context), spec_(spec) {
         for (const std::vector<Eigen::Index>& list : members(context, choices(spec)))
             of_.insert(of_.end(), list.begin(), list.end());
-        const Box& box = context.scene.gas.box;
-        record_.axes = static_cast<std::size_t>(box.dimension);
-        record_.side = box.dimension == 1 ? box.size[0] : box.size.minCoeff();
-        for (std::size_t axis = 0; axis < record_.axes; ++axis)
-            if (box.is_periodic(static_cast<int>(axis)))
-                record_.period.at(axis) = box.size[static_cast<Eigen::Index>(axis)];
+        record_.box = context.scene.gas.box;
     }
 
     void survey(const FrameInput& input) override {
@@ -117,16 +112,6 @@ class RunDistancePanel : public RecordPanel<RunDistanceRecord> {
         if (input.is_frame) add_to(record_.frames);
     }
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
-    std::shared_ptr<const PanelState> state(const FrameInput&) override {
-        auto state = std::make_shared<ShownState>();
-        state->shown = {++seen_};
-        return state;
-    }
-    void archive_progress(Archive& archive) override { archive(seen_); }
-    void archive(Archive& archive) override {
-        archive(record_);
-        if (archive.is_reading()) make_axes();
-    }
     plot::Plot plot(const PanelState* state) const override;
 
   protected:
@@ -143,7 +128,6 @@ class RunDistancePanel : public RecordPanel<RunDistanceRecord> {
     PanelContext context_;
     PanelSpec spec_;
     std::vector<Eigen::Index> of_;
-    std::size_t seen_ = 0;
     plot::Plot whole_;
 };
 

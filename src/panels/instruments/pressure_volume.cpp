@@ -104,7 +104,7 @@ plot::Line curve(const plot::Plot& plot, const char* name, const plot::Stroke& s
     return line;
 }
 
-class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
+class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
   public:
     PressureVolumePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context),
@@ -113,13 +113,10 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
 
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
-    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
-    void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
     std::optional<std::array<double, 2>> time_shown(double at) const override {
         return {{at, at}};  // the curve is of all times until then
     }
-    void archive(Archive& archive) override;
 
   private:
     const Box& box() const { return context_.scene.gas.box; }
@@ -136,7 +133,6 @@ class PressureVolumePanel : public RecordPanel<PressureVolumeRecord> {
     PanelContext context_;
     PanelSpec spec_;
     SurfacePressures meter_;
-    std::size_t seen_ = 0;
     plot::Plot whole_;
 };
 
@@ -156,17 +152,6 @@ void PressureVolumePanel::survey(const FrameInput& input) {
     run.frame_time.push_back(input.tick.time);
     run.frame_area.push_back(area);
     run.frame_pressure.push_back(pressure);
-}
-
-std::shared_ptr<const PanelState> PressureVolumePanel::state(const FrameInput&) {
-    auto state = std::make_shared<ShownState>();
-    state->shown = {++seen_};
-    return state;
-}
-
-void PressureVolumePanel::archive(Archive& archive) {
-    archive(record_);
-    if (archive.is_reading()) make_axes();
 }
 
 void PressureVolumePanel::make_axes() {

@@ -10,6 +10,7 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
+#include "physics/theory/collision_rate.h"
 #include "physics/theory/equation_of_state.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
@@ -63,7 +64,7 @@ RadialRecord compare(const std::vector<RadialRecord>& records,
     return all;
 }
 
-// RingsAround of equal width around a point, up to the side of the box that is nearest to it.
+// Rings of equal width around a point, up to the side of the box that is nearest to it.
 class RingsAround {
   public:
     RingsAround(const Box& box, const Eigen::Array2d& middle, int count)
@@ -86,14 +87,8 @@ class RingsAround {
                                   const std::vector<Eigen::Index>& of) const {
         std::vector<double> found(static_cast<std::size_t>(count_));
         for (const Eigen::Index i : of) {
-            double squared = 0.0;
-            for (const int axis : {0, 1}) {
-                double apart = position(i, axis) - middle_[axis];
-                const double side = box_.size[axis];
-                if (box_.is_periodic(axis)) apart -= side * std::round(apart / side);
-                squared += apart * apart;
-            }
-            const double ring = std::floor(std::sqrt(squared) / width_);
+            const Eigen::Array2d apart = box_.nearest(position.row(i).transpose() - middle_);
+            const double ring = std::floor(std::sqrt(apart.square().sum()) / width_);
             if (ring < count_) found[static_cast<std::size_t>(ring)] += 1.0;
         }
         for (int ring = 0; ring < count_; ++ring)
@@ -122,7 +117,7 @@ class RingsAround {
         const double deviation = std::sqrt(scatter * at_rest / area_of_three(k + 1));
         if (!(*highest > at_rest + deviations * deviation)) return {};
         double off = 0.0;
-        if (k > 0 && k + 1 < means.size()) {
+        if (k > 0) {
             const double bend = means[k - 1] - 2.0 * means[k] + means[k + 1];
             if (bend < 0.0) off = 0.5 * (means[k - 1] - means[k + 1]) / bend;
         }
@@ -138,7 +133,7 @@ class RingsAround {
     double width_ = 1.0;
 };
 
-class RadialProfilePanel : public RecordPanel<RadialRecord> {
+class RadialProfilePanel : public FramesPanel<RadialRecord> {
   public:
     RadialProfilePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context),
@@ -154,16 +149,6 @@ class RadialProfilePanel : public RecordPanel<RadialRecord> {
     std::optional<std::array<double, 2>> time_shown(double at) const override {
         const auto start = start_of_mean(over_, at);
         return start ? std::optional(std::array{*start, at}) : std::nullopt;
-    }
-    std::shared_ptr<const PanelState> state(const FrameInput&) override {
-        auto state = std::make_shared<ShownState>();
-        state->shown = {++seen_};
-        return state;
-    }
-    void archive_progress(Archive& archive) override { archive(seen_); }
-    void archive(Archive& archive) override {
-        archive(record_);
-        if (archive.is_reading()) make_axes();
     }
     plot::Plot plot(const PanelState* state) const override;
 
@@ -197,7 +182,6 @@ class RadialProfilePanel : public RecordPanel<RadialRecord> {
     RunningMean mean_;
     std::vector<Chosen> choices_;
     std::vector<std::vector<Eigen::Index>> members_;
-    std::size_t seen_ = 0;
     plot::Plot whole_;
 };
 
@@ -290,9 +274,7 @@ plot::Line RadialProfilePanel::line_of(std::size_t run, std::size_t choice,
 
 // Of the number of particles in a part of the gas at rest, relative to that of points.
 double RadialProfilePanel::relative_variance() const {
-    const double covered = std::numbers::pi * context_.particles.radius.square().sum();
-    const Box& box = context_.scene.gas.box;
-    const double packing = covered / (box.size[0] * box.size[1]);
+    const double packing = packing_fraction(context_.scene.gas.box, context_.particles);
     return packing > largest_packing_of_fluid
                ? 1.0
                : relative_compressibility(EquationOfState::kolafa_rottner, packing);

@@ -90,4 +90,23 @@ class RecordPanel : public Base {
     Record record_;
 };
 
+/// A RecordPanel whose record holds what all frames show: a state is the number of frames so far.
+template <class Record>
+class FramesPanel : public RecordPanel<Record> {
+  public:
+    std::shared_ptr<const PanelState> state(const FrameInput&) override {
+        auto state = std::make_shared<ShownState>();
+        state->shown = {++seen_};
+        return state;
+    }
+    void archive_progress(Archive& archive) override { archive(seen_); }
+    void archive(Archive& archive) override {
+        archive(this->record_);
+        if (archive.is_reading()) this->make_axes();
+    }
+
+  private:
+    std::size_t seen_ = 0;
+};
+
 }  // namespace carom

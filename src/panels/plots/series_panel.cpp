@@ -123,11 +123,6 @@ void SeriesPanel::finish_record() {
     }
 }
 
-void SeriesPanel::archive(Archive& archive) {
-    archive(record_);
-    if (archive.is_reading()) make_axes();
-}
-
 // Whether a line is at 0 for longer than an instant.
 bool SeriesPanel::rests_at_zero() const {
     constexpr double instant = 0.01;  // of the film
@@ -199,12 +194,6 @@ void SeriesPanel::make_axes() {
     whole_.y = axis_up();
     if (is_titled_by_scene_) whole_.y.title = say(context_.language(), subject_.quantity);
     make_plot();
-}
-
-std::shared_ptr<const PanelState> SeriesPanel::state(const FrameInput&) {
-    auto state = std::make_shared<ShownState>();
-    state->shown = {++seen_};
-    return state;
 }
 
 std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) const {

@@ -60,7 +60,7 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
 std::string account_of_last(Language language, Phrase quantity, const std::vector<double>& values,
                             std::size_t shown);
 
-class SeriesPanel : public RecordPanel<SeriesRecord> {
+class SeriesPanel : public FramesPanel<SeriesRecord> {
   public:
     /// A title that is given in the scene does not name the lines: a key and the axis do so
     /// instead.
@@ -69,14 +69,11 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
     bool surveys_positions() const override { return subject_.needs_positions; }
-    std::shared_ptr<const PanelState> state(const FrameInput& input) override;
-    void archive_progress(Archive& archive) override { archive(seen_); }
     plot::Plot plot(const PanelState* state) const override;
     bool surveys_collisions() const override { return subject_.needs_collisions; }
 
     /// Each point may be a mean over the time before it, but the curve is of all times until `at`.
     std::optional<std::array<double, 2>> time_shown(double at) const override { return {{at, at}}; }
-    void archive(Archive& archive) override;
 
   protected:
     void finish_record() override;
@@ -112,7 +109,6 @@ class SeriesPanel : public RecordPanel<SeriesRecord> {
     SeriesSubject subject_;
     RunningMean mean_;
     bool is_titled_by_scene_;
-    std::size_t seen_ = 0;
     plot::Plot whole_;  ///< of the whole film
     std::vector<Growing> growing_;
 };

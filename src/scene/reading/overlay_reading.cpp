@@ -383,7 +383,6 @@ std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
 }
 
 // The file is named as templates are: it lies in the scene's folder.
-
 Binding<Film> beside_key() {
     struct Written : Beside {
         std::string file;

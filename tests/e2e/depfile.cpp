@@ -18,10 +18,10 @@ namespace {
 // The scene in that folder, with a template beside it.
 void write_scene(const TemporaryFolder& folder, const std::string& scene) {
     std::string text = still_life;
-    text.replace(text.find("panels: []"), 10, "panels: [], template: own");
+    text.replace(text.find("template: lecture"), 17, "template: own");
     folder.write(scene, text);
     folder.write((fs::path(scene).parent_path() / "own.yaml").string(),
-                 contents(root / "templates/films/minimal.yaml"));
+                 contents(root / "templates/films/lecture.yaml"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The pressure on a moving wall against the area that the walls enclose, as a path; with the
-// isotherm and the adiabat of the gas through its start.
+// isotherm and the adiabat of the gas through its start, or with the isotherms at the temperatures
+// at which heat baths keep it in turn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,13 +25,22 @@ constexpr std::size_t longest_path = 5000;  // points: drawing must not grow wit
 const plot::Stroke of_isotherm{.role = {.of = plot::Role::Of::accent}};
 const plot::Stroke of_adiabat{.role = {.of = plot::Role::Of::accent}, .dashes = {0.5, 0.3}};
 
-// From its start, at areas that go from an eighth to eight times that: the isotherm and the adiabat
-// of hard disks or rods; those of an ideal gas where theory knows none of these.
+struct TheoryCurve {
+    bool is_adiabat = false;
+    std::optional<double> temperature = {};  // of one isotherm among several
+    std::vector<double> pressure = {};
+    void archive(Archive& archive) { archive(is_adiabat, temperature, pressure); }
+    bool operator==(const TheoryCurve&) const = default;
+};
+
+// At areas from an eighth of that of the start to eight times that: the curves of hard disks or
+// rods; those of an ideal gas where theory knows none of these.
 struct Compression {
-    std::vector<double> area = {}, isotherm = {}, adiabat = {};  // empty: none is known
-    double start = 0.0;                                          // pressure there
+    std::vector<double> area = {};
+    std::vector<TheoryCurve> curves = {};  // empty: none is known
+    double start = 0.0;                    // pressure there
     bool is_ideal = false;
-    void archive(Archive& archive) { archive(area, isotherm, adiabat, start, is_ideal); }
+    void archive(Archive& archive) { archive(area, curves, start, is_ideal); }
     bool operator==(const Compression&) const = default;
 };
 
@@ -48,25 +58,28 @@ Compression compression_of(const PanelContext& context, std::int32_t surface) {
     const Law isotherm = law(context.gas, LawOf::isotherm, asked);
     const Law adiabat = law(context.gas, LawOf::adiabat, asked);
     if (!isotherm || !adiabat) return {};
-    for (std::size_t i = 0; i < asked.lengths.size(); ++i) {
-        if (!std::isfinite(isotherm.curve[i]) || !std::isfinite(adiabat.curve[i])) continue;
-        found.area.push_back(asked.lengths[i] * width);
-        found.isotherm.push_back(isotherm.curve[i]);
-        found.adiabat.push_back(adiabat.curve[i]);
-    }
+    for (const double length : asked.lengths) found.area.push_back(length * width);
     found.start = isotherm.curve[steps];
+    const bool are_several = isotherm.temperatures.size() > 1;
+    const double at_start = adiabat.temperatures[steps];
+    for (const double temperature : isotherm.temperatures) {
+        TheoryCurve& curve = found.curves.emplace_back();
+        if (are_several) curve.temperature = temperature;
+        for (const double pressure : isotherm.curve)
+            curve.pressure.push_back(pressure * temperature / at_start);
+    }
+    if (found.curves.empty()) found.curves.push_back({.pressure = isotherm.curve});
+    if (!are_several) found.curves.push_back({.is_adiabat = true, .pressure = adiabat.curve});
     return found;
 }
 
 // The path of a run, and what theory knows of it.
 struct PressureVolumeRun {
-    std::string name = {};                                    // among compared runs
-    std::vector<double> time = {}, area = {}, pressure = {};  // at samples; NaN: none
-    std::vector<double> frame_time = {}, frame_area = {}, frame_pressure = {};  // at frames
+    std::string name = {};                         // among compared runs
+    std::vector<double> area = {}, pressure = {};  // at samples and frames; NaN: none
+    std::vector<std::size_t> until = {};           // the number of these at each frame
     Compression theory = {};
-    void archive(Archive& archive) {
-        archive(name, time, area, pressure, frame_time, frame_area, frame_pressure, theory);
-    }
+    void archive(Archive& archive) { archive(name, area, pressure, until, theory); }
 };
 
 struct PressureVolumeRecord {
@@ -85,23 +98,45 @@ PressureVolumeRecord compare(std::vector<PressureVolumeRecord> records,
     return all;
 }
 
-plot::Line curve(const plot::Plot& plot, const char* name, const plot::Stroke& stroke,
+plot::Line curve(const plot::Plot& plot, std::string name, const plot::Stroke& stroke,
                  const std::vector<double>& area, const std::vector<double>& pressure) {
     std::vector<double> across, up;
     for (std::size_t i = 0; i < area.size(); ++i) {
         if (area[i] < plot.x.low || area[i] > plot.x.high) continue;
+        if (!std::isfinite(pressure[i])) continue;
         across.push_back(area[i]);
         up.push_back(pressure[i]);
     }
     plot::Line line;
     line.part = "theory";
-    line.of = name;
+    line.of = std::move(name);
     line.still = true;
     line.depth = 2;
     line.x = plot::column(plot.columns[0], std::move(across));
     line.y = plot::column(plot.columns[1], std::move(up));
     line.stroke = stroke;
     return line;
+}
+
+// Adds the name of the curve that was added last: beside it, where it is free.
+void add_name(plot::Plot& plot, const plot::Text& words) {
+    constexpr int places = 16;
+    constexpr double over = -0.5, under = 1.25;  // units, to the baseline
+    const auto& line = std::get<plot::Line>(plot.layers.back());
+    plot::Label label;
+    label.still = label.is_name = true;
+    label.role = line.stroke.role;
+    label.words = {words};
+    label.sample = line.stroke;
+    for (int k = 2; k < places && line.x.size() > 0; ++k) {
+        const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
+        for (const bool is_over : {true, false})
+            label.anchors.push_back({.at = {line.x[i], line.y[i]},
+                                     .offset = {is_over ? 0.4 : -0.4, is_over ? over : under},
+                                     .align = is_over ? Align::left : Align::right,
+                                     .is_inside = true});
+    }
+    plot.layers.emplace_back(std::move(label));
 }
 
 class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
@@ -128,7 +163,7 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
     }
     void make_axes() override;
     void add_curves(const Compression& theory);
-    plot::Line path_of(std::size_t run, std::size_t shown) const;
+    plot::Line path_of(std::size_t run) const;
 
     PanelContext context_;
     PanelSpec spec_;
@@ -139,19 +174,12 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
 void PressureVolumePanel::survey(const FrameInput& input) {
     PressureVolumeRun& run = record_.runs.front();
     const double area = enclosed_area(box(), input.advanced.surfaces);
-    if (run.frame_area.empty() && run.area.empty())
-        run.theory = compression_of(context_, spec_.surfaces.front());
+    if (run.area.empty()) run.theory = compression_of(context_, spec_.surfaces.front());
     double pressure = meter_(input).front();
     if (!is_measured(input.tick.time)) pressure = std::numeric_limits<double>::quiet_NaN();
-    if (input.is_sample) {
-        run.time.push_back(input.tick.time);
-        run.area.push_back(area);
-        run.pressure.push_back(pressure);
-    }
-    if (!input.is_frame) return;
-    run.frame_time.push_back(input.tick.time);
-    run.frame_area.push_back(area);
-    run.frame_pressure.push_back(pressure);
+    run.area.push_back(area);
+    run.pressure.push_back(pressure);
+    if (input.is_frame) run.until.push_back(run.area.size());
 }
 
 void PressureVolumePanel::make_axes() {
@@ -182,10 +210,12 @@ void PressureVolumePanel::make_axes() {
     std::vector<std::string> names;
     for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);
     if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    for (std::size_t run = 0; run < record_.runs.size(); ++run)
+        whole_.layers.emplace_back(path_of(run));
     const Compression& theory = record_.runs.front().theory;
     const bool have_one_law = std::ranges::all_of(
         record_.runs, [&](const PressureVolumeRun& run) { return run.theory == theory; });
-    if (spec_.theory && have_one_law && !theory.area.empty()) add_curves(theory);
+    if (spec_.theory && have_one_law && !theory.curves.empty()) add_curves(theory);
 }
 
 void PressureVolumePanel::add_curves(const Compression& theory) {
@@ -213,38 +243,41 @@ void PressureVolumePanel::add_curves(const Compression& theory) {
         whole_.layers.emplace_back(std::move(level));
         whole_.y.high = std::max(whole_.y.high, round_up_for_axis(1.05 * times * theory.start));
     }
-    whole_.layers.emplace_back(
-        curve(whole_, "isotherm", of_isotherm, theory.area, theory.isotherm));
-    whole_.layers.emplace_back(curve(whole_, "adiabat", of_adiabat, theory.area, theory.adiabat));
     const bool is_line = box().dimension == 1;
     const Phrase gas = theory.is_ideal ? Phrase{"ideal gas"}
                        : is_line       ? Phrase{"hard rods"}
                                        : Phrase{"hard disks"};
-    whole_.notes.push_back({.entries = {{{}, {say(language, gas)}},
-                                        {of_isotherm, {say(language, "isotherm")}},
-                                        {of_adiabat, {say(language, "adiabat")}}},
-                            .wraps = true});
+    plot::Note key{.entries = {{{}, {say(language, gas)}}},
+                   .wraps = true,
+                   .of_last_titles = whole_.titles.size()};
+    for (const TheoryCurve& one : theory.curves) {
+        const plot::Stroke& stroke = one.is_adiabat ? of_adiabat : of_isotherm;
+        const plot::Text words =
+            one.temperature
+                ? fmt::format("<i>T</i> = {}", plain_number(language, *one.temperature))
+                : say(language, one.is_adiabat ? Phrase{"adiabat"} : Phrase{"isotherm"});
+        std::string name = one.is_adiabat ? "adiabat" : "isotherm";
+        if (one.temperature) name += fmt::format(" {}", *one.temperature);
+        whole_.layers.emplace_back(
+            curve(whole_, std::move(name), stroke, theory.area, one.pressure));
+        key.entries.push_back({stroke, {words}});
+        add_name(whole_, words);
+    }
+    whole_.notes.push_back(std::move(key));
+    // Theory of another gas is named as such; that of this gas needs no name.
+    whole_.at_lines = plot::NamedAtLines{.titles = whole_.titles};
+    if (theory.is_ideal) whole_.notes.push_back({.entries = {{{}, {say(language, gas)}}}});
 }
 
-// The samples up to a frame, and the frame itself.
-plot::Line PressureVolumePanel::path_of(std::size_t run, std::size_t shown) const {
+// Nothing of it is shown before the first frame.
+plot::Line PressureVolumePanel::path_of(std::size_t run) const {
     const PressureVolumeRun& its = record_.runs[run];
-    const std::size_t frame = std::min(shown, its.frame_time.size()) - 1;
-    const double now = its.frame_time.at(frame);
-    const std::ptrdiff_t end = std::ranges::upper_bound(its.time, now) - its.time.begin();
-    std::vector<double> area(its.area.begin(), its.area.begin() + end);
-    std::vector<double> pressure(its.pressure.begin(), its.pressure.begin() + end);
-    if (end == 0 || its.time[static_cast<std::size_t>(end) - 1] < now) {
-        area.push_back(its.frame_area[frame]);
-        pressure.push_back(its.frame_pressure[frame]);
-    }
     plot::Line line;
     line.part = "path";
     line.depth = 1;
-    line.shown.end = area.size();
-    line.shown.first = line.shown.end - std::min(line.shown.end, longest_path);
-    line.x = plot::column(whole_.columns[0], std::move(area));
-    line.y = plot::column(whole_.columns[1], std::move(pressure));
+    line.shown = {0, 0};
+    line.x = plot::column(whole_.columns[0], its.area);
+    line.y = plot::column(whole_.columns[1], its.pressure);
     line.is_thinned = false;
     line.stroke = {
         .role = {.of = plot::Role::Of::bar}, .width = 0.1, .shade = plot::Shade::legible};
@@ -262,11 +295,13 @@ plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
     if (state == nullptr) return now;
     const auto& shown = dynamic_cast<const ShownState&>(*state);
     for (std::size_t run = 0; run < record_.runs.size(); ++run) {
-        now.layers.emplace_back(path_of(run, shown.shown.at(run)));
-        if (!record_.compares()) continue;
-        now.accounts_of_runs.push_back(account_of_last(context_.language(), Phrase{"pressure"},
-                                                       record_.runs[run].frame_pressure,
-                                                       shown.shown.at(run)));
+        const PressureVolumeRun& its = record_.runs[run];
+        const std::size_t frames = std::min(shown.shown.at(run), its.until.size());
+        const std::size_t end = frames == 0 ? 0 : its.until[frames - 1];
+        std::get<plot::Line>(now.layers.at(run)).shown = {end - std::min(end, longest_path), end};
+        if (!record_.compares() || end == 0) continue;
+        now.accounts_of_runs.push_back(
+            account_of_last(context_.language(), Phrase{"pressure"}, its.pressure, end));
     }
     return now;
 }

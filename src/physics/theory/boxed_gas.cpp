@@ -45,11 +45,7 @@ std::vector<MassGroup> group_by_mass(std::vector<double> masses) {
 }
 
 void add_influence(const Behaviour& behaviour, Influences& all) {
-    if (const auto* bath = std::get_if<Bath>(&behaviour)) {
-        const bool is_other = all.bath && all.temperature != bath->temperature;
-        all.temperature = is_other ? std::numeric_limits<double>::quiet_NaN() : bath->temperature;
-        all.bath = true;
-    }
+    all.bath = all.bath || std::holds_alternative<Bath>(behaviour);
     all.driven = all.driven || std::holds_alternative<Driven>(behaviour);
     all.piston = all.piston || std::holds_alternative<Piston>(behaviour);
     all.membrane = all.membrane || std::holds_alternative<Membrane>(behaviour);
@@ -66,6 +62,53 @@ bool lets_through(const Partition& partition, std::size_t index,
     });
 }
 
+// The temperature of all baths among these behaviours, if there is one.
+struct BathTemperature {
+    bool differs = false;
+    std::optional<double> value = {};
+};
+
+BathTemperature bath_temperature_of(const std::vector<std::optional<Behaviour>>& walls) {
+    BathTemperature found;
+    for (const std::optional<Behaviour>& wall : walls) {
+        const auto* bath = wall ? std::get_if<Bath>(&*wall) : nullptr;
+        if (bath == nullptr) continue;
+        found.differs = found.differs || (found.value && *found.value != bath->temperature);
+        found.value = bath->temperature;
+    }
+    return found;
+}
+
+// Events at one instant count as one: single walls are not looked at in between.
+std::vector<double> bath_temperatures(const Box& box, const std::vector<RunEvent>& events) {
+    std::vector<std::optional<Behaviour>> walls;
+    for (std::size_t k = 0; k < box.surfaces.sides.size(); ++k)
+        walls.push_back(box.has_surface(k) && !box.is_periodic(k / 2)
+                            ? std::optional(box.surfaces.sides.at(k))
+                            : std::nullopt);
+    for (const Partition& partition : box.surfaces.partitions)
+        walls.emplace_back(partition.behaviour);
+    std::vector<double> found;
+    for (std::size_t next = 0;;) {
+        const BathTemperature now = bath_temperature_of(walls);
+        if (now.differs) return {};
+        if (now.value && std::ranges::find(found, *now.value) == found.end())
+            found.push_back(*now.value);
+        if (next == events.size()) return found;
+        for (const double instant = events[next].at;
+             next < events.size() && events[next].at == instant; ++next) {
+            const auto set = [&](std::int32_t surface, const Behaviour& behaviour) {
+                auto& wall = walls.at(static_cast<std::size_t>(surface));
+                if (wall) wall = behaviour;
+            };
+            if (const auto* change = std::get_if<ChangeSurface>(&events[next].action))
+                set(change->surface, change->behaviour);
+            if (const auto* move = std::get_if<MoveSurface>(&events[next].action))
+                set(move->surface, Driven{move->velocity});
+        }
+    }
+}
+
 Influences influences_of(const Box& box, const std::vector<RunEvent>& events) {
     const Surfaces& surfaces = box.surfaces;
     Influences all;
@@ -78,6 +121,7 @@ Influences influences_of(const Box& box, const std::vector<RunEvent>& events) {
         for (const Behaviour& one : behaviours[k])
             if (is_wall) add_influence(one, all);
     }
+    all.bath_temperatures = bath_temperatures(box, events);
     all.partitions = !surfaces.partitions.empty();
     for (std::size_t k = 0; k < surfaces.partitions.size(); ++k)
         all.divided = all.divided || !lets_through(surfaces.partitions[k], k, events);

@@ -25,13 +25,15 @@ struct Influences {
     bool divided = false;  ///< by a partition without gaps that no event opens
     bool obstacles = false;
     std::array<bool, 2> gravity{};
-    bool wall_event = false;   ///< an event opens, closes, moves or changes a wall
-    bool heat_event = false;   ///< an event heats or cools
-    bool velocities = false;   ///< an event reverses velocities or displaces a particle
-    double temperature = 0.0;  ///< of all baths; NaN if they differ
+    bool wall_event = false;  ///< an event opens, closes, moves or changes a wall
+    bool heat_event = false;  ///< an event heats or cools
+    bool velocities = false;  ///< an event reverses velocities or displaces a particle
+    /// The temperatures that all baths have together, one after the other, each once; empty where
+    /// baths differ at one time.
+    std::vector<double> bath_temperatures = {};
 
     bool has_gravity() const { return gravity[0] || gravity[1]; }
-    bool baths_differ() const { return bath && std::isnan(temperature); }
+    bool baths_differ() const { return bath && bath_temperatures.size() != 1; }
 };
 
 /// Made once from the start of a run. Refers to the particles, which must outlive it. Copies are

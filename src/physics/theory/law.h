@@ -47,7 +47,8 @@ enum class LawOf {
     side_temperature,  ///< temperature there, with Law::deviation
     piston,            ///< place of a free side over an ideal gas (piston_law.h)
     isotherm,          ///< pressure on a side at Asked::lengths, at the temperature of the start:
-                       ///< Law::curve; for disks by equations of state
+                       ///< Law::curve, in proportion to the temperature; for disks by equations of
+                       ///< state. Law::temperatures: those at which baths keep the gas in turn
     adiabat,           ///< the same after slow work without heat, with Law::temperatures
     binomial,          ///< places of points that a Galton board sends left or right at each row
                        ///< anew: Law::places and their shares, Law::curve; an idealisation
@@ -83,7 +84,7 @@ struct Law {
     std::optional<EquilibriumGas> equilibrium = {};
     std::vector<double> curve = {};         ///< NaN where theory ends
     std::vector<double> places = {};        ///< at equal distances
-    std::vector<double> temperatures = {};  ///< along an adiabat
+    std::vector<double> temperatures = {};  ///< along an adiabat, or of isotherms
 
     explicit operator bool() const { return !none; }
 };

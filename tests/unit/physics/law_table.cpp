@@ -215,13 +215,13 @@ const std::map<LawOf, std::string>& table() {
          "no_piston no_piston no_piston no_piston no_piston no_piston no_piston "
          "no_piston no_piston no_piston"},
         {LawOf::isotherm,
-         "yes yes yes yes gravity fixed_particles moving_infinite_mass yes yes yes yes "
-         "partitions partitions partitions obstacles yes partitions partitions yes "
+         "yes yes yes yes gravity fixed_particles moving_infinite_mass yes baths_differ yes "
+         "yes partitions partitions partitions obstacles yes partitions partitions yes "
          "keeps_axes no_freedom obstacles obstacles obstacles few yes no_finite_mass "
          "at_rest yes points gravity yes yes yes yes yes yes yes driven"},
         {LawOf::adiabat,
-         "yes yes yes yes gravity fixed_particles moving_infinite_mass yes yes yes yes "
-         "partitions partitions partitions obstacles yes partitions partitions yes "
+         "yes yes yes yes gravity fixed_particles moving_infinite_mass yes baths_differ yes "
+         "yes partitions partitions partitions obstacles yes partitions partitions yes "
          "keeps_axes no_freedom obstacles obstacles obstacles few yes no_finite_mass "
          "at_rest yes points gravity yes yes yes yes yes yes yes driven"},
         {LawOf::binomial,

@@ -50,6 +50,8 @@ std::optional<NoLaw> why_no_compression(const BoxedGas& gas, const Asked& asked)
             first_of(gas, {Why::moving_infinite_mass, Why::partitions, Why::obstacles, Why::gravity,
                            Why::no_finite_mass, Why::fixed_particles}))
         return reason;
+    if (gas.influences.bath && gas.influences.bath_temperatures.empty())
+        return NoLaw{Why::baths_differ};
     if (!Surfaces::is_side(asked.surface)) return NoLaw{Why::partitions};
     if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
     if (!(gas.freedoms() > 0.0)) return NoLaw{Why::no_freedom};
@@ -121,6 +123,7 @@ Law isotherm(const BoxedGas& gas, const Asked& asked) {
     Law law;
     for (const double length : asked.lengths)
         law.curve.push_back(pressure_at(gas, asked, length, gas.thermal.temperature()));
+    law.temperatures = gas.influences.bath_temperatures;
     return law;
 }
 

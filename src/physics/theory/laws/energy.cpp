@@ -48,7 +48,7 @@ std::optional<double> bath_temperature(const BoxedGas& gas) {
         first_of(gas, {Why::driven, Why::baths_differ, Why::piston, Why::membrane, Why::partitions,
                        Why::obstacles, Why::gravity, Why::event, Why::moving_infinite_mass});
     if (other || is_parted || !gas.influences.bath) return std::nullopt;
-    return gas.influences.temperature;
+    return gas.influences.bath_temperatures.front();
 }
 
 Law mean_energy(const BoxedGas& gas, const Asked& asked) {
@@ -80,7 +80,7 @@ Law mean_speed(const BoxedGas& gas, const Asked& asked) {
 Law bath(const BoxedGas& gas, const Asked&) {
     if (!gas.influences.bath) return none(Why::no_bath);
     if (gas.influences.baths_differ()) return none(Why::baths_differ);
-    return value(gas.influences.temperature);
+    return value(gas.influences.bath_temperatures.front());
 }
 
 Law temperature(const BoxedGas& gas, const Asked&) {

@@ -78,11 +78,12 @@ std::vector<DiskMotion> those(const std::vector<DiskMotion>& disks, const auto& 
 std::vector<DiskMotion> disk_motion(const Scene& scene, const Particles& drawn,
                                     const std::vector<MeanSpeeds>& speeds, double scale) {
     const std::vector<Tick> ticks = timeline(scene);
+    const Eigen::ArrayXd radius = drawn_radius(scene, drawn);
     std::vector<DiskMotion> all;
     for (std::size_t k = 0; k < scene.gas.species.size(); ++k) {
         const auto is_its = (drawn.species == static_cast<int>(k)).cast<double>();
         const double count = is_its.sum();
-        const double diameter = 2.0 * (is_its * drawn.radius).sum() / std::max(1.0, count);
+        const double diameter = 2.0 * (is_its * radius).sum() / std::max(1.0, count);
         if (scene.gas.box.dimension == 1 || count == 0.0 || diameter <= 0.0) continue;
         DiskMotion disk = speeds.empty() ? DiskMotion{} : fastest(ticks, speeds, k);
         disk.species = scene.gas.species[k].name;

@@ -162,9 +162,12 @@ Remarks GasPanel::Drawing::remarks() const {
     Remarks all(dc, frame, gas.view ? std::optional(map_of(map)) : std::nullopt);
     all.add(panel.flashes_.remarks());
     if (!labels_fit()) all.add({say(language, "No room for labels on the disks")});
-    const double smallest = panel.smallest_;
-    if (!(smallest * scale < least_shown)) return all;
-    const double largest = (radius * scale < least_shown).select(radius, smallest).maxCoeff();
+    const Eigen::ArrayXd& true_radius = panel.context_.particles.radius;
+    if (panel.smallest_ * scale >= least_shown && !panel.enlarges_) return all;
+    const auto is_enlarged = radius * scale < least_shown || radius > true_radius;
+    if (!is_enlarged.any()) return all;
+    const double smallest = is_enlarged.select(true_radius, true_radius.maxCoeff()).minCoeff();
+    const double largest = is_enlarged.select(true_radius, smallest).maxCoeff();
     const std::string low = three_digits(language, smallest),
                       high = three_digits(language, largest);
     all.add({largest > smallest

@@ -31,7 +31,7 @@ struct GasPanel::Drawing {
     const State& gas;
     const Scene& scene = panel.context_.scene;
     const Box& box = scene.gas.box;
-    const Eigen::ArrayXd& radius = panel.context_.particles.radius;
+    const Eigen::ArrayXd& radius = panel.radius_;
     BoxMap whole = panel.map_in(dc);
     BoxMap map = gas.view ? panel.part_of(whole, *gas.view) : whole;
     Rect frame =

@@ -28,8 +28,10 @@ GasPanel::GasPanel(const PanelContext& context, const std::optional<View>& view)
     : ParticlePanel(context, view),
       surfaces_(context),
       streaks_(context),
-      smallest_(context.particles.radius.minCoeff()),
-      largest_(context.particles.radius.maxCoeff()) {
+      radius_(drawn_radius(context.scene, context.particles)),
+      smallest_(radius_.minCoeff()),
+      largest_(radius_.maxCoeff()),
+      enlarges_((radius_ > context.particles.radius).any()) {
     choose_particles();
     trails_.resize(followed_.size());
 }
@@ -134,8 +136,8 @@ void GasPanel::archive_progress(Archive& archive) {
 // The number of disks with a smaller radius. Asked in every frame; mostly all or none.
 Eigen::Index GasPanel::disks_below(double radius) const {
     if (smallest_ >= radius) return 0;
-    if (largest_ < radius) return context_.particles.count();
-    return (context_.particles.radius < radius).count();
+    if (largest_ < radius) return radius_.size();
+    return (radius_ < radius).count();
 }
 
 bool GasPanel::stands_alone() const { return context_.scene.film.layout.panels.empty(); }

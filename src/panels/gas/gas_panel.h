@@ -83,7 +83,9 @@ class GasPanel : public ParticlePanel {
 
     SurfaceView surfaces_;
     Streaks streaks_;
-    double smallest_, largest_;  // radius
+    Eigen::ArrayXd radius_;      // as drawn
+    double smallest_, largest_;  // of these
+    bool enlarges_;              // draws some larger than they are
     std::vector<Followed> followed_;
     std::vector<std::ptrdiff_t> trail_of_;  // for each particle its trail, or -1; empty: no trails
     std::vector<std::deque<TrailPoint>> trails_;  // of the followed particles, at the last state

@@ -313,7 +313,7 @@ std::string hint_for_unknown(const Node& key, const Section& section, const Sect
                            trimmed(name.substr(sign + 1)));
     }
     if (is_kind(name, section)) return fmt::format("write `kind: {}`", name);
-    constexpr std::size_t few = 13;
+    constexpr std::size_t few = 14;
     const std::string place = place_of_key(name, section, whole);
     if (const auto meant = meant_key(name, section))
         return fmt::format("did you mean `{}`?{}", *meant, place.empty() ? "" : " Or, " + place);

@@ -200,6 +200,12 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
                                 "so that they seem to touch when they collide. With 0, points are "
                                 "drawn as dots where they are, and their world lines cross.")
                            .default_text("the radius, or 0.4 of the mean spacing for points"));
+    else
+        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(positive),
+                                "The radius with which disks are drawn that are too small to be "
+                                "seen. They overlap in the picture where they pass each other, and "
+                                "the picture gives their true radius.")
+                           .default_text("the radius"));
     return keys;
 }
 
@@ -255,6 +261,11 @@ void complete_species(SpeciesReading& draft, const Node& item, int dimension, Er
     if (draft.side == nullptr && draft.side_of != nullptr)
         errors.add(*draft.side_of, "`of` applies only to a `side`",
                    "leave it out, or give `side` instead of `within`");
+    const auto* radius = std::get_if<double>(&draft.radius);
+    if (dimension == 2 && draft.drawn_radius && radius != nullptr && *draft.drawn_radius < *radius)
+        errors.add(*given(item, "drawn_radius"),
+                   fmt::format("disks of radius {:g} cannot be drawn smaller", *radius),
+                   "leave out `drawn_radius`; it enlarges disks that are too small to be seen");
     if (letters == nullptr)
         draft.position = rule;
     else if (within != nullptr)
@@ -279,9 +290,6 @@ KeyTable<SpeciesReading> species_table(int dimension) {
         }};
     table.refused.push_back(
         {"diameter", "there is no `diameter`", "give `radius`, which is half of it"});
-    if (dimension == 2)
-        table.refused.push_back({"drawn_radius", "`drawn_radius` is for beads on a wire (`length`)",
-                                 "disks are drawn at their true size: give `radius`"});
     return table;
 }
 

@@ -3,15 +3,19 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cost/trial_run.h"
 #include "panels/layout.h"
 #include "panels/panel_set.h"
 #include "physics/placement/draws.h"
+#include "support/first_frame.h"
+#include "support/pixels.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -52,6 +56,22 @@ TEST_CASE("the way from frame to frame is the speed times the step, in diameters
     REQUIRE(disks.size() == 1);
     CHECK(disks[0].species == "lonely");
     CHECK(disks[0].diameters == doctest::Approx(3.0 * 10.0 / moving_steps(scene.film, scene.run)));
+}
+
+TEST_CASE("disks that are drawn larger are as wide as they are drawn, and only these") {
+    const auto look = [](const std::string& radius) {
+        const Scene scene = scene_of(
+            "{name: a, position: [20, 15], velocity: [0, 0], color: \"#3366cc\", radius: " +
+                radius + "}",
+            "seconds: 10, color_by: species, theme: light, size: [640, 360]");
+        const auto pixels = test::pixels_of(test::FirstFrame(scene).view);
+        return std::pair(motion_in(scene).at(0).pixels,
+                         std::ranges::count_if(
+                             pixels, [](auto pixel) { return (pixel & 0xFFFFFF) == 0x3366CC; }));
+    };
+    CHECK(look("0.01, drawn_radius: 2") == look("2"));
+    CHECK(look("0.01, drawn_radius: 2").second > 100);
+    CHECK(look("0.01").second < look("2").second / 2);
 }
 
 TEST_CASE("the fastest stage of a film counts") {

@@ -137,6 +137,11 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
     CHECK(remark("[{count: 20, radius: 0.06, speed: 1}]").empty());
     CHECK(remark("[{count: 20, radius: 0.02, speed: 1}]") ==
           "Disks enlarged for visibility; radius 0.0200");
+    CHECK(remark("[{count: 20, radius: 0.02, drawn_radius: 0.5, speed: 1}]") ==
+          "Disks enlarged for visibility; radius 0.0200");
+    CHECK(remark("[{count: 20, radius: 0.5, drawn_radius: 0.5, speed: 1}]").empty());
+    CHECK(remark("[{name: a, count: 9, radius: 0.1, drawn_radius: 0.5}, {name: b, count: 1, "
+                 "radius: 1}]") == "Disks enlarged for visibility; radius 0.100");
     CHECK(remark("[{name: a, count: 9, radius: 0.02, speed: 1}, {name: b, count: 1, radius: 3}, "
                  "{name: c, count: 5, radius: 0.03}]") ==
           "Disks enlarged for visibility; radii 0.0200 to 0.0300");

@@ -196,7 +196,8 @@ TEST_CASE("the page tells what a wire has otherwise") {
     REQUIRE(wire != std::string::npos);
     CHECK(part.find("| `radius` | The radius of each disk.") < wire);
     CHECK(part.find("| `radius` | Half the length of each bead") > wire);
-    CHECK(part.find("| `drawn_radius` |") > wire);
+    CHECK(part.find("| `drawn_radius` | The radius with which disks are drawn") < wire);
+    CHECK(part.find("| `drawn_radius` | The radius with which the beads are drawn") > wire);
     CHECK(part.find("| `speed` |", wire) != std::string::npos);
     CHECK(part.find("| `count` |", wire) == std::string::npos);
     CHECK(page.find("Not on a wire: `bottom` and `top`.") != std::string::npos);

@@ -100,6 +100,10 @@ class CollisionMapPanel : public PlotPanel {
     std::string column_of(std::size_t k) const;
     Axis axis(std::size_t k) const;
     std::vector<Text> titles() const;
+    /// Only a walk says all without numbers of particles.
+    std::optional<std::array<std::string, 2>> walking_names() const {
+        return is_walk() && met_ ? own_names(context_, *met_) : std::nullopt;
+    }
     Note key(std::size_t steps) const;
     Note key_of_walk(std::size_t steps) const;
     Note key_of_collision() const;
@@ -206,8 +210,10 @@ std::string CollisionMapPanel::column_of(std::size_t k) const {
 
 Axis CollisionMapPanel::axis(std::size_t k) const {
     // In this order the root needs no bar over the mass.
+    const auto own = walking_names();
     const std::string name =
-        subscripted("v", k) + (is_scaled() ? "\u2009√" + subscripted("m", k) : "");
+        own ? own->at(k) + ": v" + (is_scaled() ? "\u2009√m" : "")
+            : subscripted("v", k) + (is_scaled() ? "\u2009√" + subscripted("m", k) : "");
     const double end = air_around * reach_[static_cast<Eigen::Index>(k)];
     return {.title = met_ ? named(name, role_of(context_, *met_, k)) : Text(name),
             .low = -end,
@@ -249,7 +255,9 @@ Note CollisionMapPanel::key_of_walk(std::size_t steps) const {
               .words = {with_each_other(counts)},
               .reserved = {{with_each_other(all)}}},
              {.sample = of_walls, .words = {with_a_wall(counts)}, .reserved = {{with_a_wall(all)}}},
-             {.sample = of_equal, .words = {subscripted("v", 0) + " = " + subscripted("v", 1)}}},
+             {.sample = of_equal,
+              .words = {walking_names() ? say(language, "equal velocities")
+                                        : subscripted("v", 0) + " = " + subscripted("v", 1)}}},
         .changes = true};
 }
 

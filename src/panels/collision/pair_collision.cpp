@@ -148,17 +148,34 @@ Color color_of(const PanelContext& context, const PairCollision& pair, std::size
     return plot::color_of(role_of(context, pair, k), theme);
 }
 
+std::optional<std::array<std::string, 2>> own_names(const PanelContext& context,
+                                                    const PairCollision& pair) {
+    std::array<std::string, 2> names;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const int species = context.particles.species[pair.particle.at(k)];
+        if ((context.particles.species == species).count() > 1) return {};
+        names.at(k) = context.scene.gas.species[static_cast<std::size_t>(species)].name;
+        if (names.at(k).empty()) return {};
+    }
+    return names;
+}
+
 plot::Text names_of(const PanelContext& context, const PairCollision& pair) {
+    const auto own = own_names(context, pair);
     const auto name = [&](std::size_t k) {
-        return plot::named(std::to_string(pair.particle[k]), role_of(context, pair, k),
-                           plot::Sample::disk);
+        return plot::named(own ? own->at(k) : std::to_string(pair.particle[k]),
+                           role_of(context, pair, k), plot::Sample::disk);
     };
-    return plot::text_of(context.language(), Phrase{"particles {} and {}"}, {name(0), name(1)});
+    return plot::text_of(context.language(),
+                         own ? Phrase{"{} and {}"} : Phrase{"particles {} and {}"},
+                         {name(0), name(1)});
 }
 
 std::string plain_names_of(const PanelContext& context, const PairCollision& pair) {
-    return capitalised(
-        say(context.language(), "particles {} and {}", pair.particle[0], pair.particle[1]));
+    const Language language = context.language();
+    if (const auto own = own_names(context, pair))
+        return capitalised(say(language, "{} and {}", own->at(0), own->at(1)));
+    return capitalised(say(language, "particles {} and {}", pair.particle[0], pair.particle[1]));
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "panels/panel.h"
@@ -76,6 +77,10 @@ class PairCollisionWatch {
 
 /// The names of the two particles: their numbers, in their colours.
 plot::Text names_of(const PanelContext& context, const PairCollision& pair);
+
+/// The names of their species, where each of the two is the only particle of one.
+std::optional<std::array<std::string, 2>> own_names(const PanelContext& context,
+                                                    const PairCollision& pair);
 
 /// The same at the beginning of a sentence, without colours.
 std::string plain_names_of(const PanelContext& context, const PairCollision& pair);

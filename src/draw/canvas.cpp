@@ -279,6 +279,13 @@ void Canvas::fill(Rect rect, Color color) {
     fill_path(color);
 }
 
+void Canvas::fade(Rect rect, double share) {
+    cairo_save(handle());
+    cairo_set_operator(handle(), CAIRO_OPERATOR_DEST_OUT);
+    fill(rect, {0.0, 0.0, 0.0, share});
+    cairo_restore(handle());
+}
+
 void Canvas::fill_circle(Point center, double radius, Color color) {
     trace_circle(handle(), center, radius);
     fill_path(color);

@@ -72,6 +72,8 @@ class Canvas {
 
     void fill_all(Color color);
     void fill(Rect rect, Color color);
+    /// Takes a share, from 0 to 1, of all that has been drawn in a rectangle away.
+    void fade(Rect rect, double share);
     void fill_circle(Point center, double radius, Color color);
 
     /// Draws in order, later circles over earlier ones, clipped to `clip` and to the clips of

@@ -89,6 +89,34 @@ TEST_CASE("without a ground nothing is there but what was drawn, and it lies wel
     CHECK(edges > 200);
 }
 
+TEST_CASE("cards of a film without a ground lie well on any slide, too") {
+    const TemporaryFolder folder;
+    const auto render = [&](const std::string& ground) {
+        const Outcome outcome =
+            shell("'" + program + "' render '" + (root / "scenes/one-hot-particle.yaml").string() +
+                      "' --size 640x360 --quiet --theme dark --seconds 8 --set "
+                      "'film.end_card=All as fast' --set film.title_card=2 --ground " +
+                      ground + " -o " + ground + "/",
+                  folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+    };
+    render("none");
+    render("theme");
+    int compared = 0, clear = 0;
+    for (int frame = 1; frame <= 240; frame += 9) {
+        const std::string name = "frame-" + std::to_string(100'000 + frame).substr(1) + ".png";
+        CAPTURE(name);
+        const Pixels none = pixels_of(folder.path() / "none" / name);
+        // One more rounding for each of two covers, and of words that move.
+        CHECK(largest_over_page(none, pixels_of(folder.path() / "theme" / name)) <= 6);
+        clear += alpha_at(none, 2, 2) == 0;
+        ++compared;
+    }
+    CHECK(compared == 27);
+    CHECK(clear == compared);
+}
+
 TEST_CASE("an SVG and a PDF without a ground have none") {
     const TemporaryFolder folder;
     still(folder.path(), "none", "none.svg");

@@ -192,7 +192,7 @@ void Cards::draw_title(Canvas& canvas, const PlacedWords& title,
                        const std::optional<PlacedWords>& subtitle, const Tick& tick) const {
     const double way = way_of_title(scene_.film, tick);
     const double behind = frame_behind_title + (1.0 - frame_behind_title) * smooth(way);
-    canvas.fill(picture(), with_alpha(theme_.page, 1.0 - behind));
+    cover(canvas, picture(), 1.0 - behind);
     draw_on_way(canvas, title_on_card(words_of_lines(title)), title, way);
     if (subtitle)
         draw_on_way(canvas, subtitle_on_card(words_of_lines(*subtitle)), *subtitle, way);
@@ -201,14 +201,20 @@ void Cards::draw_title(Canvas& canvas, const PlacedWords& title,
                     std::max(0.0, 1.0 - 2.0 * way));
 }
 
-void Cards::draw_end(Canvas& canvas, const Rect& gas, double cover) const {
+void Cards::cover(Canvas& canvas, const Rect& part, double share) const {
+    if (scene_.film.transparent)
+        canvas.fade(part, share);
+    else
+        canvas.fill(part, with_alpha(theme_.page, share));
+}
+
+void Cards::draw_end(Canvas& canvas, const Rect& gas, double share) const {
     const Rect all = picture();
-    canvas.fill(all, with_alpha(theme_.page, (1.0 - gas_behind_end) * cover));
+    cover(canvas, all, (1.0 - gas_behind_end) * share);
     const double left = std::floor(gas.x), top = std::floor(gas.y);  // edges of whole pixels
-    fill_around(canvas, all,
-                {left, top, std::ceil(gas.right()) - left, std::ceil(gas.bottom()) - top},
-                with_alpha(theme_.page, cover));
-    const double seen = std::max(0.0, 2.0 * cover - 1.0);  // not over the gas's own words
+    cover_around(all, {left, top, std::ceil(gas.right()) - left, std::ceil(gas.bottom()) - top},
+                 [&](const Rect& part) { cover(canvas, part, share); });
+    const double seen = std::max(0.0, 2.0 * share - 1.0);  // not over the gas's own words
     TextStyle large = style(end_size, 600, with_alpha(theme_.ink, seen));
     const std::vector<std::string> lines =
         fitted({{scene_.film.end_card}}, large, card_line, (1.0 - 2.0 * card_edge) * all.height);

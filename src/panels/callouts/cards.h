@@ -41,9 +41,9 @@ class Cards {
     void draw_title(Canvas& canvas, const PlacedWords& title,
                     const std::optional<PlacedWords>& subtitle, const Tick& tick) const;
 
-    /// Draws the card after the film over a frame with `gas` in it. `cover` is the share that has
-    /// appeared, from 0 to 1.
-    void draw_end(Canvas& canvas, const Rect& gas, double cover) const;
+    /// Draws the card after the film over a frame with `gas` in it. `share` is what has appeared
+    /// of it, from 0 to 1.
+    void draw_end(Canvas& canvas, const Rect& gas, double share) const;
 
     /// The share of the way from the card to its place that the title has gone in a frame.
     static double way_of_title(const Film& film, const Tick& tick);
@@ -52,6 +52,8 @@ class Cards {
     Rect picture() const {
         return {0.0, 0.0, double(scene_.film.size.width), double(scene_.film.size.height)};
     }
+    /// Covers a part of the picture with the page, or with nothing where the film has none.
+    void cover(Canvas& canvas, const Rect& part, double share) const;
     TextStyle style(double size, int weight, Color color) const;
     PlacedWords title_on_card(std::span<const std::string> parts) const;
     PlacedWords subtitle_on_card(std::span<const std::string> parts) const;

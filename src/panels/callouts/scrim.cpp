@@ -4,11 +4,12 @@
 
 namespace carom {
 
-void fill_around(Canvas& canvas, const Rect& all, const Rect& area, Color color) {
-    canvas.fill({all.x, all.y, all.width, area.y - all.y}, color);
-    canvas.fill({all.x, area.bottom(), all.width, all.bottom() - area.bottom()}, color);
-    canvas.fill({all.x, area.y, area.x - all.x, area.height}, color);
-    canvas.fill({area.right(), area.y, all.right() - area.right(), area.height}, color);
+void cover_around(const Rect& all, const Rect& area,
+                  const std::function<void(const Rect&)>& cover) {
+    cover({all.x, all.y, all.width, area.y - all.y});
+    cover({all.x, area.bottom(), all.width, all.bottom() - area.bottom()});
+    cover({all.x, area.y, area.x - all.x, area.height});
+    cover({area.right(), area.y, all.right() - area.right(), area.height});
 }
 
 void draw_scrim(Canvas& canvas, const Rect& area, double feather, Color color) {
@@ -21,7 +22,7 @@ void draw_scrim(Canvas& canvas, const Rect& area, double feather, Color color) {
     for (int k = 0; k < rings; ++k) {
         const double share = (k + 0.5) / rings;
         const Color thin = with_alpha(color, color.alpha * smooth(share));
-        fill_around(canvas, ring(k), ring(k + 1), thin);
+        cover_around(ring(k), ring(k + 1), [&](const Rect& part) { canvas.fill(part, thin); });
     }
     canvas.fill(ring(rings), color);
 }

@@ -1,6 +1,8 @@
 // Dims what lies under words or a panel, so that they are legible over anything.
 #pragma once
 
+#include <functional>
+
 #include "draw/canvas.h"
 
 namespace carom {
@@ -9,7 +11,7 @@ namespace carom {
 /// less and less. `color` has the opacity of the middle.
 void draw_scrim(Canvas& canvas, const Rect& area, double feather, Color color);
 
-/// Covers what is in `all` and not in `area`, which lies in it.
-void fill_around(Canvas& canvas, const Rect& all, const Rect& area, Color color);
+/// Calls `cover` with the parts of `all` around `area`, which lies in it.
+void cover_around(const Rect& all, const Rect& area, const std::function<void(const Rect&)>& cover);
 
 }  // namespace carom

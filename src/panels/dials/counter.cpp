@@ -17,6 +17,8 @@ struct CounterSize {
     static constexpr double name_space = 1.5, inner = 0.35, rim = 0.09;  // units
     static constexpr double digit_height = 0.74;                         // of the size of figures
     static constexpr double largest_figures = 5.0;                       // units
+    static constexpr double figures_of_many = 1.7;  // of more than two: none is the only subject
+    static constexpr double air = 0.45;             // over and under these
 };
 
 class CounterPanel : public DialPanel {
@@ -32,6 +34,7 @@ class CounterPanel : public DialPanel {
                     const Reading& reading) const override;
 
   private:
+    bool are_many() const { return lines().size() > 2; }
     Rect plate(const DrawContext& dc, const Rect& face) const;
     TextStyle figures(const DrawContext& dc, const Rect& plate) const;
 };
@@ -39,7 +42,11 @@ class CounterPanel : public DialPanel {
 // Under the name.
 Rect CounterPanel::plate(const DrawContext& dc, const Rect& face) const {
     const double u = dc.unit, width = face.width;
-    const double height = std::min(face.height - CounterSize::name_space * u, 0.42 * width);
+    double height = std::min(face.height - CounterSize::name_space * u, 0.42 * width);
+    if (are_many())
+        height = std::min(height, (CounterSize::digit_height * CounterSize::figures_of_many +
+                                   2.0 * CounterSize::air) *
+                                      u);
     return {face.x, face.y + CounterSize::name_space * u, width, std::max(u, height)};
 }
 
@@ -50,7 +57,8 @@ TextStyle CounterPanel::figures(const DrawContext& dc, const Rect& plate) const 
     const double across = (plate.width - 2.0 * CounterSize::inner * u) / wide;
     const double up =
         (plate.height - 2.0 * CounterSize::inner * u) / (CounterSize::digit_height * u);
-    style.size = std::clamp(std::min(across, up), 1.0, CounterSize::largest_figures) * u;
+    const double largest = are_many() ? CounterSize::figures_of_many : CounterSize::largest_figures;
+    style.size = std::clamp(std::min(across, up), 1.0, largest) * u;
     style.align = Align::right;
     return style;
 }

@@ -120,6 +120,8 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     /// The width of the widest number of all frames as text, in pixels.
     double widest_number(const TextStyle& style) const;
 
+    std::vector<DialSubject::Line> lines() const;
+
   private:
     struct Layout;
     bool is_whole() const;
@@ -131,7 +133,6 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     bool has_room_for(const Rect& face, const DrawContext& dc) const {
         return face.height >= least_face() * dc.unit;
     }
-    std::vector<DialSubject::Line> lines() const;
     std::string note() const;
     std::string account_of(const std::vector<Reading>& readings) const;
 

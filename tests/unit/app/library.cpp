@@ -99,7 +99,7 @@ TEST_CASE("scenes that say they come to equilibrium show the curve") {
 TEST_CASE("every template makes a picture of a plane and of a wire, in every theme") {
     const carom::test::TemporaryFolder folder;
     const std::vector<fs::path> files = test::yaml_files(root / "templates/films");
-    CHECK(files.size() == 8);
+    CHECK(files.size() == 9);
     for (const fs::path& file : files)
         for (const std::string name : {"two-to-one", "cradle"})
             for (const std::string theme : {"light", "dark", "print"}) {

@@ -2,7 +2,6 @@
 // templates.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -13,7 +12,6 @@
 #include <vector>
 
 #include "physics/gas.h"
-#include "physics/particles.h"
 #include "physics/run.h"
 #include "scene/sweep.h"
 #include "util/diagnostics.h"
@@ -421,16 +419,5 @@ struct Scene {
     std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an
                                             ///< empty message, for errors found later
 };
-
-/// The radii with which the particles of a scene are drawn; never less than their own in a plane.
-inline Eigen::ArrayXd drawn_radius(const Scene& scene, const Particles& particles) {
-    Eigen::ArrayXd radius = particles.radius;
-    for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        const auto species = static_cast<std::size_t>(particles.species[i]);
-        const double least = scene.gas.box.dimension == 1 ? 0.0 : radius[i];
-        radius[i] = std::max(least, scene.looks[species].drawn_radius.value_or(radius[i]));
-    }
-    return radius;
-}
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/gas/drawn_radius.h"
 #include "scene/limits.h"
 #include "scene/time/timeline.h"
 #include "util/text.h"

@@ -6,6 +6,7 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
+#include "panels/gas/drawn_radius.h"
 #include "panels/surfaces/surface_words.h"
 
 namespace carom {

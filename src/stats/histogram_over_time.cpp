@@ -66,6 +66,7 @@ void HistogramOverTime::Slot::add(const Slot& other, double share) {
     for (std::size_t k = 0; k < counts.size(); ++k) counts[k] += share * other.counts[k];
     below += share * other.below;
     above += share * other.above;
+    elsewhere += share * other.elsewhere;
     join(share * other.weight, other.mean, share * other.squares);
 }
 
@@ -90,22 +91,28 @@ HistogramOverTime::Slot* HistogramOverTime::slot(std::int64_t number) {
     return &slots_[static_cast<std::size_t>(number - slots_.front().number)];
 }
 
-void HistogramOverTime::add(const Course& course) {
+void HistogramOverTime::add(const Course& course, bool counted) {
     if (slots_.empty()) slot(0);  // the first course may not be that of the first interval
-    if (at_clock_) return add_samples(course);
-    if (length_ == 0.0) return add_to(*slot(0), course, 0.0, course.to - course.from);
+    if (at_clock_) return add_samples(course, counted);
+    const auto add_between = [&](Slot& its, double from, double to) {
+        if (counted)
+            add_to(its, course, from, to);
+        else
+            its.elsewhere += to - from;
+    };
+    if (length_ == 0.0) return add_between(*slot(0), 0.0, course.to - course.from);
     auto number = static_cast<std::int64_t>(std::floor(course.from / length_));
     number = std::max(number, slots_.front().number);
     for (; start_of(number) < course.to; ++number) {
         const double from = std::max(course.from, start_of(number));
         const double to = std::min(course.to, start_of(number + 1));
-        if (to > from) add_to(*slot(number), course, from - course.from, to - course.from);
+        if (to > from) add_between(*slot(number), from - course.from, to - course.from);
     }
 }
 
 // Samples from the start of the course up to its end, excluded; the last sample, at the end of the
 // run, is that of the present.
-void HistogramOverTime::add_samples(const Course& course) {
+void HistogramOverTime::add_samples(const Course& course, bool counted) {
     auto number = static_cast<std::int64_t>(std::ceil(course.from / clock_.every - 1.0));
     number = std::max<std::int64_t>(0, number);
     for (;; ++number) {
@@ -114,7 +121,8 @@ void HistogramOverTime::add_samples(const Course& course) {
         if (time < course.from) continue;
         Slot* its = slot(window_ ? number : 0);
         const double value = course.value(time - course.from);
-        if (its == nullptr) continue;
+        if (its != nullptr && !counted) its->elsewhere += 1.0;
+        if (its == nullptr || !counted) continue;
         count(*its, value, 1.0);
         if (std::isfinite(value)) its->join(1.0, value, 0.0);
     }
@@ -213,24 +221,27 @@ void HistogramOverTime::forget_before(double now) {
         slots_.pop_front();
 }
 
-MeanHistogram HistogramOverTime::mean(double now, const Eigen::ArrayXd& present) const {
+MeanHistogram HistogramOverTime::mean(double now, const Eigen::ArrayXd& present,
+                                      double absent) const {
     Slot all{.counts = std::vector<double>(static_cast<std::size_t>(bins_.count))};
     for (const Slot& slot : slots_)
         if (const double share = share_of(slot, now); share > 0.0) all.add(slot, share);
     const double nearest = std::round(now / clock_.every) * clock_.every;
     const bool is_sample = at_clock_ && (now >= clock_.until || now == nearest);
     const auto in_all = [&] {
-        double sum = all.below + all.above;
+        double sum = all.below + all.above + all.elsewhere;
         for (const double one : all.counts) sum += one;
         return sum;
     };
-    if (is_sample || in_all() == 0.0)
+    if (is_sample || in_all() == 0.0) {
+        all.elsewhere += absent;
         for (const double value : present) {
             count(all, value, 1.0);
             if (std::isfinite(value)) all.join(1.0, value, 0.0);
         }
+    }
     MeanHistogram result{.bins = bins_, .mean = std::numeric_limits<double>::quiet_NaN()};
-    const double unit = static_cast<double>(present.size()) / std::max(in_all(), 1e-300);
+    const double unit = (static_cast<double>(present.size()) + absent) / std::max(in_all(), 1e-300);
     for (const double one : all.counts) result.counts.push_back(one * unit);
     result.below = all.below * unit;
     result.above = all.above * unit;

@@ -28,12 +28,14 @@ class HistogramOverTime {
     HistogramOverTime(const Bins& bins, std::optional<double> window, const SampleClock& clock,
                       bool at_clock);
 
-    /// Adds a piece. Courses of different particles may come in any order.
-    void add(const Course& course);
+    /// Adds a piece. Courses of different particles may come in any order. A value that is not
+    /// `counted` is elsewhere for this time: it is in no bin, and lowers the mean counts.
+    void add(const Course& course, bool counted = true);
 
     /// The mean over the time up to `now`, to which all courses must have been added; `present`,
-    /// the values now, is the mean while no time has passed.
-    MeanHistogram mean(double now, const Eigen::ArrayXd& present) const;
+    /// the values now, is the mean while no time has passed. `absent`: the number of values that
+    /// are elsewhere now; with those present, the same at all times.
+    MeanHistogram mean(double now, const Eigen::ArrayXd& present, double absent = 0.0) const;
 
     /// Drops what no mean from `now` on needs.
     void forget_before(double now);
@@ -50,18 +52,18 @@ class HistogramOverTime {
     struct Slot {
         std::int64_t number = 0;
         std::vector<double> counts = {};
-        double below = 0.0, above = 0.0;
+        double below = 0.0, above = 0.0, elsewhere = 0.0;
         double weight = 0.0, mean = 0.0, squares = 0.0;  ///< of finite values
         void join(double of_weight, double of_mean, double of_squares);
         void add(const Slot& other, double share);
         void archive(auto& archive) {
-            archive(number, counts, below, above, weight, mean, squares);
+            archive(number, counts, below, above, elsewhere, weight, mean, squares);
         }
     };
     bool fits_together() const;
     Slot* slot(std::int64_t number);
     double start_of(std::int64_t number) const { return static_cast<double>(number) * length_; }
-    void add_samples(const Course& course);
+    void add_samples(const Course& course, bool counted);
     void add_to(Slot& slot, const Course& course, double from, double to) const;
     void add_monotone(Slot& slot, const Course& course, double from, double to) const;
     void count(Slot& slot, double value, double weight) const;

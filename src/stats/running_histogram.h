@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <deque>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct MeanHistogram {
     double mean = 0.0;       ///< of all finite values; NaN if there are none
     double deviation = 0.0;  ///< standard deviation: the root of the mean square about the mean
     void archive(auto& archive) { archive(bins, counts, below, above, mean, deviation); }
+
+    /// The number of all values, with those beyond the bins.
+    double values() const { return std::accumulate(counts.begin(), counts.end(), below + above); }
 };
 
 class RunningHistogram {

@@ -27,6 +27,16 @@ struct PathPiece {
     }
     Eigen::Array2d velocity_after(double time) const { return velocity + time * acceleration; }
 
+    /// The part between two times since its start; ended_by is left out.
+    PathPiece part(double since, double until) const {
+        return {.particle = particle,
+                .from = from + since,
+                .to = until < span() ? from + until : to,
+                .place = place_after(since),
+                .velocity = velocity_after(since),
+                .acceleration = acceleration};
+    }
+
     /// Writes or reads all members except `ended_by`, which is valid only during the call that
     /// receives the piece.
     void archive(auto& archive) {

@@ -1,8 +1,5 @@
 #include "stats/paths/thermal_times.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "physics/mechanics.h"
 
 namespace carom {
@@ -42,7 +39,7 @@ std::vector<ThermalIntegrals> ThermalTimes::moment(const Sample& sample) {
                 place[axis] = sample.position(i, axis);
                 velocity[axis] = sample.velocity(i, axis);
             }
-            if (!is_in(place, parts_[k])) continue;
+            if (parts_[k].region && !is_in(box_, *parts_[k].region, place)) continue;
             now[k].energy += 0.5 * (velocity - drift_).square().sum() / particles_.inverse_mass[i];
             now[k].half_freedom += half_freedom(i);
         }
@@ -64,15 +61,6 @@ double ThermalTimes::half_freedom(Eigen::Index particle) const {
     return 0.5 * sum;
 }
 
-bool ThermalTimes::is_in(const Eigen::Array2d& place, const ThermalPart& part) const {
-    if (!part.region) return true;
-    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
-        const double inside = box_.wrapped(axis, place[axis]);
-        if (inside < part.region->low[axis] || inside >= part.region->high[axis]) return false;
-    }
-    return true;
-}
-
 void ThermalTimes::fly(const PathPiece& piece) {
     if (particles_.inverse_mass[piece.particle] == 0.0) return;
     for (std::size_t k = 0; k < parts_.size(); ++k)
@@ -91,48 +79,12 @@ void ThermalTimes::add_stay(const PathPiece& piece, double from, double to,
     into.half_freedom += span * half_freedom(piece.particle);
 }
 
-// Adds the times at which the piece passes a position on an axis, or an image of it.
-void ThermalTimes::add_crossings(const PathPiece& piece, int axis, double edge) {
-    const double span = piece.span(), start = piece.place[axis], velocity = piece.velocity[axis];
-    const double pull = piece.acceleration[axis];
-    const auto at = [&](double time) { return start + time * (velocity + 0.5 * time * pull); };
-    double low = std::min(start, at(span)), high = std::max(start, at(span));
-    const double turn = pull != 0.0 ? -velocity / pull : -1.0;
-    if (turn > 0.0 && turn < span) {
-        low = std::min(low, at(turn));
-        high = std::max(high, at(turn));
-    }
-    const double length = box_.length(axis);
-    const bool is_periodic = box_.is_periodic(axis);
-    const double first = is_periodic ? std::ceil((low - edge) / length) : 0.0;
-    const double last = is_periodic ? std::floor((high - edge) / length) : 0.0;
-    const auto add_time = [&](double time) {
-        if (time > 0.0 && time < span) times_.push_back(time);
-    };
-    for (double k = first; k <= last; k += 1.0) {
-        const double way = edge + k * length - start;
-        const double square = velocity * velocity + 2.0 * pull * way;
-        if (square < 0.0) continue;
-        const double root = std::sqrt(square);
-        for (const double sum : {velocity + root, velocity - root})
-            if (sum != 0.0) add_time(2.0 * way / sum);
-    }
-}
-
 void ThermalTimes::add(const PathPiece& piece, std::size_t part) {
     const std::optional<Region>& region = parts_[part].region;
     if (!region) return add_stay(piece, 0.0, piece.span(), integrals_[part]);
-    times_.assign({0.0, piece.span()});
-    for (int axis = 0; axis < box_.dimension; ++axis)
-        for (const double edge : {region->low[axis], region->high[axis]})
-            add_crossings(piece, axis, edge);
-    std::ranges::sort(times_);
-    for (std::size_t i = 1; i < times_.size(); ++i) {
-        const double middle = 0.5 * (times_[i - 1] + times_[i]);
-        if (!(times_[i] > times_[i - 1])) continue;
-        if (is_in(piece.place_after(middle), parts_[part]))
-            add_stay(piece, times_[i - 1], times_[i], integrals_[part]);
-    }
+    find_stays(box_, *region, piece, stays_);
+    for (const Stay& stay : stays_)
+        if (stay.is_inside) add_stay(piece, stay.from, stay.to, integrals_[part]);
 }
 
 }  // namespace carom

@@ -11,6 +11,7 @@
 #include "physics/gas.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
+#include "stats/paths/stays.h"
 
 namespace carom {
 
@@ -45,11 +46,9 @@ class ThermalTimes {
         return is_conserved_[static_cast<std::size_t>(axis)];
     }
     double half_freedom(Eigen::Index particle) const;
-    bool is_in(const Eigen::Array2d& place, const ThermalPart& part) const;
     void fly(const PathPiece& piece);
     void add(const PathPiece& piece, std::size_t part);
     void add_stay(const PathPiece& piece, double from, double to, ThermalIntegrals& into) const;
-    void add_crossings(const PathPiece& piece, int axis, double edge);
 
     Box box_;
     Particles particles_;
@@ -60,7 +59,7 @@ class ThermalTimes {
     Eigen::Array2d drift_{0.0, 0.0};      ///< of the centre of mass, along conserved axes
     double mass_ = 0.0;                   ///< of the whole gas; 0 if it has infinite masses
     std::vector<ThermalIntegrals> integrals_;
-    std::vector<double> times_;  ///< scratch
+    std::vector<Stay> stays_;  ///< scratch
 };
 
 }  // namespace carom

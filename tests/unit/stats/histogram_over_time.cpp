@@ -108,6 +108,35 @@ TEST_CASE("a value that is constant for a time counts as long as it lasts") {
     }
 }
 
+TEST_CASE("a value that is elsewhere for a time counts only while it is here") {
+    Random random(5, "histogram over time");
+    const std::vector<Course> courses = steps(random);
+    const auto is_here = [](std::size_t k) { return k % 3 != 1; };
+    for (const std::optional<double> window : {std::optional<double>(), std::optional(2.0)}) {
+        const double now = 7.0, from = window ? now - *window : 0.0;
+        HistogramOverTime histogram(bins, window, usual, false);
+        std::vector<double> counts(std::size_t(bins.count));
+        double sum = 0.0, time = 0.0;
+        for (std::size_t k = 0; k < courses.size(); ++k) {
+            Course one = courses[k];
+            one.to = std::min(one.to, now);
+            if (!(one.to > one.from)) continue;
+            histogram.add(one, is_here(k));
+            const double lasts = one.to - std::max(one.from, from), value = one.coefficients[0];
+            if (!is_here(k) || !(lasts > 0.0)) continue;
+            sum += lasts * value;
+            time += lasts;
+            const double place = std::floor((value - bins.low) / bins.width());
+            if (place >= 0.0 && place < bins.count) counts[std::size_t(place)] += lasts;
+        }
+        const MeanHistogram mean = histogram.mean(now, Eigen::ArrayXd(), 1.0);
+        for (std::size_t k = 0; k < counts.size(); ++k)
+            CHECK(std::abs(mean.counts[k] - counts[k] / (now - from)) < 1e-12);
+        CHECK(mean.values() == relative(time / (now - from), 1e-12));
+        CHECK(mean.mean == relative(sum / time, 1e-12));
+    }
+}
+
 TEST_CASE("a window that begins between two times of the clock takes a share of what lies there") {
     HistogramOverTime histogram({0.0, 3.0, 3}, 1.0, {0.5, 10.0}, false);
     histogram.add({0.0, 1.0, {0.5, 0.0, 0.0}});

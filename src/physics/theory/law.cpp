@@ -13,17 +13,35 @@ namespace {
 using LawFunction = Law (*)(const BoxedGas&, const Asked&);
 
 // In the order of LawOf.
-constexpr std::array<LawFunction, laws_count> functions{
-    laws::mean_energy,      laws::mean_speed,       laws::bath,
-    laws::temperature,      laws::distribution,     laws::goodness_of_fit,
-    laws::velocity_entropy, laws::position_entropy, laws::collision_rate,
-    laws::mean_free_path,   laws::ideal_pressure,   laws::pressure,
-    laws::contact,          laws::displacement,     laws::autocorrelation,
-    laws::free_flight,      laws::memoryless,       laws::flux,
-    laws::gap_flux,         laws::side_count,       laws::side_energy,
-    laws::side_temperature, laws::piston,           laws::isotherm,
-    laws::adiabat,          laws::binomial,         laws::heights,
-    laws::error_growth};
+constexpr std::array<LawFunction, laws_count> functions{laws::mean_energy,
+                                                        laws::mean_speed,
+                                                        laws::bath,
+                                                        laws::temperature,
+                                                        laws::distribution,
+                                                        laws::side_distribution,
+                                                        laws::goodness_of_fit,
+                                                        laws::velocity_entropy,
+                                                        laws::position_entropy,
+                                                        laws::collision_rate,
+                                                        laws::mean_free_path,
+                                                        laws::ideal_pressure,
+                                                        laws::pressure,
+                                                        laws::contact,
+                                                        laws::displacement,
+                                                        laws::autocorrelation,
+                                                        laws::free_flight,
+                                                        laws::memoryless,
+                                                        laws::flux,
+                                                        laws::gap_flux,
+                                                        laws::side_count,
+                                                        laws::side_energy,
+                                                        laws::side_temperature,
+                                                        laws::piston,
+                                                        laws::isotherm,
+                                                        laws::adiabat,
+                                                        laws::binomial,
+                                                        laws::heights,
+                                                        laws::error_growth};
 
 }  // namespace
 

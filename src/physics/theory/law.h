@@ -21,19 +21,21 @@ namespace carom {
 /// The quantities. Means are over time, in the equilibrium that the gas comes to or in the steady
 /// state with its walls, and exact for any number of particles unless stated otherwise.
 enum class LawOf {
-    mean_energy,       ///< kinetic energy of a particle, averaged over those asked for
-    mean_speed,        ///< speed of a particle, averaged over those asked for
-    bath,              ///< temperature of the heat baths, if all have the same
-    temperature,       ///< twice the energy per degree of freedom (ThermalMotion)
-    distribution,      ///< of energies, speeds and velocities: Law::equilibrium
-    goodness_of_fit,   ///< the same, where the test of counts against it holds (stats/goodness.h)
-    velocity_entropy,  ///< of counts in velocity cells (velocity_entropy.h), with Law::error
-    position_entropy,  ///< of counts of independent points in Asked::cells; exact for points
-    collision_rate,    ///< collisions per particle and time; an estimate (collision_rate.h)
-    mean_free_path,    ///< between collisions of particles; an estimate
-    ideal_pressure,    ///< of points with the energy Asked::thermal
-    pressure,          ///< of disks or rods with it; for disks by equations of state
-    contact,           ///< pair correlation of equal disks at contact; an estimate
+    mean_energy,        ///< kinetic energy of a particle, averaged over those asked for
+    mean_speed,         ///< speed of a particle, averaged over those asked for
+    bath,               ///< temperature of the heat baths, if all have the same
+    temperature,        ///< twice the energy per degree of freedom (ThermalMotion)
+    distribution,       ///< of energies, speeds and velocities: Law::equilibrium
+    side_distribution,  ///< the same of the particles on one side of a closed partition, Asked::of,
+                        ///< with their energy, Asked::thermal
+    goodness_of_fit,    ///< the same, where the test of counts against it holds (stats/goodness.h)
+    velocity_entropy,   ///< of counts in velocity cells (velocity_entropy.h), with Law::error
+    position_entropy,   ///< of counts of independent points in Asked::cells; exact for points
+    collision_rate,     ///< collisions per particle and time; an estimate (collision_rate.h)
+    mean_free_path,     ///< between collisions of particles; an estimate
+    ideal_pressure,     ///< of points with the energy Asked::thermal
+    pressure,           ///< of disks or rods with it; for disks by equations of state
+    contact,            ///< pair correlation of equal disks at contact; an estimate
     displacement,  ///< mean squared displacement: holds where it grows as 2 d D t for ever. Where
                    ///< walls bound it there is none, and Law::value is its plateau
     autocorrelation,   ///< initial slope of the velocity autocorrelation: the factor by which

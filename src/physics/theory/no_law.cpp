@@ -50,6 +50,7 @@ constexpr std::array words{
     Phrase{"at this density disks freeze"},
     Phrase{"the partition is not in the middle"},
     Phrase{"the parts are not two halves of the box"},
+    Phrase{"particles pass from one part of the box to another"},
     Phrase{"the line does not reach from wall to wall"},
     Phrase{"the line is too near to a wall"},
     Phrase{"the box is periodic"},

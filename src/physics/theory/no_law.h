@@ -61,6 +61,7 @@ struct NoLaw {
         freezes,     ///< so dense that disks freeze
         off_center,  ///< a partition that is not in the middle
         regions,     ///< parts of the box that are not halves of it
+        passes,      ///< particles pass from one part of the box to another
         part_of_line,
         near_wall,
         no_walls,

@@ -62,6 +62,7 @@ constexpr std::array<const char*, reasons_count> words_of_reasons{"unknown_gas",
                                                                   "freezes",
                                                                   "off_center",
                                                                   "regions",
+                                                                  "passes",
                                                                   "part_of_line",
                                                                   "near_wall",
                                                                   "no_walls",
@@ -113,6 +114,11 @@ const std::map<LawOf, std::string>& table() {
          "piston membrane partitions partitions obstacles event event event yes alone "
          "alone obstacles gravity obstacles yes pair no_finite_mass at_rest drifts "
          "points gravity yes yes equal_masses yes yes yes equal_masses driven"},
+        {LawOf::side_distribution,
+         "passes passes passes passes passes passes passes passes passes passes "
+         "passes membrane yes passes passes passes event event passes passes passes "
+         "passes passes passes passes passes passes passes passes passes passes line "
+         "line line passes passes line line passes"},
         {LawOf::goodness_of_fit,
          "yes yes one_axis unequal_masses gravity fixed_particles moving_infinite_mass "
          "bath baths_differ driven piston membrane partitions partitions obstacles "

@@ -99,6 +99,36 @@ Law distribution(const BoxedGas& gas, const Asked& asked) {
     return law.equilibrium ? law : none(Why::no_finite_mass);
 }
 
+// A partition that lets nothing through and is the only one makes two gases, each with its own
+// energy. Their walls conserve no momentum.
+Law side_distribution(const BoxedGas& gas, const Asked& asked) {
+    if (gas.box.dimension == 1) return none(Why::line);
+    const Partition* partition = gas.box.surfaces.partition(asked.surface);
+    if (partition == nullptr) return none(Why::passes);
+    if (const auto reason = first_of(
+            gas, {Why::moving_infinite_mass, Why::driven, Why::baths_differ, Why::bath, Why::piston,
+                  Why::membrane, Why::event, Why::gravity, Why::obstacles, Why::fixed_particles}))
+        return none(*reason);
+    if (partition->is_open || !partition->gaps.empty()) return none(Why::passes);
+    if (gas.box.surfaces.partitions.size() > 1) return none(Why::partitions);
+    if (gas.box.is_periodic(partition->axis)) return none(Why::no_walls);
+    if (gas.conserves[0] || gas.conserves[1]) return none(Why::one_axis);
+    const std::vector<Eigen::Index> list = members(gas, asked);
+    if (list.empty()) return none(Why::no_finite_mass);
+    if (list.size() == 1) return none(Why::alone);
+    if (std::ranges::any_of(list, [&](auto i) { return gas.particles->radius[i] == 0.0; }))
+        return none(Why::points);
+    const double energy = asked.thermal ? asked.thermal->energy : gas.energy;
+    if (!(energy > 0.0)) return none(Why::at_rest);
+    const auto count = static_cast<double>(list.size());
+    const EquilibriumGas side{// the group holds what each of those of its members begins with
+                              .energy = energy,
+                              .alpha = 1.0,
+                              .beta = count - 1.0,
+                              .groups = {{0.0, 0.0}}};
+    return {.equilibrium = among(side, *gas.particles, list)};
+}
+
 // With fixed numbers of particles of several masses, counts do not follow one distribution, and
 // particles of infinite mass do not share the energy.
 Law goodness_of_fit(const BoxedGas& gas, const Asked& asked) {

@@ -36,6 +36,7 @@ Law mean_speed(const BoxedGas& gas, const Asked& asked);
 Law bath(const BoxedGas& gas, const Asked& asked);
 Law temperature(const BoxedGas& gas, const Asked& asked);
 Law distribution(const BoxedGas& gas, const Asked& asked);
+Law side_distribution(const BoxedGas& gas, const Asked& asked);
 Law goodness_of_fit(const BoxedGas& gas, const Asked& asked);
 Law velocity_entropy(const BoxedGas& gas, const Asked& asked);
 

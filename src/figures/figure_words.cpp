@@ -12,7 +12,9 @@
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "panels/surfaces/box_parts.h"
 #include "scene/describe.h"
+#include "scene/panel_kind.h"
 #include "scene/yaml/scalar.h"
 #include "util/formula/formula.h"
 #include "util/text.h"
@@ -20,13 +22,18 @@
 namespace carom {
 namespace {
 
-// "Speed histogram", "The gas": how a caption names what it shows.
+// "Speed histogram", "Speed histogram (left, right)", "The gas": how a caption names what it shows.
 std::string kind_words(const Scene& scene, const FigureSpec& spec) {
     const Language language = scene.film.language;
     if (spec.panel.kind == "gas" && !spec.panel.title)
         return scene.gas.box.dimension == 2 ? say(language, "The gas")
                                             : say(language, "The beads on their wire");
-    return capitalised(name_of_panel(language, spec.panel));
+    std::string words = capitalised(name_of_panel(language, spec.panel));
+    if (spec.panel.title || !spec.panel.shows_parts() ||
+        !kind_of(panel_kinds(), spec.panel.kind)->can(Ability::bars))
+        return words;
+    const BoxParts parts(scene.gas.box, spec.panel);
+    return fmt::format("{} ({})", words, fmt::join(parts.names(language), ", "));
 }
 
 ShownTimes times_of(const Figure& figure) {

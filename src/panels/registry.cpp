@@ -160,16 +160,6 @@ std::int64_t count_of(const Gas& gas) {
     return count;
 }
 
-void check_scalar_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
-    check_scalar_test(panel, node, reading);
-    check_samples_of_bars(panel, node, reading);
-}
-
-void check_velocity_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
-    check_velocity_test(panel, node, reading);
-    check_samples_of_bars(panel, node, reading);
-}
-
 bool acts_on_gas(const Gas& gas, const Run& run) {
     return !gas.box.surfaces.are_plain() ||
            std::ranges::any_of(run.events, [](const RunEvent& event) {
@@ -238,30 +228,30 @@ std::vector<PanelKind> all_kinds() {
                   "equilibrium distribution.",
          .make = make_speed_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
-         .keys = samples_key(),
+         .keys = histogram_keys(),
          .rule = check_scalar_histogram,
          .suits = speeds_spread,
-         .laws = always(LawOf::distribution)},
+         .laws = laws_of_histogram},
         {.name = "energy-histogram",
          .words = Phrase{"energy histogram"},
          .shows = "A histogram of the kinetic energies of the particles, with the equilibrium "
                   "distribution.",
          .make = make_energy_histogram,
          .abilities = {bars, from_zero, of, over, theory, equilibrium, means, comparison},
-         .keys = samples_key(),
+         .keys = histogram_keys(),
          .rule = check_scalar_histogram,
          .suits = speeds_spread,
-         .laws = always(LawOf::distribution)},
+         .laws = laws_of_histogram},
         {.name = "velocity-histogram",
          .words = Phrase{"velocity histogram"},
          .shows = "A histogram of the velocities along one axis, or of both components together, "
                   "with the equilibrium distribution.",
          .make = make_velocity_histogram,
          .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison},
-         .keys = samples_key(),
+         .keys = histogram_keys(),
          .rule = check_velocity_histogram,
          .suits = speeds_spread,
-         .laws = always(LawOf::distribution)},
+         .laws = laws_of_histogram},
         {.name = "position-histogram",
          .words = Phrase{"position histogram"},
          .shows = "A histogram of the positions along one axis; on a Galton board of pegs with the "
@@ -269,8 +259,8 @@ std::vector<PanelKind> all_kinds() {
                   "or to the right independently.",
          .make = make_position_histogram,
          .abilities = {bars, of, over, component, means, comparison},
-         .keys = samples_key(),
-         .rule = check_samples_of_bars},
+         .keys = histogram_keys(),
+         .rule = check_position_histogram},
         {.name = "energy-by-species",
          .words = Phrase{"energy by species"},
          .shows = "The mean kinetic energy of each species against time.",

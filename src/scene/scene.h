@@ -254,6 +254,9 @@ struct PanelSpec {
     TimeSpan show = {};               ///< in a film: when it is shown
     std::optional<View> view = {};    ///< the gas in a figure; none: as in the film
     Diagnostic place = {};  ///< in the file, with an empty message, for errors found later
+
+    /// Of a histogram: whether it shows the particles in parts of the box.
+    bool shows_parts() const { return !regions.empty() || !surfaces.empty(); }
 };
 
 /// The trails that a film shows; `trail` of a species overrides them.

@@ -112,7 +112,8 @@ double panel_seconds(const Scene& scene, const PanelSpec& panel, double frames, 
     const auto particles = static_cast<double>(total_count(scene.gas));
     const double seen = frames * particles;
     const double flights = 2.0 * counts.collisions.value_or(counts.events) + particles;
-    const double choices = std::max<double>(1.0, static_cast<double>(panel.of.size()));
+    const double choices =
+        std::max<double>(1.0, static_cast<double>(panel.of.size() + panel.regions.size()));
     const double seconds = seen * of_particle * choices;
     if (has_lags(panel)) return seconds + lag_seconds(scene, panel, pictures, flights);
     if (panel.kind == "pair-correlation")

@@ -1,5 +1,6 @@
 #include "panels/instruments/instrument_keys.h"
 
+#include "panels/plot/clock_samples.h"
 #include "scene/instruments/instrument_reading.h"
 
 namespace carom {
@@ -17,9 +18,10 @@ std::vector<Binding<PanelSpec>> line_keys() {
 std::vector<Binding<PanelSpec>> surfaces_key() {
     return {bind_key("surfaces", &PanelSpec::surfaces, surfaces_notation(),
                      "The walls or partitions where it measures: `left`, `right`, `bottom`, `top` "
-                     "or the names of partitions.")
-                .default_text("all walls together for a pressure; else what moves, or the only "
-                              "partition")};
+                     "or the names of partitions. A histogram shows the particles on each side of "
+                     "the partition that it names.")
+                .default_text("all walls together for a pressure; none for a histogram; else what "
+                              "moves, or the only partition")};
 }
 
 std::vector<Binding<PanelSpec>> pressure_keys() {
@@ -72,9 +74,14 @@ std::vector<Binding<PanelSpec>> stopwatch_key() {
 
 std::vector<Binding<PanelSpec>> regions_key() {
     return {bind_key("regions", &PanelSpec::regions, regions_notation(),
-                     "Parts of the box, instead of the sides of a partition (`sides`) or of "
-                     "particles by `of` (`thermometer`).")
+                     "Parts of the box: `sides` shows them instead of the sides of a partition, a "
+                     "thermometer instead of particles by `of`, and a histogram those particles "
+                     "that are in each at the time.")
                 .default_text("none")};
+}
+
+std::vector<Binding<PanelSpec>> histogram_keys() {
+    return joined<PanelSpec>(samples_key(), surfaces_key(), regions_key());
 }
 
 std::vector<Binding<PanelSpec>> sides_keys() {

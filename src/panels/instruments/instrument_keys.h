@@ -16,5 +16,6 @@ std::vector<Binding<PanelSpec>> counter_keys();
 std::vector<Binding<PanelSpec>> stopwatch_key();
 std::vector<Binding<PanelSpec>> regions_key();
 std::vector<Binding<PanelSpec>> sides_keys();
+std::vector<Binding<PanelSpec>> histogram_keys();
 
 }  // namespace carom

@@ -37,11 +37,6 @@ std::string short_name(Language language, const Box& box, std::int32_t surface) 
     }
 }
 
-plot::Role surface_role(std::size_t place, std::size_t count) {
-    if (count == 1) return {.of = plot::Role::Of::bar};
-    return {.of = plot::Role::Of::run, .index = place};
-}
-
 void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
                    const std::vector<std::int32_t>& surfaces, const std::string& what) {
     const std::vector<std::string> columns = box.surfaces.names();

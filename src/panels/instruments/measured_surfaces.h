@@ -8,12 +8,9 @@
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
 #include "panels/plots/series_panel.h"
+#include "panels/surfaces/box_parts.h"
 
 namespace carom {
-
-/// The colour in a plot of one of several surfaces, or of the parts beside them; a single one has
-/// the colour of bars.
-plot::Role surface_role(std::size_t place, std::size_t count);
 
 /// "left wall", or the name that the scene gives.
 std::string short_name(Language language, const Box& box, std::int32_t surface);

@@ -9,7 +9,7 @@
 
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/registry.h"
-#include "panels/surfaces/surface_words.h"
+#include "panels/surfaces/box_parts.h"
 #include "physics/mechanics.h"
 
 namespace carom {
@@ -33,51 +33,6 @@ Quantities quantities(PartMeasure measure) {
     }
     return {};
 }
-
-// The parts: in the order of the regions, or below and above the partition's place.
-class Parts {
-  public:
-    Parts(const Box& box, const PanelSpec& spec)
-        : box_(box), surfaces_(spec.surfaces), regions_(spec.regions) {}
-
-    std::size_t count() const { return regions_.empty() ? 2 : regions_.size(); }
-
-    std::vector<std::string> names(Language language) const {
-        std::vector<std::string> all;
-        for (const NamedRegion& one : regions_) all.push_back(one.name);
-        if (!all.empty()) return all;
-        if (axis() == 0) return {say(language, "left"), say(language, "right")};
-        return {say(language, "below"), say(language, "above")};
-    }
-
-    std::vector<std::vector<Eigen::Index>> members(const FrameInput& input) const {
-        std::vector<std::vector<Eigen::Index>> all(count());
-        const Eigen::ArrayXXd& position = input.sample.position;
-        if (regions_.empty()) {
-            const double place = place_of_surface(box_, input.advanced.surfaces,
-                                                  static_cast<std::size_t>(surfaces_.front()));
-            for (Eigen::Index i = 0; i < position.rows(); ++i)
-                all[position(i, axis()) < place ? 0 : 1].push_back(i);
-            return all;
-        }
-        for (Eigen::Index i = 0; i < position.rows(); ++i)
-            for (std::size_t k = 0; k < regions_.size(); ++k) {
-                bool is_in = true;
-                for (Eigen::Index a = 0; a < position.cols(); ++a)
-                    is_in = is_in && position(i, a) >= regions_[k].region.low[a] &&
-                            position(i, a) < regions_[k].region.high[a];
-                if (is_in) all[k].push_back(i);
-            }
-        return all;
-    }
-
-  private:
-    int axis() const { return box_.surfaces.axis_of(surfaces_.front()); }
-
-    Box box_;
-    std::vector<std::int32_t> surfaces_;
-    std::vector<NamedRegion> regions_;
-};
 
 LawOf law_of(PartMeasure measure) {
     if (measure == PartMeasure::count) return LawOf::side_count;
@@ -121,7 +76,7 @@ double measured(const PanelContext& context, const FrameInput& o, PartMeasure me
 
 std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const Parts parts(context.scene.gas.box, spec);
+    const BoxParts parts(context.scene.gas.box, spec);
     const auto [title, quantity, unit] = quantities(spec.measure);
     SeriesSubject subject{.quantity = quantity, .unit = unit, .over = spec.over};
     subject.names = parts.names(language);

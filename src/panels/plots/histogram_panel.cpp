@@ -12,6 +12,7 @@
 #include "panels/plot/clock_samples.h"
 #include "panels/plot/window.h"
 #include "panels/surfaces/side_extent.h"
+#include "physics/mechanics.h"
 #include "physics/sample_times.h"
 #include "util/text.h"
 
@@ -83,8 +84,14 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
     record_.time = with_samples(context.language(), time_words(context.language(), spec), spec,
                                 context.scene.run);
     record_.pools.resize(1);
-    for (const Chosen& chosen : choices(spec)) {
-        Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen), {}});
+    if (spec.shows_parts()) parts_.emplace(context.scene.gas.box, spec);
+    for (std::size_t k = 0; parts_ && k < parts_->count(); ++k) {
+        choices_.push_back({.chosen = {}, .members = {}, .within = parts_->regions({})[k]});
+        record_.series.push_back({.name = parts_->names(Language::english)[k],
+                                  .particles = static_cast<double>(context.particles.count())});
+    }
+    for (const Chosen& chosen : parts_ ? std::vector<Chosen>{} : choices(spec)) {
+        Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen)});
         choice.has.resize(static_cast<std::size_t>(context.particles.count()));
         for (const Eigen::Index i : choice.members) choice.has[static_cast<std::size_t>(i)] = true;
         HistogramSeries series{.name = column_name_of(context.scene, chosen),
@@ -140,15 +147,18 @@ void HistogramPanel::survey(const FrameInput& input) {
     span_ = input.tick.time;
     if (subject_.position_axis)
         widen_to_sides(*subject_.extent, context_.scene.gas.box, *subject_.position_axis, input);
+    find_members(input);
+    if (surveyed_ == 0) find_law_of_parts(input);
     const double numbers = record_.values();
     const bool probe = is_probe(input.tick.time, numbers);
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         HistogramSeries& one = record_.series[k];
         const Values values = values_of(choices_[k].members, all, place);
-        const double mean = finite_mean(values);
+        const double mean =
+            parts_ && values.size() == 0 ? std::nan("") : finite_mean(values);  // an empty part
         if (surveyed_ == 0) one.mean_start = one.lowest_mean = one.highest_mean = mean;
-        one.lowest_mean = std::min(one.lowest_mean, mean);
-        one.highest_mean = std::max(one.highest_mean, mean);
+        one.lowest_mean = std::fmin(one.lowest_mean, mean);  // of numbers: NaN is none
+        one.highest_mean = std::fmax(one.highest_mean, mean);
         const auto keep = [&](Eigen::Index i) {
             if (std::isfinite(values[i]))  // of moving infinite masses some are not
                 record_.pools.front().push_back(values[i]);
@@ -160,8 +170,31 @@ void HistogramPanel::survey(const FrameInput& input) {
     if (is_sample) ++surveyed_;
 }
 
+// The particles that are in parts of the box at present.
+void HistogramPanel::find_members(const FrameInput& input) {
+    if (!parts_) return;
+    std::vector<std::vector<Eigen::Index>> now = parts_->members(input);
+    for (std::size_t k = 0; k < choices_.size(); ++k) choices_[k].members = std::move(now[k]);
+}
+
+// The sides of a closed partition are gases of their own, whose energies are known at the start.
+void HistogramPanel::find_law_of_parts(const FrameInput& input) {
+    if (!parts_ || spec_.surfaces.empty()) return;
+    for (std::size_t k = 0; k < choices_.size(); ++k) {
+        const std::vector<Eigen::Index>& members = choices_[k].members;
+        const Law found = law(context_.gas, LawOf::side_distribution,
+                              {.of = members,
+                               .thermal = thermal_motion(context_.scene.gas.box, context_.particles,
+                                                         input.sample, members),
+                               .surface = spec_.surfaces.front()});
+        if (found) record_.series[k].equilibria.push_back(*found.equilibrium);
+    }
+}
+
 // Successive samples are nearly the same: only every tenth one counts as independent.
 void HistogramPanel::finish_record() {
+    for (HistogramSeries& one : record_.series)
+        if (std::isnan(one.lowest_mean)) one.lowest_mean = one.highest_mean = 0.0;  // ever empty
     const std::optional<double> back = window();
     const double share = !back ? 1.0 : span_ > 0.0 ? std::min(1.0, *back / span_) : 0.0;
     record_.independent = record_.values() / static_cast<double>(record_.series.size()) *
@@ -178,7 +211,7 @@ HistogramRules HistogramPanel::rules() const {
     // mean over time has its own axis.
     rules.only_last = shows_one_mean();
     if (!spec_.theory) return rules;
-    if (choices_.size() == 1 && !record_.compares) rules.shares = subject_.shares;
+    if (choices_.size() == 1 && !parts_ && !record_.compares) rules.shares = subject_.shares;
     rules.density = subject_.density;
     rules.probability = subject_.probability;
     return rules;
@@ -211,8 +244,14 @@ void HistogramPanel::archive(Archive& archive) {
     if (archive.is_reading()) begin_counting();
 }
 
-void HistogramPanel::add_to_bars(const PathPiece& piece,
-                                 std::vector<HistogramOverTime>& bars) const {
+void HistogramPanel::add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars) {
+    for (std::size_t k = 0; parts_ && k < bars.size(); ++k) {
+        find_stays(context_.scene.gas.box, *choices_[k].within, piece, stays_);
+        for (const Stay& stay : stays_)
+            subject_.courses(piece.part(stay.from, stay.to),
+                             [&](const Course& course) { bars[k].add(course, stay.is_inside); });
+    }
+    if (parts_) return;
     subject_.courses(piece, [&](const Course& course) {
         for (std::size_t k = 0; k < bars.size(); ++k)
             if (choices_[k].has[static_cast<std::size_t>(piece.particle)]) bars[k].add(course);
@@ -233,9 +272,12 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
     auto state = std::make_shared<HistogramState>();
     const ValuesOfInput all = subject_.values(input);
     Eigen::ArrayXXd place;
-    for (std::size_t k = 0; k < choices_.size(); ++k)
-        state->counts.series.push_back(
-            now[k].mean(input.tick.time, values_of(choices_[k].members, all, place)));
+    find_members(input);
+    for (std::size_t k = 0; k < choices_.size(); ++k) {
+        const Values values = values_of(choices_[k].members, all, place);
+        const auto absent = static_cast<double>(parts_ ? all.size() - values.size() : 0);
+        state->counts.series.push_back(now[k].mean(input.tick.time, values, absent));
+    }
     if (input.refreshes_readouts || !readouts_)
         readouts_ = std::make_shared<const HistogramCounts>(state->counts);
     state->readouts = readouts_;

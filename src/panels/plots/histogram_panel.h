@@ -1,7 +1,7 @@
-// Histograms of one quantity of particles, of all or of chosen ones, drawn together: at present,
-// over a time window, or since the start; with the equilibrium curves of this finite gas, a fitted
-// normal curve, and means. The quantity and its equilibrium curve are defined in the file of each
-// kind of panel.
+// Histograms of one quantity of particles, of all, of chosen ones or of those that are in parts of
+// the box, drawn together: at present, over a time window, or since the start; with the equilibrium
+// curves of this finite gas, a fitted normal curve, and means. The quantity and its equilibrium
+// curve are defined in the file of each kind of panel.
 #pragma once
 
 #include <functional>
@@ -11,10 +11,12 @@
 #include "panels/chosen.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/histogram_record.h"
+#include "panels/surfaces/box_parts.h"
 #include "scene/keys/binding.h"
 #include "stats/goodness.h"
 #include "stats/histogram_over_time.h"
 #include "stats/paths/paths.h"
+#include "stats/paths/stays.h"
 
 namespace carom {
 
@@ -77,7 +79,9 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void take_colors(const GasColors& colors) override;
     bool explains_colors() const override { return whole_.ramp != nullptr; }
     void see(const FrameInput& input) override;
-    bool surveys_positions() const override { return subject_.position_axis.has_value(); }
+    bool surveys_positions() const override {
+        return subject_.position_axis.has_value() || parts_.has_value();
+    }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override;
@@ -103,8 +107,9 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
   private:
     struct Choice {
         Chosen chosen;
-        std::vector<Eigen::Index> members;
-        std::vector<bool> has;  ///< whether each particle is a member
+        std::vector<Eigen::Index> members;  ///< of a part of the box, those at present
+        std::vector<bool> has = {};         ///< whether each particle is a member; not of a part
+        std::optional<Region> within = {};  ///< of a part
     };
     struct Roles {
         plot::Role bar, curve, fit;
@@ -117,10 +122,12 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void finish_record() override;
     void make_axes() override;
     void take_axes(const RecordPanel& of) override;
+    void find_members(const FrameInput& input);
+    void find_law_of_parts(const FrameInput& input);
     void begin_counting();
     std::vector<bool> tall_bars(const MeanHistogram& now, int frame, std::size_t k);
     std::optional<double> window() const;
-    void add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars) const;
+    void add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars);
     double samples() const;       ///< number that is surveyed
     bool shows_one_mean() const;  ///< over a window that ends at a figure's time
     bool is_probe(double time, double numbers) const;
@@ -151,6 +158,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::BarNotes bar_notes(const HistogramCounts* now) const;
     plot::Text names_of_choices(Joint joint) const;
     std::string name_of_series(std::size_t k) const;
+    plot::Role role_of_choice(std::size_t k) const;
     plot::Note note_of_short_title() const;
     plot::Text add_titles();
     plot::Text add_titles_of_runs();
@@ -168,6 +176,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     PanelContext context_;
     PanelSpec spec_;
     HistogramSubject subject_;
+    std::optional<BoxParts> parts_;  ///< instead of fixed choices of particles
     std::vector<Choice> choices_;
     int surveyed_ = 0;
     double span_ = 0.0;  ///< of simulated time in the film
@@ -176,14 +185,19 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::Plot whole_;                     ///< for the whole film: all but numbers and layers
     std::vector<SeriesLayers> layers_;     ///< of each series, the same in every frame
     Paths paths_;                          ///< in the second pass, of a mean over time
+    std::vector<Stay> stays_;              ///< scratch
     std::vector<HistogramOverTime> bars_;  ///< for each choice, in the second pass
     std::shared_ptr<const HistogramCounts> readouts_;
     std::vector<std::vector<int>> taller_until_;  ///< last frame, for each bar of each series
 };
 
-/// Report a figure that tests a histogram which has too few values for the test: of one number per
-/// particle, and of velocity components.
-void check_scalar_test(PanelSpec& panel, const Node& node, Reading& reading);
-void check_velocity_test(PanelSpec& panel, const Node& node, Reading& reading);
+/// The law of the equilibrium curves of a histogram.
+std::vector<LawOf> laws_of_histogram(const PanelSpec& panel, const Gas& gas);
+
+/// Report mistakes in the keys of histograms, such as a test of too few values: of one number per
+/// particle, of velocity components, and of positions.
+void check_scalar_histogram(PanelSpec& panel, const Node& node, Reading& reading);
+void check_velocity_histogram(PanelSpec& panel, const Node& node, Reading& reading);
+void check_position_histogram(PanelSpec& panel, const Node& node, Reading& reading);
 
 }  // namespace carom

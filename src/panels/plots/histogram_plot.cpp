@@ -69,7 +69,7 @@ HistogramPanel::Roles HistogramPanel::roles_of(std::size_t k) const {
     if (compares()) return {run, run, run};
     if (count() == 1) return {{Role::Of::bar}, {Role::Of::accent}, {Role::Of::highlight}};
     const auto color = [&](std::size_t choice, const Theme& theme) {
-        return color_of(choice_role(context_, choices_[choice].chosen, choice), theme);
+        return color_of(role_of_choice(choice), theme);
     };
     const auto line = [&](double share) {
         return own_role([&, share](const Theme& theme) {
@@ -80,7 +80,7 @@ HistogramPanel::Roles HistogramPanel::roles_of(std::size_t k) const {
                               least_contrast_of_marks);
         });
     };
-    return {choice_role(context_, choices_[k].chosen, k), line(0.4), line(0.7)};
+    return {role_of_choice(k), line(0.4), line(0.7)};
 }
 
 HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
@@ -196,8 +196,9 @@ plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) c
 void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState* state) const {
     const HistogramSeries& series = axes_.series[k];
     const auto add = [&](auto layer) {
-        layer.of =
-            compares() ? column_name_of(context_.scene, choices_.front().chosen) : series.name;
+        layer.of = !compares() ? series.name
+                   : parts_    ? parts_->names(Language::english).front()
+                               : column_name_of(context_.scene, choices_.front().chosen);
         if (compares()) layer.run = k;
         plot.layers.emplace_back(std::move(layer));
     };
@@ -206,19 +207,23 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
     if (state == nullptr) return;
     const MeanHistogram& one = state->counts.series[k];
     if (spec_.fit) {
-        Line fit = line_of("fit", normal_curve(axes_.bins, one, series.unit * series.values()),
-                           from_name(), value_name());
+        Line fit = line_of(
+            "fit",
+            normal_curve(axes_.bins, one, parts_ ? one.values() : series.unit * series.values()),
+            from_name(), value_name());
         fit.stroke = fit_stroke(k);
         add(std::move(fit));
     }
-    if (marks_mean_now()) add(mean_mark(k, one.mean, false));
-    if (marks_mean_start()) add(mean_mark(k, series.mean_start, true));
+    if (marks_mean_now() && std::isfinite(one.mean)) add(mean_mark(k, one.mean, false));
+    if (marks_mean_start() && std::isfinite(series.mean_start))
+        add(mean_mark(k, series.mean_start, true));
 }
 
-// The number of decimals is the same in all frames; for a mean near 0 it is no more than the axis
-// shows.
+// A dash: no values. The number of decimals is the same in all frames; for a mean near 0 it is no
+// more than the axis shows.
 std::string HistogramPanel::mean_words(std::size_t k, double mean) const {
     constexpr double least_of_axis = 0.1;
+    if (!std::isfinite(mean)) return "\u2013";
     const HistogramSeries& series = axes_.series[k];
     const double least = least_of_axis * axes_.bins.high;
     return steady_number(context_.language(), mean,
@@ -276,7 +281,7 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
         for (const double mean : {series.mean_start, series.lowest_mean, series.highest_mean})
             if (std::string words = mean_words(k, mean); words.size() > notes.typical_number.size())
                 notes.typical_number = std::move(words);
-        values += series.values();
+        values += now && parts_ ? now->series[k].values() : series.values();
         if (now) below += now->series[k].below;
         if (now) above += now->series[k].above;
     }
@@ -294,9 +299,9 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
 }
 
 // The name of a curve: of a single choice that it is the curve of equilibrium; of one of several,
-// the name of the choice.
+// the name of the choice, which without a curve stands at its highest bars.
 plot::Label HistogramPanel::name_of_curve(std::size_t k) const {
-    const HistogramCurve& curve = axes_.curves[k];
+    const HistogramCurve& curve = axes_.curves[k].empty() ? axes_.outlines[k] : axes_.curves[k];
     plot::Label label;
     label.still = true;
     const auto peak =
@@ -344,9 +349,9 @@ plot::Label HistogramPanel::name_of_curve(std::size_t k) const {
 // Each choice is named at its curve, where these have places; what the curves are is said where
 // there is room, from the top right on.
 void HistogramPanel::add_names() {
-    if (compares() || !axes_.has_curves()) return;
-    if (count() > 1 && (spec_.fit || std::ranges::any_of(axes_.curves, &HistogramCurve::empty)))
-        return;
+    if (compares() || (!parts_ && !axes_.has_curves())) return;
+    const bool has_gap = std::ranges::any_of(axes_.curves, &HistogramCurve::empty);
+    if (count() == 1 ? has_gap : spec_.fit || (!parts_ && has_gap)) return;
     for (std::size_t k = 0; k < count(); ++k) whole_.layers.emplace_back(name_of_curve(k));
     if (count() == 1) return;
     const Language language = context_.language();
@@ -361,7 +366,7 @@ void HistogramPanel::add_names() {
                                   .align = Align::right,
                                   .step = {-1.0, 0.0},
                                   .is_inside = true});
-    whole_.layers.emplace_back(std::move(curves));
+    if (axes_.has_curves()) whole_.layers.emplace_back(std::move(curves));
     plot::NamedAtLines at_lines;
     const plot::Text words = spec_.title ? plot::Text(escape_markup(*spec_.title))
                                          : plot::Text(say(language, subject_.title));

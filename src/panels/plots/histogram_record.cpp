@@ -200,6 +200,7 @@ double top_of(const std::vector<HistogramCurve>& curves) {
 struct TallestBars {
     std::vector<double> by_time;  // for each probe, in order of time
     std::vector<double> by_bar;
+    std::vector<HistogramCurve> by_series;  // of each bar
 };
 
 // The tallest bars of all series; with only_last, only those of the last probes.
@@ -207,9 +208,17 @@ TallestBars tallest_bars(const HistogramRecord& record, const HistogramRules& ru
                          const HistogramAxes& axes) {
     std::vector<double> tallest, highest(std::size_t(axes.bins.count), 0.0);
     double of_last = 0.0;
-    const auto raise = [&](const std::vector<double>& counts, double unit) {
-        for (std::size_t i = 0; i < highest.size(); ++i)
+    std::vector<HistogramCurve> outlines(record.series.size());
+    for (HistogramCurve& outline : outlines)
+        for (int i = 0; i < axes.bins.count; ++i) {
+            outline.value.push_back(0.5 * (axes.bins.edge(i) + axes.bins.edge(i + 1)));
+            outline.count.push_back(0.0);
+        }
+    const auto raise = [&](std::size_t k, const std::vector<double>& counts, double unit) {
+        for (std::size_t i = 0; i < highest.size(); ++i) {
             highest[i] = std::max(highest[i], unit * counts[i]);
+            outlines[k].count[i] = std::max(outlines[k].count[i], unit * counts[i]);
+        }
     };
     for (std::size_t k = 0; k < record.series.size(); ++k) {
         RunningHistogram running(axes.bins, rules.window);
@@ -223,13 +232,14 @@ TallestBars tallest_bars(const HistogramRecord& record, const HistogramRules& ru
             const double unit = record.series[k].unit * probe.stands_for;
             const std::vector<double> counts = running.mean().counts;
             bar = unit * std::ranges::max(counts);
-            if (!rules.only_last || i + 1 == record.probes[k].size()) raise(counts, unit);
+            if (!rules.only_last || i + 1 == record.probes[k].size()) raise(k, counts, unit);
             tallest.resize(std::max(tallest.size(), i + 1));
             tallest[i] = std::max(tallest[i], bar);
         }
         of_last = std::max(of_last, bar);
     }
-    return {rules.only_last ? std::vector{of_last} : std::move(tallest), std::move(highest)};
+    return {rules.only_last ? std::vector{of_last} : std::move(tallest), std::move(highest),
+            std::move(outlines)};
 }
 
 // The height of the axis holds the whole curve and the bars of the second half of the run with
@@ -315,6 +325,7 @@ HistogramAxes axes_of(const HistogramRecord& record, const HistogramRules& rules
     TallestBars tallest = tallest_bars(record, rules, axes);
     axes.top = height_of(tallest.by_time, rules, axes);
     axes.highest = std::move(tallest.by_bar);
+    axes.outlines = std::move(tallest.by_series);
     return axes;
 }
 

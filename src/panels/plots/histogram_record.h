@@ -97,7 +97,9 @@ struct HistogramAxes {
     std::vector<double> highest = {};  ///< of each bar, of all series, in the whole film
     std::vector<HistogramSeries> series;
     std::vector<HistogramCurve> curves;  ///< for each series; may be empty
-    std::size_t runs = 1;                ///< this and the next two as in the record
+    /// Where each series has its highest bars: the height that each bar has reached, at its middle.
+    std::vector<HistogramCurve> outlines = {};
+    std::size_t runs = 1;  ///< this and the next two as in the record
     std::string time;
     bool compares = false;
 
@@ -105,7 +107,7 @@ struct HistogramAxes {
     bool counts_per_cent() const;  ///< otherwise each bar counts values
 
     void archive(auto& archive) {
-        archive(bins, top, highest, series, curves, runs, time, compares);
+        archive(bins, top, highest, series, curves, outlines, runs, time, compares);
     }
 };
 

@@ -1,10 +1,12 @@
-// The goodness of fit of a histogram: Pearson's chi-squared test, with conservation laws taken into
-// account.
+// What is checked of a histogram: its keys, and the goodness of its fit, by Pearson's chi-squared
+// test, with conservation laws taken into account.
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 
+#include "panels/plot/clock_samples.h"
 #include "panels/plots/histogram_panel.h"
+#include "scene/instruments/instrument_reading.h"
 #include "scene/reading/gas_reading.h"
 #include "util/text.h"
 
@@ -28,13 +30,24 @@ void check_test_of(const PanelSpec& panel, int values_each, const Node& node, Re
 
 }  // namespace
 
-void check_scalar_test(PanelSpec& panel, const Node& node, Reading& reading) {
+void check_scalar_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_position_histogram(panel, node, reading);
     check_test_of(panel, 1, node, reading);
 }
 
-void check_velocity_test(PanelSpec& panel, const Node& node, Reading& reading) {
+void check_velocity_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
     const bool both = panel.component.value_or(Component::both) == Component::both;
+    check_position_histogram(panel, node, reading);
     check_test_of(panel, both ? reading.gas.box.dimension : 1, node, reading);
+}
+
+void check_position_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_parts(panel, node, reading);
+    check_samples_of_bars(panel, node, reading);
+}
+
+std::vector<LawOf> laws_of_histogram(const PanelSpec& panel, const Gas&) {
+    return {panel.shows_parts() ? LawOf::side_distribution : LawOf::distribution};
 }
 
 // The expected counts in all runs together.

@@ -19,7 +19,13 @@ constexpr Phrase apart{"{}: {}"}, aside{"{}, {}"};
 
 // The name in the picture: that of a run, or of a choice of particles.
 std::string HistogramPanel::name_of_series(std::size_t k) const {
-    return compares() ? axes_.series[k].name : name_of(context_.scene, choices_[k].chosen);
+    if (compares()) return axes_.series[k].name;
+    return parts_ ? parts_->names(context_.language())[k]
+                  : name_of(context_.scene, choices_[k].chosen);
+}
+
+plot::Role HistogramPanel::role_of_choice(std::size_t k) const {
+    return parts_ ? surface_role(k, choices_.size()) : choice_role(context_, choices_[k].chosen, k);
 }
 
 plot::Text HistogramPanel::names_of_choices(Joint joint) const {
@@ -61,10 +67,12 @@ plot::Text HistogramPanel::add_titles() {
         return text_of(language, phrase, {first, second});
     };
     if (compares()) return add_titles_of_runs();
-    const Text quantity = capitalised(say(language, subject_.quantity));
+    Text quantity = capitalised(say(language, subject_.quantity));
     Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
     if (!spec_.title && !spec_.of.empty())
         words = both(Phrase{"{} of {}"}, words, names_of_choices(Joint::last_by_and));
+    if (!spec_.title && parts_ && count() == 1)
+        for (Text* one : {&words, &quantity}) *one = both(apart, *one, names_of_choices({}));
     Text time = axes_.time;
     if (axes_.runs > 1)
         time = both(
@@ -90,7 +98,9 @@ plot::Text HistogramPanel::add_titles() {
     }
     if (count() > 1) {
         const Text names = both(aside, names_of_choices(Joint::commas), time);
-        whole_.titles = {with_curves(words, time), with_curves(quantity, names), at_time(quantity)};
+        const bool says_names = !spec_.of.empty();  // of parts, words do not
+        whole_.titles = {with_curves(words, says_names ? time : names),
+                         with_curves(quantity, names), at_time(quantity)};
     } else {
         whole_.titles = titles_with_asides(words, quantity);
         whole_.y.title = {};
@@ -138,6 +148,8 @@ plot::Text HistogramPanel::add_titles_of_runs() {
     if (!spec_.title && !spec_.of.empty())
         words = both(Phrase{"{} of {}"}, words,
                      escape_markup(name_of(context_.scene, choices_.front().chosen)));
+    if (!spec_.title && parts_)
+        words = both(apart, words, escape_markup(parts_->names(language).front()));
     const auto ended = [&](Text title) {
         if (axes_.counts_per_cent()) title = both(aside, title, say(language, "per cent"));
         return axes_.time.empty() ? title : both(apart, title, axes_.time);

@@ -292,6 +292,28 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     require_one(panel, node, reading);
 }
 
+void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
+    const bool has_surfaces = is_written(node, "surfaces");
+    const char* parts = has_surfaces ? "surfaces" : "regions";
+    if (!is_written(node, parts)) return;
+    const std::vector<const char*> others =
+        has_surfaces ? std::vector{"of", "regions", "compare"} : std::vector{"of", "test"};
+    for (const char* other : others)
+        if (is_written(node, other))
+            return refuse_together(reading.errors, *find(node, other), {other, parts});
+    if (!has_surfaces) return;
+    keep_suitable(
+        panel, node, reading,
+        [&](std::int32_t surface) {
+            return !Surfaces::is_side(surface) && !may_move(reading, surface);
+        },
+        "a partition that does not move",
+        reading.gas.box.dimension == 1
+            ? "name another one, or parts by `regions: [{name: left, within: [x0, x1]}]`"
+            : "name another one, or parts by `regions: [{name: left, within: [x0, y0, x1, y1]}]`");
+    require_one(panel, node, reading);
+}
+
 void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.gauge || is_written(node, "surfaces")) return;
     const std::vector<std::string> names = measurable(reading.gas.box);

@@ -33,6 +33,9 @@ void check_piston(PanelSpec& panel, const Node& node, Reading& reading);
 void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading);
 void check_sides(PanelSpec& panel, const Node& node, Reading& reading);
 
+/// A histogram takes particles, regions, or the sides of a partition that stays in its place.
+void check_parts(PanelSpec& panel, const Node& node, Reading& reading);
+
 /// A gauge needs a solid wall; a thermometer takes particles or regions, not both.
 void check_pressure(PanelSpec& panel, const Node& node, Reading& reading);
 void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading);

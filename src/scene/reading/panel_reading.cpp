@@ -196,7 +196,9 @@ void check_equilibrium(const PanelSpec& panel, const Node& node, const PanelKind
     const Node* asked = given(node, "theory");
     if (asked == nullptr || !panel.theory || !kind.can(Ability::equilibrium)) return;
     if (asked->source->origin == Origin::template_file || reading.gas.species.empty()) return;
-    if (const auto reason = why_no_law(reading.gas, reading.run, LawOf::distribution))
+    const LawOf quantity = panel.shows_parts() ? LawOf::side_distribution : LawOf::distribution;
+    const Asked of{.surface = panel.surfaces.empty() ? 0 : panel.surfaces.front()};
+    if (const auto reason = why_no_law(reading.gas, reading.run, quantity, of))
         reading.errors.add(*asked,
                            "there is no equilibrium curve for this gas: " +
                                to_text(Language::english, *reason, reading.gas.species),

@@ -166,6 +166,8 @@ std::vector<SceneClaims> claims_of_mixtures() {
            at_least(5), 30},
           {"The disks that got through are hotter than those that stayed",
            lowest(200, 600, by_passing), more(), 200},
+          {"the disks on the right are faster",
+           mean(200, 600, ratio(mean_speed(passed), mean_speed(stayed))), at_least(1.1)},
           {"What passes a slit is faster than the gas",
            mean(200, 600, ratio(mean_speed(passed), mean_speed(stayed))), at_least(1.1)},
           {"fewer than fifty have passed here", at(600, count(passed)), {1, 49}}}},

@@ -37,6 +37,8 @@ struct SurfaceView::Brush {
     struct Mark {
         double middle;
         std::string words;
+        bool is_of_side = false;
+        Color color = {};
     };
 
     struct SideMark {
@@ -73,6 +75,8 @@ struct SurfaceView::Brush {
     void draw_partition(std::size_t k) const;
     void draw_ends(std::size_t k) const;
     void draw_block(const Rect& block, std::size_t k) const;
+    double row_over_side(double from, double to) const;
+    Color mark_color(std::size_t k) const;
     void draw_marks() const;
     void draw_gravity() const;
 };
@@ -233,7 +237,7 @@ void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
     const auto [words, has_arrow, shift] = beside_mark(side);
     if (words.empty()) return;
     TextStyle style = label_style(dc);
-    style.color = theme.ink;
+    style.color = mark_color(side);
     style.align = has_arrow ? Align::left : Align::center;
     const double from = is<Bath>(side) ? SurfaceSize::bath : SurfaceSize::bar;
     const Rect band =
@@ -341,8 +345,30 @@ void SurfaceView::Brush::draw_ends(std::size_t k) const {
         {0.8 * SurfaceSize::arrow * sign * u * up.x, 0.8 * SurfaceSize::arrow * sign * u * up.y});
 }
 
-// Labels of vertical partitions are in a row above the box, clear of each other; labels of
-// horizontal partitions are on them.
+// The baseline of words from one place to another that stand on the end of a side at the left or
+// the right: over the upper side or, where the words of that are, over these.
+double SurfaceView::Brush::row_over_side(double from, double to) const {
+    const double row = view.whole(map, u).y + 1.05 * u;
+    const auto [words, has_arrow, shift] = beside_mark(top_side);
+    if (!words.empty() || has_arrow) {
+        const double width = measure_text(escape_markup(words), label_style(dc)).width;
+        const double middle = room.x + room.width / 2, half = 0.5 * SurfaceSize::arrow * u;
+        const double left = has_arrow ? middle - shift - half : middle - width / 2;
+        const double right = has_arrow ? middle - shift + half + width : middle + width / 2;
+        if (from < right + 0.5 * u && to > left - 0.5 * u) return row;
+    }
+    const double hatch = is_imposed(top_side) ? SurfaceSize::hatch : 0.0;
+    return std::max(row, room.y - (thickness(top_side) + hatch + 0.45) * u);
+}
+
+// A heat bath's words have its colour.
+Color SurfaceView::Brush::mark_color(std::size_t k) const {
+    const auto* bath = std::get_if<Bath>(&behaviour(k));
+    return bath != nullptr ? legible(view.bath_color(bath->temperature, theme), theme) : theme.ink;
+}
+
+// Labels of vertical partitions are in a row above the box, clear of each other, and those of sides
+// on their ends; labels of horizontal partitions are on them.
 void SurfaceView::Brush::draw_marks() const {
     TextStyle style = label_style(dc);
     style.color = theme.ink;
@@ -355,7 +381,7 @@ void SurfaceView::Brush::draw_marks() const {
         const double at = place_of_surface(box, states, k);
         const Point foot = map.pixel({at, at});
         if (axis == 0) {
-            marks.push_back({foot.x, escape_markup(words)});
+            marks.push_back({foot.x, escape_markup(words), Surfaces::is_side(k), mark_color(k)});
             continue;
         }
         TextStyle within = style;
@@ -386,8 +412,11 @@ void SurfaceView::Brush::draw_marks() const {
     double most = all.right();
     for (std::size_t k = marks.size(); k-- > 0;) {
         lefts[k] = std::min(lefts[k], most - measure_text(marks[k].words, style).width);
+        const double right = lefts[k] + width_of(marks[k]) - gap;
         most = lefts[k] - gap;
-        draw_text(canvas, {lefts[k], all.y + 1.05 * u}, marks[k].words, style);
+        style.color = marks[k].color;
+        const double row = marks[k].is_of_side ? row_over_side(lefts[k], right) : all.y + 1.05 * u;
+        draw_text(canvas, {lefts[k], row}, marks[k].words, style);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -213,4 +214,24 @@ TEST_CASE("panels say what they count, compare with and put on their axes") {
         "energy-by-species");
     CHECK(has(resting, "|40|"));
     CHECK(!has(resting, "|0.1|"));
+}
+
+TEST_CASE("the temperature of a heat bath stands at the end of its wall") {
+    const test::Shot shot(
+        test::scene_from("title: T\nbox: {size: [40, 30], walls: {left: {temperature: 3}, top: "
+                         "{temperature: 2}}}\n"
+                         "gas: [{count: 9, speed: 1}]\nrun: {until: 5}\nfilm: {seconds: 1, fps: 4, "
+                         "panels: [], monitors: [collisions]}\n"),
+        1);
+    FramePainter painter(*shot.panels);
+    const TextLog log;
+    painter.paint(shot.frames.front());
+    const auto drawn = [&](const char* words) {
+        const auto line = std::ranges::find(log.lines, words, &DrawnLine::markup);
+        REQUIRE(line != log.lines.end());
+        return line->ink;
+    };
+    const Rect left = drawn("T = 3"), top = drawn("T = 2");
+    CHECK(left.right() < top.x);
+    CHECK(std::abs(left.bottom() - top.bottom()) < left.height);
 }

@@ -405,6 +405,11 @@ void leave_out(const std::string& markup) {
     parse(markup, current_log->left_out.emplace_back());
 }
 
+void name_in_key(const std::string& markup) {
+    if (current_log == nullptr) return;
+    parse(markup, current_log->in_keys.emplace_back());
+}
+
 LineInPieces::LineInPieces(DrawnLine line) : log_(std::exchange(current_log, nullptr)) {
     if (log_ != nullptr) log_->lines.push_back(std::move(line));
 }

@@ -65,11 +65,15 @@ class TextLog {
 
     std::vector<DrawnLine> lines;
     std::vector<std::string> left_out;  ///< plain words that leave_out() was told
+    std::vector<std::string> in_keys;   ///< the same of name_in_key()
 };
 
 /// To be called for words (markup) that are not drawn because no place is free for them: notes them
 /// in the log, if this thread keeps one.
 void leave_out(const std::string& markup);
+
+/// The same for words that stand in a key, because no place beside what they name is free.
+void name_in_key(const std::string& markup);
 
 /// The name and version of the text library.
 std::string text_library();

@@ -35,6 +35,7 @@ struct Place {
     Rect rect;
     bool has_sample;
     std::string words = {};
+    bool is_away = false;  ///< from what they name
 };
 
 // With the sample before the words, which keeps off other words.
@@ -75,11 +76,39 @@ void keep_inside(const Frame& frame, Place& place) {
     place.rect.x = x;
 }
 
+// Whether words are nearer to the level or the line that they name than to any other one.
+bool is_at_its_own(const Frame& frame, const Label& label, const Rect& words) {
+    if (label.level)
+        return frame.placer.is_nearest_level(frame.y(*label.level, Beyond::clamped), words);
+    constexpr double close = 0.4;  // units
+    return !label.line || frame.placer.is_nearest_line(*label.line, words, frame.pixels(close));
+}
+
+// In print the words of names begin with samples.
+bool has_own_sample(const Frame& frame, const Label& label) {
+    return label.is_name && frame.dc.theme.kind == ThemeKind::print;
+}
+
+// A name to which its line comes late in the film has a sample until then; false if it has no room.
+bool add_sample_until_come(const Frame& frame, const Label& label, Place& place) {
+    constexpr double late = 0.15;  // of the film
+    if (has_own_sample(frame, label) || place.rect.x < frame.area.x + late * frame.area.width)
+        return true;
+    Place with_sample = place;
+    with_sample.has_sample = true;
+    if (!frame.placer.is_free(whole_of(frame, with_sample)) || !fits_across(frame, with_sample))
+        return false;
+    place = with_sample;
+    return true;
+}
+
 // The first free place of all anchors and their steps. While shorter words remain to be tried, the
 // place must hold the words completely.
-std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& anchors,
-                                double width, bool has_shorter, bool over_markers) {
-    for (const Anchor& anchor : anchors) {
+std::optional<Place> free_place(const Frame& frame, const Label& label, double width,
+                                bool has_shorter, bool over_markers) {
+    constexpr double latest = 0.4;  // of the film, for a name without a sample until then
+    std::optional<Place> late;
+    for (const Anchor& anchor : label.anchors) {
         const bool steps = anchor.step.x != 0.0 || anchor.step.y != 0.0;
         Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
         for (;;) {
@@ -92,25 +121,24 @@ std::optional<Place> free_place(const Frame& frame, const std::vector<Anchor>& a
                 place.has_sample = false;  // it would lie on the numbers of the axis
                 if (!fits_across(frame, place)) break;
             }
-            if (frame.placer.is_free(whole_of(frame, place), over_markers)) return place;
+            if (frame.placer.is_free(whole_of(frame, place), over_markers) &&
+                is_at_its_own(frame, label, place.rect)) {
+                if (!label.line || add_sample_until_come(frame, label, place)) return place;
+                if (!late && place.rect.x < frame.area.x + latest * frame.area.width) late = place;
+            }
             if (!steps) break;
             place.baseline.x += frame.pixels(anchor.step.x);
             place.baseline.y += frame.pixels(anchor.step.y);
         }
     }
-    return {};
+    return late;
 }
 
 // Whether the words say by a sample what they belong to, and may therefore be anywhere: words of a
 // level, and names.
 bool has_sample(const Label& label) {
     return label.sample && !label.anchors.empty() &&
-           (label.is_name || label.anchors.front().has_sample);
-}
-
-// In print the words of names begin with samples.
-bool has_own_sample(const Frame& frame, const Label& label) {
-    return label.is_name && frame.dc.theme.kind == ThemeKind::print;
+           (label.is_name || label.level || label.anchors.front().has_sample);
 }
 
 // The free place nearest to the first anchor.
@@ -125,6 +153,7 @@ std::optional<Place> place_anywhere(const Frame& frame, const Label& label, doub
     for (double y = area.y + frame.pixels(ascent); y < area.bottom(); y += air)
         for (double x = area.right() - air; x > area.x; x -= air) {
             Place place{{x, y}, Align::right, {}, !has_own_sample(frame, label)};
+            place.is_away = true;
             place.rect = rect_of(frame, place.baseline, place.align, width);
             const double distance = std::hypot(x - wanted.x, y - wanted.y);
             if (nearest && distance >= least) continue;
@@ -154,9 +183,8 @@ std::optional<Place> place_of(const Frame& frame, const Label& label) {
             const double width = measure_text(words, style_of(frame, label)).width;
             const bool has_shorter = &text != &label.words.back();
             std::optional<Place> place =
-                search.anywhere
-                    ? place_anywhere(frame, label, width, search.over_markers)
-                    : free_place(frame, label.anchors, width, has_shorter, search.over_markers);
+                search.anywhere ? place_anywhere(frame, label, width, search.over_markers)
+                                : free_place(frame, label, width, has_shorter, search.over_markers);
             if (!place) continue;
             place->words = words;
             return place;
@@ -165,7 +193,9 @@ std::optional<Place> place_of(const Frame& frame, const Label& label) {
     };
     std::optional<Place> place = found({});
     if (place || !has_sample(label)) return place;
-    for (const Search& search : {Search{true, false}, Search{false, true}, Search{true, true}})
+    std::array<Search, 3> others{Search{true, false}, Search{false, true}, Search{true, true}};
+    if (label.level) std::swap(others[0], others[1]);  // beside its line, not in a key
+    for (const Search& search : others)
         if ((place = found(search))) break;
     return place;
 }
@@ -180,22 +210,61 @@ std::optional<Rect> rect_of(const Frame& frame, const Label& label) {
     return whole;
 }
 
+namespace {
+
+void draw_in_place(Canvas& canvas, const Frame& frame, const Label& label, const Place& place) {
+    const Rect& rect = place.rect;
+    TextStyle style = style_of(frame, label);
+    style.align = place.align;
+    draw_text(canvas, place.baseline, place.words, clear_of_grid(frame, style, rect));
+    if (!place.has_sample || !label.sample) return;
+    const double y = place.baseline.y - frame.pixels(0.35);
+    draw_straight(canvas, frame.dc, {rect.x + frame.pixels(sample_from), y},
+                  {rect.x + frame.pixels(sample_to), y}, *label.sample);
+}
+
+// How much of a name is to be seen of a line that has come so far: it fades in as the end of the
+// line passes its beginning.
+double share_seen(const Frame& frame, const Line& line, const Rect& words) {
+    constexpr double way = 1.0;  // units
+    const std::size_t end = std::min(line.shown.end, line.x.size());
+    double head = -INFINITY;
+    for (std::size_t i = line.shown.first; i < end; ++i)
+        if (std::isfinite(line.y[i])) head = std::max(head, frame.x(line.x[i]));
+    return std::clamp((head - words.x) / std::min(words.width, frame.pixels(way)), 0.0, 1.0);
+}
+
+}  // namespace
+
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
-    const DrawContext& dc = frame.dc;
     const std::optional<Place> place = place_of(frame, label);
     if (!place) {
-        if (!label.words.empty()) leave_out(markup_of(label.words.back(), dc.theme));
+        if (!label.words.empty()) leave_out(markup_of(label.words.back(), frame.dc.theme));
         return;
     }
-    const Rect& rect = place->rect;
-    TextStyle style = style_of(frame, label);
-    style.align = place->align;
-    draw_text(canvas, place->baseline, place->words, clear_of_grid(frame, style, rect));
+    if (place->is_away && label.level) name_in_key(place->words);
+    if (!label.line || place->is_away) draw_in_place(canvas, frame, label, *place);
     frame.placer.place(whole_of(frame, *place));
-    if (!place->has_sample || !label.sample) return;
-    const double y = place->baseline.y - frame.pixels(0.35);
-    draw_straight(canvas, dc, {rect.x + frame.pixels(sample_from), y},
-                  {rect.x + frame.pixels(sample_to), y}, *label.sample);
+}
+
+void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line) {
+    std::optional<Place> place = place_of(frame, label);
+    if (!place) return;
+    frame.placer.place(whole_of(frame, *place));
+    if (place->is_away) return;
+    const double share = has_own_sample(frame, label) ? 1.0 : share_seen(frame, line, place->rect);
+    if (place->has_sample) {
+        Label fading = label;
+        fading.sample->fade = share;
+        place->has_sample = share < 1.0;
+        return draw_in_place(canvas, frame, fading, *place);
+    }
+    if (share == 0.0) return;
+    const auto one = std::ranges::find_if(label.words, [&](const Text& text) {
+        return markup_of(text, frame.dc.theme) == place->words;
+    });
+    place->words = markup_of(*one, frame.dc.theme, 1.0 - share);
+    draw_in_place(canvas, frame, label, *place);
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Level& level) {

@@ -203,7 +203,7 @@ namespace {
 
 // With room for numbers that come later.
 std::vector<Rect> still_words(const Frame& frame, const Plot& plot) {
-    std::vector<Rect> words = places_of_still_labels(frame, plot);
+    std::vector<Rect> words = places_of_still_labels(frame, plot, false);
     if (!plot.bar_notes) return words;
     const double number =
         measure_text(" " + plot.bar_notes->typical_number, label_style(frame.dc)).width;

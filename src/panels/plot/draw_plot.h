@@ -18,6 +18,10 @@ enum class Part { still, changing };
 /// Draws a part of the plot into `dc.area`. A pure function; may be called from any thread.
 void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part);
 
+/// Draws the names of growing lines, each once its line has come to it. `whole` is the plot of no
+/// frame, which fixes their places.
+void draw_arriving_names(Canvas& canvas, const DrawContext& dc, const Plot& whole, const Plot& now);
+
 /// What room the area of the data has that nothing takes in the whole film; `whole` is the plot of
 /// no frame.
 struct FreeRoom {

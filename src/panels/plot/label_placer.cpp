@@ -1,6 +1,7 @@
 #include "panels/plot/label_placer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace carom::plot {
 
@@ -24,11 +25,56 @@ bool LabelPlacer::is_inside(const Rect& words) const {
 }
 
 void LabelPlacer::keep_clear(Point from, Point to, double width) {
-    segments_.push_back({from, to, width});
+    segments_.push_back({from, to, width, line_});
 }
 
 void LabelPlacer::keep_off_marker(double x, double top, double bottom, double width) {
     markers_.push_back({{x, top}, {x, bottom}, width});
+}
+
+namespace {
+
+double distance(const Rect& part, const Point& at) {
+    return std::hypot(std::max({part.x - at.x, at.x - part.right(), 0.0}),
+                      std::max({part.y - at.y, at.y - part.bottom(), 0.0}));
+}
+
+double distance(const Point& at, const Point& from, const Point& to) {
+    const double x = to.x - from.x, y = to.y - from.y, square = x * x + y * y;
+    const double along = (at.x - from.x) * x + (at.y - from.y) * y;
+    const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+    return std::hypot(from.x + share * x - at.x, from.y + share * y - at.y);
+}
+
+double distance(const Rect& part, const Point& from, const Point& to) {
+    if (meets(part, from, to)) return 0.0;
+    double least = std::min(distance(part, from), distance(part, to));
+    for (const double x : {part.x, part.right()})
+        for (const double y : {part.y, part.bottom()})
+            least = std::min(least, distance(Point{x, y}, from, to));
+    return least;
+}
+
+}  // namespace
+
+bool LabelPlacer::is_nearest_line(std::size_t line, const Rect& words, double close) const {
+    double own = INFINITY, others = INFINITY;
+    for (const Segment& segment : segments_) {
+        if (!segment.line) continue;
+        double& least = *segment.line == line ? own : others;
+        least = std::min(least, distance(words, segment.from, segment.to));
+    }
+    return own < others || own <= close || own == INFINITY;
+}
+
+bool LabelPlacer::is_nearest_level(double y, const Rect& words) const {
+    constexpr double same = 0.5;  // pixels
+    const auto distance = [&](double level) {
+        return std::max({words.y - level, level - words.bottom(), 0.0});
+    };
+    return std::ranges::none_of(levels_, [&](double other) {
+        return std::abs(other - y) > same && distance(other) <= distance(y);
+    });
 }
 
 void LabelPlacer::place(const Rect& words) {

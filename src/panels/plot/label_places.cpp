@@ -39,8 +39,14 @@ namespace {
 // All but words, with the highest that bars ever reach.
 void keep_clear_of_data(const Frame& frame, const Plot& plot, LabelPlacer& placer) {
     const Frame of_all{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
-    for (const AnyLayer& layer : plot.layers)
-        if (!std::holds_alternative<Bars>(layer)) keep_clear_of(of_all, layer);
+    for (std::size_t k = 0; k < plot.layers.size(); ++k) {
+        const AnyLayer& layer = plot.layers[k];
+        if (std::holds_alternative<Bars>(layer)) continue;
+        const auto* line = std::get_if<Line>(&layer);
+        if (line != nullptr && line->head) placer.set_line(k);
+        keep_clear_of(of_all, layer);
+        placer.set_line({});
+    }
     if (!plot.bar_notes) return;
     for (const BarNotes::Reach& bar : plot.bar_notes->highest) {
         const double top = frame.y(bar.value, Beyond::clamped), left = frame.x(bar.from);
@@ -62,7 +68,7 @@ void keep_clear_of_film(const Frame& frame, const Plot& plot, LabelPlacer& place
     for (const Rect& name : room_of_names(frame, plot)) placer.keep_clear(name);
 }
 
-std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot) {
+std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot, bool with_arriving) {
     std::vector<Rect> places;
     if (!has_labels(plot, true)) return places;
     LabelPlacer placer(frame.area);
@@ -70,25 +76,30 @@ std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot) {
     const Frame of_all{frame.dc, frame.area, frame.x_scale, frame.y_scale, frame.y_kind, placer};
     for (const AnyLayer* layer : layers_in_order(plot, true))
         if (const Label* label = label_of(*layer))
-            if (const auto rect = rect_of(of_all, *label)) places.push_back(*rect);
+            if (const auto rect = rect_of(of_all, *label); rect && (with_arriving || !label->line))
+                places.push_back(*rect);
     return places;
 }
 
 namespace {
+
+constexpr int depth_after_names = -1;
 
 bool is_name(const AnyLayer& layer) {
     const auto* label = std::get_if<Label>(&layer);
     return label != nullptr && label->is_name;
 }
 
+// Whether all names have places, and with them the words of levels if these come after them.
 bool all_names_stand(const Plot& plot, const DrawContext& dc) {
     LabelPlacer placer({});
     const Frame frame = frame_of(plot, dc, placer);
     keep_clear_of_film(frame, plot, placer);
     for (const AnyLayer* layer : layers_in_order(plot, true)) {
         const Label* label = label_of(*layer);
-        if (label != nullptr && !rect_of(frame, *label) && label->is_name && label->sample)
-            return false;
+        if (label == nullptr || rect_of(frame, *label)) continue;
+        const bool is_after = common(*layer).depth == depth_after_names;
+        if ((label->is_name && label->sample) || (label->level && is_after)) return false;
     }
     return true;
 }
@@ -109,10 +120,35 @@ Plot with_names(const Plot& plot, const DrawContext& dc) {
         name.name = name.short_name = means[k];
     }
     if (all_names_stand(named, dc)) return named;
+    for (AnyLayer& layer : named.layers)  // names first: levels have more places
+        if (auto* level = std::get_if<Level>(&layer)) level->depth = depth_after_names;
+    if (all_names_stand(named, dc)) return named;
     named = plot;
     named.at_lines.reset();
     std::erase_if(named.layers, is_name);
     return named;
+}
+
+void draw_arriving_names(Canvas& canvas, const DrawContext& dc, const Plot& whole,
+                         const Plot& now) {
+    const auto arrives = [](const AnyLayer& layer) {
+        const Label* label = label_of(layer);
+        return label != nullptr && label->line;
+    };
+    if (std::ranges::none_of(whole.layers, arrives)) return;
+    const Plot plot = with_names(whole, dc);
+    LabelPlacer placer({});
+    Frame frame = frame_of(plot, dc, placer);
+    frame.grid = grid_of(frame, plot);
+    keep_clear_of_film(frame, plot, placer);
+    for (const AnyLayer* layer : layers_in_order(plot, true)) {
+        const Label* label = label_of(*layer);
+        if (label == nullptr) continue;
+        if (label->line)
+            draw_arriving(canvas, frame, *label, std::get<Line>(now.layers.at(*label->line)));
+        else
+            rect_of(frame, *label);
+    }
 }
 
 bool FreeRoom::is_free(const Rect& part) const {

@@ -109,6 +109,9 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker);
 void draw_layer(Canvas& canvas, const Frame& frame, const Arrow& arrow);
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
+/// Draws the name of a growing line as far as its end has come to it, and places it.
+void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line);
+
 /// Places a label and reserves its place against other labels; none if the label is left out.
 std::optional<Rect> rect_of(const Frame& frame, const Label& label);
 
@@ -118,8 +121,10 @@ std::string x_title_of(const Plot& plot, const Frame& frame);
 /// The place of the words over the vertical axis, if it has any and they have room.
 std::optional<Rect> place_of_y_title(const Plot& plot, const Frame& frame);
 
-/// The places of the labels that stay the same in all frames.
-std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot);
+/// The places of the labels that stay the same in all frames; with those that come when a line has
+/// come to them, or without.
+std::vector<Rect> places_of_still_labels(const Frame& frame, const Plot& plot,
+                                         bool with_arriving = true);
 
 /// The width of clear ground around letters, units.
 inline constexpr double halo_of_words = 0.2;
@@ -173,6 +178,7 @@ ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, dou
 void draw_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point to, const Arrow& arrow);
 
 /// A text as markup in a theme's colours.
-std::string markup_of(const Text& text, const Theme& theme);
+/// Coloured words are mixed with the page by `fade`, from 0 to 1.
+std::string markup_of(const Text& text, const Theme& theme, double fade = 0.0);
 
 }  // namespace carom::plot

@@ -79,6 +79,7 @@ struct Obstacles {
         const double y = frame.y(level.value);
         if (const auto exit = exit_of(frame, level))
             return frame.placer.keep_clear(exit->at, exit->at, frame.pixels(arrow));
+        frame.placer.add_level(y);
         frame.placer.keep_clear({frame.area.x, y}, {frame.area.right(), y},
                                 frame.pixels(level.stroke.width));
     }

@@ -62,6 +62,23 @@ const Layer& common(const AnyLayer& layer) {
     return std::visit([](const auto& one) -> const Layer& { return one; }, layer);
 }
 
+void name_level(Level& level, std::vector<Text> words, double deviation) {
+    constexpr double over = -0.5, under = 1.25, step = 0.5, farthest = 1.5;  // units
+    Label& label = level.label.emplace();
+    label.still = level.still;
+    label.role = level.stroke.role;
+    label.words = std::move(words);
+    label.level = level.value;
+    label.sample = level.stroke;
+    for (double away = 0.0; away <= farthest; away += step)
+        for (const bool is_over : {true, false})
+            label.anchors.push_back({.at = {1.0, level.value + (is_over ? deviation : -deviation)},
+                                     .x_is_share = true,
+                                     .offset = {-0.4, is_over ? over - away : under + away},
+                                     .align = Align::right,
+                                     .step = {-0.5, 0.0}});
+}
+
 void name_runs(Plot& plot, std::vector<std::string> names) {
     Note key{.entries = {}, .wraps = true};
     for (std::size_t k = 0; k < names.size(); ++k) {

@@ -186,6 +186,9 @@ struct Label : Layer {
     Role role = {};
     std::optional<Stroke> sample = {};  ///< before them
     bool is_name = false;  ///< of a line or of bars, see NamedAtLines; of all, without a sample
+    std::optional<double> level = {};      ///< the level that they name, which is the nearest one
+    std::optional<std::size_t> line = {};  ///< the layer of the growing line that they name: they
+                                           ///< come when its end has come to them
 };
 
 /// A line at one value of y across the plot.
@@ -196,6 +199,11 @@ struct Level : Layer {
     std::optional<Label> label = {};
     std::string x_column = {};  ///< of the table, for its two ends
 };
+
+/// Names a level at its line: over or under it, as near to its right end as the words are free; as
+/// a key, with a sample of the line, if they are nowhere free beside it. `deviation`: of a band
+/// about the level, which they keep off.
+void name_level(Level& level, std::vector<Text> words, double deviation = 0.0);
 
 /// A line at one value of x from the bottom to the top of the plot, or to a point.
 struct Marker : Layer {

@@ -9,7 +9,9 @@ void PlotPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
 }
 
 void PlotPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
-    draw_plot(canvas, dc, plot(&state), plot::Part::changing);
+    const plot::Plot now = plot(&state);
+    draw_plot(canvas, dc, now, plot::Part::changing);
+    plot::draw_arriving_names(canvas, dc, plot(nullptr), now);
 }
 
 std::optional<Point> PlotPanel::place_of(const DrawContext& dc, const PanelState& state,

@@ -151,7 +151,7 @@ std::string sample_of(const Text::Piece& piece, const Theme& theme) {
 
 }  // namespace
 
-std::string markup_of(const Text& text, const Theme& theme) {
+std::string markup_of(const Text& text, const Theme& theme, double fade) {
     std::string markup;
     for (const Text::Piece& piece : text.pieces) {
         if (!piece.role) {
@@ -159,8 +159,8 @@ std::string markup_of(const Text& text, const Theme& theme) {
             continue;
         }
         if (piece.sample != Sample::none) markup += sample_of(piece, theme);
-        markup += fmt::format("<span foreground=\"{}\">{}</span>",
-                              hex_of(legible(color_of(*piece.role, theme), theme)), piece.markup);
+        const Color color = mix(legible(color_of(*piece.role, theme), theme), theme.page, fade);
+        markup += fmt::format("<span foreground=\"{}\">{}</span>", hex_of(color), piece.markup);
     }
     return markup;
 }

@@ -366,6 +366,12 @@ void HistogramPanel::add_names() {
                                   .align = Align::right,
                                   .step = {-1.0, 0.0},
                                   .is_inside = true});
+    for (const double at : {1.0, 0.75, 0.5})  // over the top, where no title of an axis stands
+        curves.anchors.push_back({.at = {at, 0.0},
+                                  .x_is_share = true,
+                                  .y_is_share = true,
+                                  .offset = {-0.5, 0.25},
+                                  .align = Align::right});
     if (axes_.has_curves()) whole_.layers.emplace_back(std::move(curves));
     plot::NamedAtLines at_lines;
     const plot::Text words = spec_.title ? plot::Text(escape_markup(*spec_.title))

@@ -105,6 +105,7 @@ void SeriesPanel::finish_record() {
     if (subject_.references) run.levels = subject_.references();
     if (is_mean())  // the deviations are those of single moments
         for (ReferenceLevel& level : run.levels) level.deviation = 0.0;
+    std::erase_if(run.levels, [](const ReferenceLevel& of) { return !std::isfinite(of.value); });
     if (subject_.numbers) run.numbers = subject_.numbers();
     if (subject_.laws) run.laws = subject_.laws();
     run.turns = reversal_times(context_.scene.run);
@@ -151,13 +152,11 @@ plot::Axis SeriesPanel::axis_up() const {
                 if (!run.errors.empty()) add(run.lines[k][i] + run.errors[k][i]);  // for the bands
             }
     if (all.empty()) return {};
-    constexpr double room_of_word = 0.2;
     const ReferenceLevels common = record_.common_levels();
-    double reference = 0.0, room = 1.25;  // for words over the lines
-    for (std::size_t k = 0; k < common.size(); ++k) {
-        reference = std::max(reference, common[k].value + common[k].deviation);
-        if (k > 0 && !common[k].line) room += room_of_word;
-    }
+    constexpr double room = 1.25;  // for words over the lines
+    double reference = 0.0;
+    for (const ReferenceLevel& level : common)
+        reference = std::max(reference, level.value + level.deviation);
     const double most = subject_.spreads ? *std::ranges::max_element(all)
                                          : room * std::max(quantile(all, 0.98), reference);
     const double least =

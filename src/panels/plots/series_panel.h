@@ -29,6 +29,7 @@ struct SeriesSubject {
     std::vector<std::string> names = {};  ///< names of several lines in a key
     plot::Text plain_title = {};          ///< where the names stand at the lines
     std::vector<std::string> notes = {};  ///< markup under the title, from longest to shortest
+    std::string theory_note = {};  ///< added to these if any line of theory is known in the film
     std::function<ReferenceLevels()> references = {};  ///< after the first pass
     std::function<std::vector<std::vector<MeanError>>()> numbers =
         {};  ///< numbers for each line, after the first pass
@@ -86,7 +87,7 @@ class SeriesPanel : public FramesPanel<SeriesRecord> {
     plot::Axis axis_up() const;
     void make_plot();
     void add_names();
-    bool has_numbers() const;
+    bool has_numbers(bool of_theory = false) const;
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;
     void add_run(std::size_t run);

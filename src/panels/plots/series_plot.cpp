@@ -79,8 +79,8 @@ void SeriesPanel::make_plot() {
 // Each line's name in its colour, over or under the line where it is free, near its beginning if
 // possible.
 void SeriesPanel::add_names() {
-    constexpr int places = 12;
-    constexpr double over = -0.5, under = 1.25;  // units, to the baseline
+    constexpr int places = 24;
+    constexpr double over = -0.5, under = 1.25, farthest = 1.5;  // units, to the baseline
     for (const Growing& one : growing_) {
         if (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory) continue;
         const auto& line = std::get<plot::Line>(whole_.layers[one.layer]);
@@ -92,22 +92,28 @@ void SeriesPanel::add_names() {
         for (int k = 1; k < places; ++k) {
             const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
             if (!std::isfinite(line.y[i])) continue;
-            for (const double off : {over, under})
-                label.anchors.push_back({.at = {line.x[i], line.y[i]},
-                                         .offset = {0.4, off},
-                                         .align = Align::left,
-                                         .is_inside = true});
+            for (double away = 0.0; away <= farthest; away += 0.5)
+                for (const double off : {over - away, under + away})
+                    label.anchors.push_back({.at = {line.x[i], line.y[i]},
+                                             .offset = {0.4, off},
+                                             .align = Align::left,
+                                             .is_inside = true});
         }
         label.sample = line.stroke;
+        label.line = one.layer;
         whole_.layers.emplace_back(std::move(label));
     }
 }
 
-bool SeriesPanel::has_numbers() const {
+// Whether any line, or any of theory, has a number in the film.
+bool SeriesPanel::has_numbers(bool of_theory) const {
+    const auto is_known = [](double value) { return std::isfinite(value); };
     for (const SeriesRun& run : record_.runs)
-        for (const std::vector<double>& line : run.lines)
-            if (std::ranges::any_of(line, [](double value) { return std::isfinite(value); }))
-                return true;
+        for (std::size_t k = 0; k < run.lines.size(); ++k) {
+            const std::size_t line = record_.compares() ? record_.compared : k;
+            if (of_theory && !subject_.lines.at(line).is_theory) continue;
+            if (std::ranges::any_of(run.lines[k], is_known)) return true;
+        }
     return false;
 }
 
@@ -116,6 +122,8 @@ std::vector<std::string> SeriesPanel::notes() const {
     const Language language = context_.language();
     if (!has_numbers()) return {say(language, "not defined for this gas")};
     std::vector<std::string> all = subject_.notes;
+    if (!all.empty() && !subject_.theory_note.empty() && has_numbers(true))
+        all.insert(all.begin(), all.front() + "; " + subject_.theory_note);
     const auto append = [&](const std::vector<std::string>& more) {
         std::vector<std::string> both;
         for (const std::string& note : all) both.push_back(note + "; " + more.front());
@@ -202,48 +210,17 @@ void SeriesPanel::add_levels() {
     }
 }
 
-namespace {
-
-// At the top right, in the row of this number from the top.
-plot::Label label_of_levels(std::vector<plot::Text> words, const plot::Stroke& sample, double row) {
-    constexpr double line_height = 1.4;  // units
-    plot::Label label;
-    label.role = {plot::Role::Of::accent};
-    label.words = std::move(words);
-    label.anchors = {{.at = {1.0, 0.0},
-                      .x_is_share = true,
-                      .y_is_share = true,
-                      .offset = {-0.5, 0.8 + line_height * row},
-                      .align = Align::right,
-                      .has_sample = true}};
-    label.sample = sample;
-    return label;
-}
-
-}  // namespace
-
-// Levels of single lines have the colours of these and share one label.
+// Levels of single lines have the colours of these.
 void SeriesPanel::add_levels_of_lines(const ReferenceLevels& levels) {
     const Language language = context_.language();
-    plot::Text with_names, numbers;
-    for (const ReferenceLevel& level : levels) {
-        const plot::Role role = subject_.lines.at(*level.line).role;
-        const std::string number = three_digits(language, level.value);
-        const std::string comma = numbers.empty() ? "" : ", ";
-        numbers += comma + plot::named(number, role, plot::Sample::line, *level.line);
-        with_names += comma + plot::named(subject_.names.at(*level.line) + " " + number, role,
-                                          plot::Sample::line, *level.line);
-    }
-    const plot::Text name = say(language, Phrase{levels.front().name});
-    const auto after_name = [&](const plot::Text& text) {
-        return plot::text_of(language, Phrase{"{}: {}"}, {name, text});
-    };
-    const plot::Stroke sample{.role = {plot::Role::Of::accent}, .width = 0.08, .dashes = {0.3}};
-    for (std::size_t k = 0; k < levels.size(); ++k) {
-        plot::Level level = level_of(levels[k]);
-        if (k == 0)
-            level.label =
-                label_of_levels({after_name(with_names), after_name(numbers), name}, sample, 0.0);
+    for (const ReferenceLevel& of : levels) {
+        plot::Level level = level_of(of);
+        const auto words = [&](const std::string& text) {
+            return plot::named(text, level.stroke.role, plot::Sample::line, *of.line);
+        };
+        const std::string number = three_digits(language, of.value);
+        plot::name_level(level,
+                         {words(say(language, Phrase{of.name}) + " " + number), words(number)});
         whole_.layers.emplace_back(std::move(level));
     }
 }
@@ -253,7 +230,6 @@ void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
     static const std::vector<std::vector<double>> dashes{{0.3}, {0.9, 0.3}, {0.9, 0.3, 0.2, 0.3}};
     const Language language = context_.language();
     std::string names;
-    double row = 0.0;
     for (std::size_t k = 0; k < levels.size(); ++k) {
         plot::Level level = level_of(levels[k]);
         level.stroke.dashes = dashes[k % dashes.size()];
@@ -266,7 +242,7 @@ void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
                 words.insert(words.begin(),
                              names + " " + number + "\u2009\u00B1\u2009" +
                                  localised(language, fmt::format("{:.2g}", levels[k].deviation)));
-            level.label = label_of_levels(std::move(words), level.stroke, row++);
+            plot::name_level(level, std::move(words), levels[k].deviation);
             names.clear();
         }
         whole_.layers.emplace_back(std::move(level));

@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "draw/canvas.h"
 #include "draw/disks/disks.h"
@@ -48,6 +50,153 @@ TEST_CASE("words that change lie on no words that stand still") {
     };
     const Rect still = rect_of("stands still"), moved = rect_of("changes");
     CHECK(moved.bottom() <= still.y);
+}
+
+namespace {
+
+// A plot from 0 to 1 along both axes, its words as they are drawn, and where data are.
+struct DrawnPlot {
+    DiskPainter disks;
+    DrawContext dc{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
+    std::vector<DrawnLine> lines;
+    std::vector<std::string> left_out, in_keys;
+
+    explicit DrawnPlot(const Plot& plot, const Plot* now = nullptr) {
+        Canvas canvas({600, 400});
+        const TextLog log;
+        draw_plot(canvas, dc, plot, Part::still);
+        if (now != nullptr) draw_arriving_names(canvas, dc, plot, *now);
+        lines = log.lines;
+        left_out = log.left_out;
+        in_keys = log.in_keys;
+    }
+    std::optional<Rect> words(const std::string& with) const {
+        for (const DrawnLine& line : lines)
+            if (line.markup.find(with) != std::string::npos) return line.ink;
+        return {};
+    }
+    double x(const Plot& plot, double value) const { return frame(plot).first(value); }
+    double y(const Plot& plot, double value) const { return frame(plot).second(value); }
+
+  private:
+    std::pair<Scale, Scale> frame(const Plot& plot) const {
+        LabelPlacer placer({});
+        const Frame found = frame_of(plot, dc, placer);
+        return {found.x_scale, found.y_scale};
+    }
+};
+
+Level level_at(double value, const char* words) {
+    Level level;
+    level.value = value;
+    level.still = true;
+    name_level(level, {words});
+    return level;
+}
+
+Line line_through(std::vector<double> x, std::vector<double> y) {
+    Line line;
+    line.x = column("x", std::move(x));
+    line.y = column("y", std::move(y));
+    line.head = plot::Mark{};
+    return line;
+}
+
+}  // namespace
+
+TEST_CASE("a level is named at the right end of its line, on the side that is free") {
+    const auto off_line = [](double height_of_curve) {
+        Plot plot{.titles = {"Level"}};
+        plot.layers.emplace_back(level_at(0.5, "level 0.5"));
+        plot.layers.emplace_back(line_through({0.0, 1.0}, {height_of_curve, height_of_curve}));
+        const DrawnPlot drawn(plot);
+        const auto words = drawn.words("level 0.5");
+        REQUIRE(words);
+        CHECK(drawn.in_keys.empty());
+        CHECK(drawn.x(plot, 1.0) - words->right() < 1.0 * drawn.dc.unit);
+        return (0.5 * (words->y + words->bottom()) - drawn.y(plot, 0.5)) / drawn.dc.unit;
+    };
+    CHECK(off_line(0.9) > -1.5);
+    CHECK(off_line(0.9) < -0.5);
+    CHECK(off_line(0.55) < 1.5);
+    CHECK(off_line(0.55) > 0.5);
+}
+
+TEST_CASE("the words of two levels are nearest to their own") {
+    Plot plot{.titles = {"Levels"}};
+    plot.layers.emplace_back(level_at(0.50, "lower"));
+    plot.layers.emplace_back(level_at(0.56, "upper"));
+    const DrawnPlot drawn(plot);
+    const auto lower = drawn.words("lower"), upper = drawn.words("upper");
+    REQUIRE(lower);
+    REQUIRE(upper);
+    CHECK(lower->y > drawn.y(plot, 0.50));
+    CHECK(upper->bottom() < drawn.y(plot, 0.56));
+}
+
+TEST_CASE("a level that has no room beside its line is named in a key, and the log says so") {
+    Plot plot{.titles = {"Level"}};
+    plot.layers.emplace_back(level_at(0.5, "level 0.5"));
+    Band band;
+    band.x = column("x", {0.0, 1.0});
+    band.y = column("y", {0.5, 0.5});
+    band.error = column("error", {0.3, 0.3});
+    plot.layers.emplace_back(band);
+    const DrawnPlot drawn(plot);
+    const auto words = drawn.words("level 0.5");
+    REQUIRE(words);
+    CHECK(words->bottom() < drawn.y(plot, 0.8));
+    CHECK(drawn.in_keys == std::vector<std::string>{"level 0.5"});
+    CHECK(drawn.left_out.empty());
+}
+
+TEST_CASE("the name of a growing line is seen once the line has come to it") {
+    const auto drawn_when = [](double at, std::size_t end) {
+        Plot plot{.titles = {"Line"}};
+        std::vector<double> x, y;
+        for (int i = 0; i <= 100; ++i) {
+            x.push_back(0.01 * i);
+            y.push_back(0.5);
+        }
+        plot.layers.emplace_back(line_through(x, y));
+        Label name;
+        name.still = true;
+        name.words = {named("its name", {.of = Role::Of::ink})};
+        name.anchors = {{.at = {at, 0.5}, .offset = {0.0, -0.5}}};
+        name.line = 0;
+        name.is_name = true;
+        name.sample = Stroke{};
+        plot.layers.emplace_back(name);
+        Plot now = plot;
+        std::get<Line>(now.layers[0]).shown.end = end;
+        const DrawnPlot drawn(plot, &now);
+        const auto words = drawn.words("its name");
+        if (words) CHECK(words->x == doctest::Approx(drawn.x(plot, at)).epsilon(0.02));
+        return words.has_value();
+    };
+    CHECK_FALSE(drawn_when(0.1, 0));
+    CHECK_FALSE(drawn_when(0.1, 10));
+    CHECK(drawn_when(0.1, 20));
+    CHECK(drawn_when(0.1, 101));
+    CHECK(drawn_when(0.6, 20));  // as a key, since the line will come late
+}
+
+TEST_CASE("the name of a growing line is nearer to it than to other lines") {
+    Plot plot{.titles = {"Lines"}};
+    plot.layers.emplace_back(line_through({0.0, 1.0}, {0.5, 0.5}));
+    plot.layers.emplace_back(line_through({0.0, 0.5, 0.55, 1.0}, {0.68, 0.68, 1.0, 1.0}));
+    Label name;
+    name.still = name.is_name = true;
+    name.words = {"its name"};
+    for (const double at : {0.1, 0.6})
+        name.anchors.push_back({.at = {at, 0.5}, .offset = {0.0, -1.1}});
+    name.line = 0;
+    name.sample = Stroke{};
+    plot.layers.emplace_back(name);
+    const DrawnPlot drawn(plot, &plot);
+    const auto words = drawn.words("its name");
+    REQUIRE(words);
+    CHECK(words->x > drawn.x(plot, 0.5));
 }
 
 TEST_CASE("a plot without titles has none") {
@@ -181,9 +330,8 @@ TEST_CASE("species are named at their lines and humps in these colours, not in t
               "[1920, 1080], template: lecture, theme: light, language: de"}) {
             CAPTURE(panel);
             CAPTURE(rest);
-            const test::Shot shot(test::scene_from(two_species + rest + ", panels: [{kind: " +
-                                                   panel + ", of: [light, heavy]}]}\n"),
-                                  1);
+            const test::Shot shot(test::scene_from(
+                two_species + rest + ", panels: [{kind: " + panel + ", of: [light, heavy]}]}\n"));
             const PanelSet::Placed& placed = shot.panels->panels().back();
             const Grid grid(shot.scene.film.layout, shot.scene.film.size);
             DiskPainter disks;
@@ -191,7 +339,7 @@ TEST_CASE("species are named at their lines and humps in these colours, not in t
                 const DrawContext dc{area, grid.unit(), theme_of(shot.scene.film.theme), disks};
                 Canvas canvas({shot.scene.film.size.width, shot.scene.film.size.height});
                 placed.panel->draw_ground(canvas, dc);
-                placed.panel->draw(canvas, dc, *shot.frames.front().states.back());
+                placed.panel->draw(canvas, dc, *shot.frames.back().states.back());
             };
             const Rect place = grid.place(placed.slot);
             {

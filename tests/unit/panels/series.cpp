@@ -11,6 +11,8 @@
 #include "panels/frame.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/plot/draw_plot.h"
+#include "panels/plot/label_placer.h"
+#include "panels/plot/layers.h"
 #include "panels/plots/points_panel.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
@@ -363,13 +365,12 @@ TEST_CASE("in a periodic box each species has its own mean energy, and tends to 
     }
 }
 
-TEST_CASE("the levels of several species share one label, in small panels a short one") {
+TEST_CASE("the level of each species is named at its line in the colour of the species") {
     const test::SeenPanel seen(
         test::scene_from("title: T\nbox: {size: [60, 40], walls: periodic}\ngas:\n"
                          "  - {name: light, count: 200, radius: 0.3, temperature: 4}\n"
                          "  - {name: middle, count: 60, radius: 0.3, mass: 4, temperature: 1}\n"
-                         "  - {name: heavy, count: 20, radius: 0.6, mass: 20, temperature: 1}\n"
-                         "  - {name: heaviest, count: 20, radius: 0.6, mass: 40, temperature: 1}\n"
+                         "  - {name: heavy, count: 20, radius: 0.6, mass: 40, temperature: 1}\n"
                          "run: {until: 80}\nfilm: {seconds: 2, panels: [energy-by-species]}\n"),
         80);
     const plot::Plot plot = seen.plot();
@@ -381,13 +382,29 @@ TEST_CASE("the levels of several species share one label, in small panels a shor
         Canvas canvas(size);
         const TextLog log;
         plot::draw_plot(canvas, dc, plot, plot::Part::still);
-        std::vector<std::string> labels;
-        for (const DrawnLine& line : log.lines)
-            if (line.markup.find("quilibrium") != std::string::npos) labels.push_back(line.markup);
-        REQUIRE(labels.size() == 1);
-        CAPTURE(labels.front());
-        CHECK((labels.front().find("heaviest") != std::string::npos) == (size.width > 1000));
-        if (size.width > 1000) CHECK(log.left_out.empty());  // else names of lines may be
+        plot::LabelPlacer placer({});
+        const plot::Frame frame = plot::frame_of(plot::with_names(plot, dc), dc, placer);
+        std::size_t at_lines = 0;
+        for (const plot::AnyLayer& layer : plot.layers) {
+            const auto* level = std::get_if<plot::Level>(&layer);
+            if (level == nullptr) continue;
+            REQUIRE(level->label);
+            for (const plot::Text& text : level->label->words) {
+                const auto line = std::ranges::find(log.lines, plot::markup_of(text, dc.theme),
+                                                    &DrawnLine::markup);
+                if (line == log.lines.end()) continue;
+                if (std::ranges::any_of(log.in_keys, [&](const std::string& words) {
+                        return line->markup.find(words) != std::string::npos;
+                    }))
+                    continue;
+                const double y = frame.y(level->value);
+                CAPTURE(line->markup);
+                CHECK(std::max(line->ink.y - y, y - line->ink.bottom()) < 2.5 * dc.unit);
+                ++at_lines;
+            }
+        }
+        CHECK(at_lines + log.in_keys.size() + log.left_out.size() >= 3);
+        if (size.width > 1000) CHECK(at_lines >= 2);
     }
 }
 

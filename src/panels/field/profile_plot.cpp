@@ -83,7 +83,12 @@ plot::Note ProfilePanel::note() const {
     const Language language = context_.language();
     plot::Note note{.wraps = true};
     note.entries.push_back({.words = {plot::Text(words_of_moments(language, spec_, over_))}});
-    if (std::ranges::any_of(record_.runs, [](const ProfileRun& run) { return !run.laws.empty(); }))
+    const auto is_known = [](double value) { return std::isfinite(value); };
+    const auto has_law = [&](const ProfileRun& run) {
+        return std::ranges::any_of(
+            run.laws, [&](const auto& law) { return std::ranges::any_of(law, is_known); });
+    };
+    if (std::ranges::any_of(record_.runs, has_law))
         note.entries.push_back({.sample = stroke_of_law(), .words = {say(language, "ideal gas")}});
     if (record_.runs_in_mean > 1)
         note.entries.push_back(

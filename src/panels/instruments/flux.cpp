@@ -151,15 +151,12 @@ std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& s
     title_with_names(subject, language, say(language, flux_title(spec.carried)));
     subject.compared_title =
         say(language, "{} {}", say(language, flux_title(spec.carried)), say(language, ways[0]));
-    const std::string window =
-        words_of_window(language, over, Phrase{"mean since the last sample"});
-    subject.notes = {window};
+    subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
     if (theory) {
         for (std::size_t way = 0; way < 2; ++way)
             subject.lines.push_back(
                 {"theory, " + std::string(ways.at(way).english), subject.lines.at(way).role, true});
-        subject.notes.insert(subject.notes.begin(),
-                             window + "; " + say(language, "dashed: kinetic theory"));
+        subject.theory_note = say(language, "dashed: kinetic theory");
     }
     subject.measure = FluxMeter(context, spec, over, std::move(theory));
     subject.needs_collisions = true;

@@ -292,6 +292,15 @@ TEST_CASE("theory of a flux through a gap is that of each side, and elsewhere th
     CHECK(std::isnan(close.run().lines.at(2).back()));  // a gap of more than a free path
     const DialSeen wide = with("partitions: [{name: wall, x: 20, gaps: [[3, 17]]}]\n");
     CHECK(wide.run().lines.size() == 2);
+    const auto explains_dashes = [](const DialSeen& seen) {
+        const plot::Plot plot = dynamic_cast<const PlotPanel&>(*seen.panel).plot(nullptr);
+        REQUIRE(plot.notes.size() == 1);
+        return plot.notes[0].entries.at(0).words.at(0).pieces.at(0).markup.find("dashed") !=
+               std::string::npos;
+    };
+    CHECK(explains_dashes(gap));
+    CHECK_FALSE(explains_dashes(close));  // no dashed line is ever seen
+    CHECK_FALSE(explains_dashes(wide));
     const DialSeen falls = with(
         "gravity: [0, -1]\npartitions: [{name: wall, x: 20, gaps: [[9, "
         "11]]}]\n");

@@ -8,13 +8,27 @@
 #include "panels/frame.h"
 
 namespace carom {
-std::vector<std::string> words_left_out(const TextLog& log) {
+namespace {
+
+std::vector<std::string> each_once(const std::vector<std::string>& all, const std::string& before,
+                                   const std::string& after) {
     std::vector<std::string> names;
-    for (const std::string& words : log.left_out) {
-        std::string name = "the words “" + words + "” of a plot";
+    for (const std::string& words : all) {
+        std::string name = before;
+        name += words + after;
         if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
     }
     return names;
+}
+
+}  // namespace
+
+std::vector<std::string> words_left_out(const TextLog& log) {
+    return each_once(log.left_out, "the words “", "” of a plot");
+}
+
+std::vector<std::string> words_in_keys(const TextLog& log) {
+    return each_once(log.in_keys, "“", "” has no room beside its line");
 }
 
 std::vector<std::string> words_without_room(const PanelSet& panels,

@@ -139,15 +139,18 @@ std::vector<const OutputFormat*> formats_of(const Scene& scene,
     return formats;
 }
 
-// The words for which the plots of a film have no room, if its run takes a fraction of a second.
-std::vector<std::string> cut_in_plots(const Scene& scene, const RunCounts& counts) {
+// Finds the words for which the plots of a film have no room, or none at their lines, if its run
+// takes a fraction of a second.
+void find_words_without_room(const Scene& scene, const RunCounts& counts, CheckedFilm& film) {
     constexpr double most_events = 300'000.0;
-    if (counts.bits > bits_of_double || counts.events > most_events) return {};
-    constexpr bool is_quick = true;
+    if (counts.bits > bits_of_double || counts.events > most_events) return;
+    constexpr double few_events = 20'000.0;  // of which all frames can be seen
+    const bool is_quick = counts.events > few_events;
     Progress silent(Progress::Form::silent, "");
     const TextLog log;
     draw_still_alone(scene, scene.run.until, is_quick, {}, output_format("png"), silent);
-    return words_left_out(log);
+    film.cut = words_left_out(log);
+    film.in_keys = words_in_keys(log);
 }
 
 CheckedFilm checked_film(const CheckArguments& arguments, const std::string& path,
@@ -229,7 +232,7 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     CheckedFilm film = checked_film(arguments, path, scene, counts, refused);
     hold_to_limits(scene, works, refused);
     hold_to_limits(arguments, scene, film, refused);
-    film.cut = cut_in_plots(scene, counts.own);
+    find_words_without_room(scene, counts.own, film);
     works.emplace_back("render",
                        work_of_film(scene, arguments.film, *film.formats.front(), counts));
     return facts_of(scene, film, own, works, refused);

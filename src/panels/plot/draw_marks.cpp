@@ -247,24 +247,43 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
     frame.placer.place(whole_of(frame, *place));
 }
 
-void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line) {
-    std::optional<Place> place = place_of(frame, label);
-    if (!place) return;
+Label fixed(const Frame& frame, const Label& label) {
+    Label name = label;
+    name.anchors.clear();
+    const std::optional<Place> place = place_of(frame, label);
+    if (!place) return name;
     frame.placer.place(whole_of(frame, *place));
-    if (place->is_away) return;
-    const double share = has_own_sample(frame, label) ? 1.0 : share_seen(frame, line, place->rect);
-    if (place->has_sample) {
-        Label fading = label;
+    if (place->is_away) return name;
+    std::erase_if(name.words, [&](const Text& text) {
+        return markup_of(text, frame.dc.theme) != place->words;
+    });
+    const Rect& area = frame.area;
+    name.anchors = {{.at = {(place->baseline.x - area.x) / area.width,
+                            (place->baseline.y - area.y) / area.height},
+                     .x_is_share = true,
+                     .y_is_share = true,
+                     .align = place->align,
+                     .has_sample = place->has_sample}};
+    return name;
+}
+
+void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line) {
+    if (label.anchors.empty()) return;
+    const Anchor& anchor = label.anchors.front();
+    Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
+    place.words = markup_of(label.words.front(), frame.dc.theme);
+    const double width = measure_text(place.words, style_of(frame, label)).width;
+    place.rect = rect_of(frame, place.baseline, place.align, width);
+    const double share = has_own_sample(frame, label) ? 1.0 : share_seen(frame, line, place.rect);
+    Label fading = label;
+    if (place.has_sample) {
         fading.sample->fade = share;
-        place->has_sample = share < 1.0;
-        return draw_in_place(canvas, frame, fading, *place);
+        place.has_sample = share < 1.0;
+        return draw_in_place(canvas, frame, fading, place);
     }
     if (share == 0.0) return;
-    const auto one = std::ranges::find_if(label.words, [&](const Text& text) {
-        return markup_of(text, frame.dc.theme) == place->words;
-    });
-    place->words = markup_of(*one, frame.dc.theme, 1.0 - share);
-    draw_in_place(canvas, frame, label, *place);
+    place.words = markup_of(label.words.front(), frame.dc.theme, 1.0 - share);
+    draw_in_place(canvas, frame, fading, place);
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Level& level) {

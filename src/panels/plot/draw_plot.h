@@ -19,8 +19,11 @@ enum class Part { still, changing };
 void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part);
 
 /// Draws the names of growing lines, each once its line has come to it. `whole` is the plot of no
-/// frame, which fixes their places.
+/// frame, from with_fixed_names().
 void draw_arriving_names(Canvas& canvas, const DrawContext& dc, const Plot& whole, const Plot& now);
+
+/// The plot of no frame with these names alone, each at its place: for all frames of one size.
+Plot with_fixed_names(const Plot& whole, const DrawContext& dc);
 
 /// What room the area of the data has that nothing takes in the whole film; `whole` is the plot of
 /// no frame.

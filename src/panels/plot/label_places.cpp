@@ -129,25 +129,43 @@ Plot with_names(const Plot& plot, const DrawContext& dc) {
     return named;
 }
 
-void draw_arriving_names(Canvas& canvas, const DrawContext& dc, const Plot& whole,
-                         const Plot& now) {
-    const auto arrives = [](const AnyLayer& layer) {
-        const Label* label = label_of(layer);
-        return label != nullptr && label->line;
-    };
-    if (std::ranges::none_of(whole.layers, arrives)) return;
-    const Plot plot = with_names(whole, dc);
+namespace {
+
+bool arrives(const AnyLayer& layer) {
+    const Label* label = label_of(layer);
+    return label != nullptr && label->line;
+}
+
+}  // namespace
+
+Plot with_fixed_names(const Plot& whole, const DrawContext& dc) {
+    if (std::ranges::none_of(whole.layers, arrives)) return {};
+    Plot plot = with_names(whole, dc);
     LabelPlacer placer({});
-    Frame frame = frame_of(plot, dc, placer);
-    frame.grid = grid_of(frame, plot);
+    const Frame frame = frame_of(plot, dc, placer);
     keep_clear_of_film(frame, plot, placer);
+    std::vector<AnyLayer> names;
     for (const AnyLayer* layer : layers_in_order(plot, true)) {
         const Label* label = label_of(*layer);
         if (label == nullptr) continue;
         if (label->line)
-            draw_arriving(canvas, frame, *label, std::get<Line>(now.layers.at(*label->line)));
+            names.emplace_back(fixed(frame, *label));
         else
             rect_of(frame, *label);
+    }
+    plot.layers = std::move(names);
+    return plot;
+}
+
+void draw_arriving_names(Canvas& canvas, const DrawContext& dc, const Plot& whole,
+                         const Plot& now) {
+    if (std::ranges::none_of(whole.layers, arrives)) return;
+    LabelPlacer placer({});
+    Frame frame = frame_of(whole, dc, placer);
+    frame.grid = grid_of(frame, whole);
+    for (const AnyLayer& layer : whole.layers) {
+        const auto& label = std::get<Label>(layer);
+        draw_arriving(canvas, frame, label, std::get<Line>(now.layers.at(*label.line)));
     }
 }
 

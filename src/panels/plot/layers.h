@@ -109,7 +109,11 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Marker& marker);
 void draw_layer(Canvas& canvas, const Frame& frame, const Arrow& arrow);
 void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
-/// Draws the name of a growing line as far as its end has come to it, and places it.
+/// A name of a growing line with the words and the only anchor that it has in a plot, where its
+/// place is then taken; without anchors if it stands elsewhere, as a key.
+Label fixed(const Frame& frame, const Label& label);
+
+/// Draws such a name as far as the end of its line has come to it.
 void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line);
 
 /// Places a label and reserves its place against other labels; none if the label is left out.

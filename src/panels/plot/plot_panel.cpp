@@ -11,7 +11,18 @@ void PlotPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
 void PlotPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const plot::Plot now = plot(&state);
     draw_plot(canvas, dc, now, plot::Part::changing);
-    plot::draw_arriving_names(canvas, dc, plot(nullptr), now);
+    plot::draw_arriving_names(canvas, dc, *with_fixed_names(dc), now);
+}
+
+std::shared_ptr<const plot::Plot> PlotPanel::with_fixed_names(const DrawContext& dc) const {
+    const std::array<double, 5> place{dc.area.x, dc.area.y, dc.area.width, dc.area.height, dc.unit};
+    const std::scoped_lock lock(names_.access);
+    if (!names_.plot || names_.place != place || names_.theme != dc.theme.kind) {
+        names_.plot = std::make_shared<const plot::Plot>(plot::with_fixed_names(plot(nullptr), dc));
+        names_.place = place;
+        names_.theme = dc.theme.kind;
+    }
+    return names_.plot;
 }
 
 std::optional<Point> PlotPanel::place_of(const DrawContext& dc, const PanelState& state,

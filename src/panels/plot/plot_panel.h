@@ -3,7 +3,9 @@
 // runs are made by combining records.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,17 @@ class PlotPanel : public SharedPanel {
     std::vector<std::string> accounts_of_runs(const PanelState& state) const final {
         return plot(&state).accounts_of_runs;
     }
+
+  private:
+    /// The names of growing lines, placed once for all frames.
+    std::shared_ptr<const plot::Plot> with_fixed_names(const DrawContext& dc) const;
+    struct Names {
+        std::mutex access = {};
+        std::shared_ptr<const plot::Plot> plot = {};
+        std::array<double, 5> place = {};
+        ThemeKind theme = ThemeKind::dark;
+    };
+    mutable Names names_;
 };
 
 /// Whether mean_of() is defined for such records.

@@ -65,7 +65,7 @@ struct DrawnPlot {
         Canvas canvas({600, 400});
         const TextLog log;
         draw_plot(canvas, dc, plot, Part::still);
-        if (now != nullptr) draw_arriving_names(canvas, dc, plot, *now);
+        if (now != nullptr) draw_arriving_names(canvas, dc, with_fixed_names(plot, dc), *now);
         lines = log.lines;
         left_out = log.left_out;
         in_keys = log.in_keys;

@@ -53,8 +53,7 @@ std::string account_of_last(Language language, Phrase quantity, const std::vecto
 
 namespace {
 
-// A word for an event; empty for an event that has its own mark, or none.
-Phrase series_event_word(const RunEvent& event) {
+Phrase phrase_of_event(const RunEvent& event) {
     if (const auto* set = std::get_if<SetOpen>(&event.action))
         return set->is_open ? Phrase{"opened"} : Phrase{"closed"};
     if (const auto* heat = std::get_if<Heat>(&event.action)) {
@@ -67,6 +66,15 @@ Phrase series_event_word(const RunEvent& event) {
     if (std::holds_alternative<ReleasePiston>(event.action)) return Phrase{"released"};
     if (std::holds_alternative<ChangeSurface>(event.action)) return Phrase{"wall changed"};
     return {};
+}
+
+// A word for an event, in English, or what a wall becomes; empty for an event that has its own
+// mark, or none.
+std::string series_event_word(const RunEvent& event) {
+    const auto* change = std::get_if<ChangeSurface>(&event.action);
+    const auto* bath = change != nullptr ? std::get_if<Bath>(&change->behaviour) : nullptr;
+    return bath != nullptr ? fmt::format("T = {:g}", bath->temperature)
+                           : std::string(phrase_of_event(event).english);
 }
 
 }  // namespace
@@ -109,18 +117,18 @@ void SeriesPanel::finish_record() {
     if (subject_.numbers) run.numbers = subject_.numbers();
     if (subject_.laws) run.laws = subject_.laws();
     run.turns = reversal_times(context_.scene.run);
-    const auto add = [&](double at, Phrase word) {
-        if (!word.english.empty()) run.events.emplace_back(at, word.english);
+    const auto add = [&](double at, std::string word) {
+        if (!word.empty()) run.events.emplace_back(at, std::move(word));
     };
     const std::vector<RunEvent>& events = context_.scene.run.events;
     for (const RunEvent& event : events) add(event.at, series_event_word(event));
     for (const MirroredEvent& mirrored : mirrored_events(context_.scene.run)) {
         const RunEvent& event = events[mirrored.event];
         const auto opposite = mirrored.is_undone ? opposite_of(event) : event;
-        const Phrase own = series_event_word(event);
-        add(mirrored.at, opposite              ? series_event_word(*opposite)
-                         : own.english.empty() ? own
-                                               : Phrase{"undone"});
+        const std::string own = series_event_word(event);
+        add(mirrored.at, opposite      ? series_event_word(*opposite)
+                         : own.empty() ? own
+                                       : std::string(Phrase{"undone"}.english));
     }
 }
 

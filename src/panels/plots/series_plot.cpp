@@ -296,7 +296,8 @@ void SeriesPanel::add_events() {
         if (events.size() <= most_named) {
             std::vector<std::string> said;
             for (const std::string& word : words) {
-                const std::string one = say(context_.language(), Phrase{word});
+                const std::string one =
+                    localised(context_.language(), say(context_.language(), Phrase{word}));
                 if (std::ranges::find(said, one) == said.end()) said.push_back(one);
             }
             marker.label = label_beside(whole_.x, at, fmt::format("{}", fmt::join(said, ", ")));

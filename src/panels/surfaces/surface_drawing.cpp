@@ -8,6 +8,7 @@
 #include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_view.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/surfaces/behaviours.h"
 
 namespace carom {
 namespace {
@@ -349,6 +350,7 @@ void SurfaceView::Brush::draw_ends(std::size_t k) const {
 // the right: over the upper side or, where the words of that are, over these.
 double SurfaceView::Brush::row_over_side(double from, double to) const {
     const double row = view.whole(map, u).y + 1.05 * u;
+    if (moves(behaviour(top_side))) return row;  // the sides reach to where it moves
     const auto [words, has_arrow, shift] = beside_mark(top_side);
     if (!words.empty() || has_arrow) {
         const double width = measure_text(escape_markup(words), label_style(dc)).width;
@@ -361,9 +363,10 @@ double SurfaceView::Brush::row_over_side(double from, double to) const {
     return std::max(row, room.y - (thickness(top_side) + hatch + 0.45) * u);
 }
 
-// A heat bath's words have its colour.
+// A heat bath's words have its colour, in print that of all words.
 Color SurfaceView::Brush::mark_color(std::size_t k) const {
     const auto* bath = std::get_if<Bath>(&behaviour(k));
+    if (theme.kind == ThemeKind::print) return theme.ink;
     return bath != nullptr ? legible(view.bath_color(bath->temperature, theme), theme) : theme.ink;
 }
 

@@ -350,7 +350,7 @@ TEST_CASE("words on events lie on nothing, or are left out") {
                                      [&](const DrawnLine& line) { return line.markup == word; });
     };
     CHECK(drawn("opened") == 3);
-    CHECK(drawn("wall changed") == 3);
+    CHECK(drawn("T = 2") == 4);  // and at the wall
     CHECK(drawn("moved") == 0);
     CHECK(drawn("stopped") == 0);
 }

@@ -60,14 +60,19 @@ void SeriesPanel::make_plot() {
     whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
     if (!record_.runs.front().errors.empty())
         whole_.columns.push_back("standard error of " + column);
-    const bool names_lines = subject_.names.size() > 1 && !compares;
-    if (names_lines && !is_titled_by_scene_)
+    const bool names_lines = compares || subject_.names.size() > 1;
+    if (compares)
+        whole_.at_lines = plot::NamedAtLines{.titles = whole_.titles};
+    else if (names_lines && !is_titled_by_scene_)
         whole_.at_lines = plot::NamedAtLines{.titles = {subject_.plain_title}};
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
     std::vector<std::string> names;
     for (const auto& one : record_.runs) names.push_back(one.name);
-    if (compares) plot::name_runs(whole_, std::move(names));
+    if (compares) {
+        plot::name_runs(whole_, std::move(names));
+        whole_.notes.back().of_last_titles = whole_.titles.size();  // unless at the lines
+    }
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
     add_levels();  // words find their places in this order
     if (names_lines) add_names();
@@ -82,13 +87,17 @@ void SeriesPanel::add_names() {
     constexpr int places = 24;
     constexpr double over = -0.5, under = 1.25, farthest = 1.5;  // units, to the baseline
     for (const Growing& one : growing_) {
-        if (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory) continue;
+        const bool compares = record_.compares();
+        if (!compares &&
+            (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory))
+            continue;
         const auto& line = std::get<plot::Line>(whole_.layers[one.layer]);
         if (line.x.size() == 0) continue;
         plot::Label label;
         label.still = label.is_name = true;
-        label.words = {plot::named(subject_.names.at(one.line), line.stroke.role,
-                                   plot::Sample::line, one.line)};
+        label.words = {compares ? plot::named(record_.runs.at(one.run).name, line.stroke.role)
+                                : plot::named(subject_.names.at(one.line), line.stroke.role,
+                                              plot::Sample::line, one.line)};
         for (int k = 1; k < places; ++k) {
             const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
             if (!std::isfinite(line.y[i])) continue;

@@ -288,6 +288,17 @@ void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std
     if (!title.empty()) draw_text(canvas, {end, baseline}, title, words);
 }
 
+bool keeps_labels(const Scale& scale, const std::string& title, const AxisStyle& style) {
+    std::vector<TickMark> marks = fitting_x_ticks(scale, style);
+    const auto labelled = [&] {
+        return std::ranges::count_if(marks,
+                                     [](const TickMark& mark) { return !mark.label.empty(); });
+    };
+    const auto before = labelled();
+    end_of_title(marks, scale, style, measure_text(title, style.title).width);
+    return labelled() == before;
+}
+
 std::vector<double> grid_lines(const Rect& area, const Scale& scale, const AxisStyle& style) {
     std::vector<double> lines;
     if (!style.grid) return lines;

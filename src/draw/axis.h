@@ -69,6 +69,9 @@ double y_axis_space(const Scale& scale, const AxisStyle& style);
 void draw_x_axis(Canvas& canvas, const Rect& area, const Scale& scale, const std::string& title,
                  const AxisStyle& style);
 
+/// Whether no label gives way to this title (markup) there.
+bool keeps_labels(const Scale& scale, const std::string& title, const AxisStyle& style);
+
 /// The positions of the thin lines that draw_y_axis() draws across the area.
 std::vector<double> grid_lines(const Rect& area, const Scale& scale, const AxisStyle& style);
 

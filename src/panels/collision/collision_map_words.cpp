@@ -75,11 +75,15 @@ std::string CollisionMapPanel::column_of(std::size_t k) const {
 Axis CollisionMapPanel::axis(std::size_t k) const {
     // In this order the root needs no bar over the mass.
     const auto own = walking_names();
-    const std::string name =
-        own ? own->at(k) + ": v" + (is_scaled() ? "\u2009√m" : "")
+    const std::string quantity =
+        own ? (is_scaled() ? "v\u2009√m" : "v")
             : subscripted("v", k) + (is_scaled() ? "\u2009√" + subscripted("m", k) : "");
     const double end = air_around * reach_[static_cast<Eigen::Index>(k)];
-    return {.title = met_ ? named(name, role_of(context_, *met_, k)) : Text(name),
+    const auto in_its_color = [&](const std::string& words) {
+        return met_ ? named(words, role_of(context_, *met_, k)) : Text(words);
+    };
+    return {.title = in_its_color(own ? own->at(k) + ": " + quantity : quantity),
+            .short_title = in_its_color(quantity),
             .low = -end,
             .high = end};
 }

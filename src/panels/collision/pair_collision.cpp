@@ -173,9 +173,12 @@ plot::Text names_of(const PanelContext& context, const PairCollision& pair) {
 
 std::string plain_names_of(const PanelContext& context, const PairCollision& pair) {
     const Language language = context.language();
-    if (const auto own = own_names(context, pair))
-        return capitalised(say(language, "{} and {}", own->at(0), own->at(1)));
-    return capitalised(say(language, "particles {} and {}", pair.particle[0], pair.particle[1]));
+    const auto own = own_names(context, pair);
+    const auto name = [&](std::size_t k) {
+        const std::string number = std::to_string(pair.particle.at(k));
+        return own ? fmt::format("{} ({})", number, own->at(k)) : number;
+    };
+    return capitalised(say(language, "particles {} and {}", name(0), name(1)));
 }
 
 }  // namespace carom

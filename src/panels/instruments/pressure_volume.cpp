@@ -75,11 +75,13 @@ Compression compression_of(const PanelContext& context, std::int32_t surface) {
 
 // The path of a run, and what theory knows of it.
 struct PressureVolumeRun {
-    std::string name = {};                         // among compared runs
-    std::vector<double> area = {}, pressure = {};  // at samples and frames; NaN: none
-    std::vector<std::size_t> until = {};           // the number of these at each frame
+    std::string name = {};                                    // among compared runs
+    std::vector<double> time = {}, area = {}, pressure = {};  // at samples; NaN: none
+    std::vector<double> frame_time = {}, frame_area = {}, frame_pressure = {};  // at frames
     Compression theory = {};
-    void archive(Archive& archive) { archive(name, area, pressure, until, theory); }
+    void archive(Archive& archive) {
+        archive(name, time, area, pressure, frame_time, frame_area, frame_pressure, theory);
+    }
 };
 
 struct PressureVolumeRecord {
@@ -163,7 +165,8 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
     }
     void make_axes() override;
     void add_curves(const Compression& theory);
-    plot::Line path_of(std::size_t run) const;
+    plot::Line path_of(std::size_t run, std::size_t shown) const;
+    plot::Line whole_path(std::size_t run) const;
 
     PanelContext context_;
     PanelSpec spec_;
@@ -177,9 +180,15 @@ void PressureVolumePanel::survey(const FrameInput& input) {
     if (run.area.empty()) run.theory = compression_of(context_, spec_.surfaces.front());
     double pressure = meter_(input).front();
     if (!is_measured(input.tick.time)) pressure = std::numeric_limits<double>::quiet_NaN();
-    run.area.push_back(area);
-    run.pressure.push_back(pressure);
-    if (input.is_frame) run.until.push_back(run.area.size());
+    if (input.is_sample) {
+        run.time.push_back(input.tick.time);
+        run.area.push_back(area);
+        run.pressure.push_back(pressure);
+    }
+    if (!input.is_frame) return;
+    run.frame_time.push_back(input.tick.time);
+    run.frame_area.push_back(area);
+    run.frame_pressure.push_back(pressure);
 }
 
 void PressureVolumePanel::make_axes() {
@@ -211,7 +220,7 @@ void PressureVolumePanel::make_axes() {
     for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);
     if (record_.compares()) plot::name_runs(whole_, std::move(names));
     for (std::size_t run = 0; run < record_.runs.size(); ++run)
-        whole_.layers.emplace_back(path_of(run));
+        whole_.layers.emplace_back(whole_path(run));
     const Compression& theory = record_.runs.front().theory;
     const bool have_one_law = std::ranges::all_of(
         record_.runs, [&](const PressureVolumeRun& run) { return run.theory == theory; });
@@ -269,15 +278,35 @@ void PressureVolumePanel::add_curves(const Compression& theory) {
     if (theory.is_ideal) whole_.notes.push_back({.entries = {{{}, {say(language, gas)}}}});
 }
 
-// Nothing of it is shown before the first frame.
-plot::Line PressureVolumePanel::path_of(std::size_t run) const {
+// All of it, of which nothing is shown: words keep off it in all frames.
+plot::Line PressureVolumePanel::whole_path(std::size_t run) const {
     const PressureVolumeRun& its = record_.runs[run];
     plot::Line line;
-    line.part = "path";
-    line.depth = 1;
     line.shown = {0, 0};
     line.x = plot::column(whole_.columns[0], its.area);
     line.y = plot::column(whole_.columns[1], its.pressure);
+    return line;
+}
+
+// The samples up to a frame, and the frame itself.
+plot::Line PressureVolumePanel::path_of(std::size_t run, std::size_t shown) const {
+    const PressureVolumeRun& its = record_.runs[run];
+    const std::size_t frame = std::min(shown, its.frame_time.size()) - 1;
+    const double now = its.frame_time.at(frame);
+    const std::ptrdiff_t end = std::ranges::upper_bound(its.time, now) - its.time.begin();
+    std::vector<double> area(its.area.begin(), its.area.begin() + end);
+    std::vector<double> pressure(its.pressure.begin(), its.pressure.begin() + end);
+    if (end == 0 || its.time[static_cast<std::size_t>(end) - 1] < now) {
+        area.push_back(its.frame_area[frame]);
+        pressure.push_back(its.frame_pressure[frame]);
+    }
+    plot::Line line;
+    line.part = "path";
+    line.depth = 1;
+    line.shown.end = area.size();
+    line.shown.first = line.shown.end - std::min(line.shown.end, longest_path);
+    line.x = plot::column(whole_.columns[0], std::move(area));
+    line.y = plot::column(whole_.columns[1], std::move(pressure));
     line.is_thinned = false;
     line.stroke = {
         .role = {.of = plot::Role::Of::bar}, .width = 0.1, .shade = plot::Shade::legible};
@@ -295,13 +324,11 @@ plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
     if (state == nullptr) return now;
     const auto& shown = dynamic_cast<const ShownState&>(*state);
     for (std::size_t run = 0; run < record_.runs.size(); ++run) {
-        const PressureVolumeRun& its = record_.runs[run];
-        const std::size_t frames = std::min(shown.shown.at(run), its.until.size());
-        const std::size_t end = frames == 0 ? 0 : its.until[frames - 1];
-        std::get<plot::Line>(now.layers.at(run)).shown = {end - std::min(end, longest_path), end};
-        if (!record_.compares() || end == 0) continue;
-        now.accounts_of_runs.push_back(
-            account_of_last(context_.language(), Phrase{"pressure"}, its.pressure, end));
+        now.layers.emplace_back(path_of(run, shown.shown.at(run)));
+        if (!record_.compares()) continue;
+        now.accounts_of_runs.push_back(account_of_last(context_.language(), Phrase{"pressure"},
+                                                       record_.runs[run].frame_pressure,
+                                                       shown.shown.at(run)));
     }
     return now;
 }

@@ -247,7 +247,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label) {
     frame.placer.place(whole_of(frame, *place));
 }
 
-Label fixed(const Frame& frame, const Label& label) {
+Label fixed_label(const Frame& frame, const Label& label) {
     Label name = label;
     name.anchors.clear();
     const std::optional<Place> place = place_of(frame, label);

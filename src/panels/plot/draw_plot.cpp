@@ -135,11 +135,9 @@ bool is_in_area(const Frame& frame, const Point& at) {
            at.y <= area.bottom() + slack;
 }
 
-std::string x_title_of(const Plot& plot, const Frame& frame) {
+std::string x_title_of(const Plot& plot, const Frame& frame, const AxisStyle& style) {
     const std::string title = markup_of(plot.x.title, frame.dc.theme);
-    const double room = frame.area.right() - frame.dc.area.x;
-    if (plot.x.short_title.empty() || measure_text(title, label_style(frame.dc)).width <= room)
-        return title;
+    if (plot.x.short_title.empty() || keeps_labels(frame.x_scale, title, style)) return title;
     return markup_of(plot.x.short_title, frame.dc.theme);
 }
 
@@ -218,7 +216,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
     if (plot.ramp) draw_ramp(canvas, frame, *plot.ramp);
     const AxisStyle style = style_of(plot, plot.x, dc);
-    draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame), style);
+    draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame, style), style);
     AxisStyle upright = style_of(plot, plot.y, dc);
     upright.words = still_words(frame, plot);
     draw_y_axis(canvas, area_of_scale(frame), frame.y_scale, upright);

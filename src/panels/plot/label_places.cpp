@@ -149,7 +149,7 @@ Plot with_fixed_names(const Plot& whole, const DrawContext& dc) {
         const Label* label = label_of(*layer);
         if (label == nullptr) continue;
         if (label->line)
-            names.emplace_back(fixed(frame, *label));
+            names.emplace_back(fixed_label(frame, *label));
         else
             rect_of(frame, *label);
     }

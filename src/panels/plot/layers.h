@@ -111,7 +111,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 
 /// A name of a growing line with the words and the only anchor that it has in a plot, where its
 /// place is then taken; without anchors if it stands elsewhere, as a key.
-Label fixed(const Frame& frame, const Label& label);
+Label fixed_label(const Frame& frame, const Label& label);
 
 /// Draws such a name as far as the end of its line has come to it.
 void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line);

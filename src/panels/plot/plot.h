@@ -321,7 +321,7 @@ struct Axis {
         powers        ///< data are decimal logarithms themselves
     };
     Text title = {};
-    Text short_title = {};         ///< used if `title` is too long
+    Text short_title = {};         ///< used if numbers gave way to `title`
     double low = 0.0, high = 1.0;  ///< decimal logarithms, unless linear
     Kind kind = Kind::linear;
     bool is_whole = false;        ///< ticks at whole numbers only

@@ -39,10 +39,12 @@ bool has(const std::string& text, const std::string& words) {
 TEST_CASE("figures of a collision give its time, not that of the end of the run") {
     const double contact = 9.0 - std::sqrt(12.0);
     const FigureWords single = words_of_manual("single-collision");
-    CHECK(single.caption ==
-          "One disk hits another off centre. Single collision. Particles 0 and 1 collide at time "
-          "5.54: speeds 1.00 and 0 before and 0.500 and 0.866 after.");
-    CHECK(single.alt.starts_with("Single collision at time 5.54. Particles 0 and 1 collide"));
+    CHECK(
+        single.caption ==
+        "One disk hits another off centre. Single collision. Particles 0 (moving) and 1 (at rest) "
+        "collide at time 5.54: speeds 1.00 and 0 before and 0.500 and 0.866 after.");
+    CHECK(single.alt.starts_with(
+        "Single collision at time 5.54. Particles 0 (moving) and 1 (at rest)"));
     const FigureWords parabola = words_of_manual("contact-time");
     CHECK(has(parabola.caption,
               "touch at time 5.54; if they passed through each other, they would "

@@ -20,17 +20,18 @@ constexpr int depth_of_markers = 1;  // under levels and their words
 constexpr int band_depth = 1000;     // behind all lines
 const Role muted{.of = Role::Of::muted};
 
-// A word beside a vertical line, on the side with more room, at the lowest place that no line
-// crosses.
-plot::Label label_beside(const plot::Axis& axis, double at, const std::string& word) {
-    const bool on_left = at > 0.5 * (axis.low + axis.high);
+// A word beside a vertical line, at the lowest place that no line crosses: on the right, where what
+// it says holds from then on, or on the left if there is no room.
+plot::Label label_beside(double at, const std::string& word) {
     plot::Label label;
     label.words = {word};
-    label.anchors = {{.at = {at, 1.0},
-                      .y_is_share = true,
-                      .offset = {on_left ? -0.4 : 0.4, -0.5},
-                      .align = on_left ? Align::right : Align::left,
-                      .step = {0.0, -0.5}}};
+    for (const bool on_left : {false, true})
+        label.anchors.push_back({.at = {at, 1.0},
+                                 .y_is_share = true,
+                                 .offset = {on_left ? -0.4 : 0.4, -0.5},
+                                 .align = on_left ? Align::right : Align::left,
+                                 .step = {0.0, -0.5},
+                                 .is_inside = true});
     return label;
 }
 
@@ -285,7 +286,7 @@ void SeriesPanel::add_turns() {
         marker.still = true;
         marker.column = whole_.columns[0];
         marker.value = at;
-        marker.label = label_beside(whole_.x, at, say(context_.language(), "reversed"));
+        marker.label = label_beside(at, say(context_.language(), "reversed"));
         add_marker(whole_, std::move(marker));
     }
 }
@@ -309,11 +310,7 @@ void SeriesPanel::add_events() {
                     localised(context_.language(), say(context_.language(), Phrase{word}));
                 if (std::ranges::find(said, one) == said.end()) said.push_back(one);
             }
-            marker.label = label_beside(whole_.x, at, fmt::format("{}", fmt::join(said, ", ")));
-            plot::Anchor other_side = marker.label->anchors[0];
-            other_side.offset.x = -other_side.offset.x;
-            other_side.align = other_side.align == Align::left ? Align::right : Align::left;
-            marker.label->anchors.push_back(other_side);
+            marker.label = label_beside(at, fmt::format("{}", fmt::join(said, ", ")));
         }
         add_marker(whole_, std::move(marker));
     }

@@ -339,7 +339,7 @@ std::vector<SceneClaims> claims_of_many_hits() {
            growth(130, 240, wall_impulse()) / growth(0, 120, wall_impulse()), about(2.0), 120},
           {"halves the room slowly, at one temperature", mean(240, 560, temperature()), about(2.0),
            240},
-          {"Half the room: twice the pressure again",
+          {"Half the room: twice the pressure, and a little more",
            (224.0 / 160.0) * growth(560, 660, wall_impulse()) / growth(130, 240, wall_impulse()),
            {2.0, 2.4},
            560}}},

@@ -146,7 +146,8 @@ const std::vector<Slip>& slips() {
         {"at: 5}", "at: 5, format: png}", "10:45", "carom figures SCENE --formats svg,png"},
         {"at: 5}", "at: 5, width: 8cm}", "10:45", "for instance `size: [8, 6]`"},
         {"seconds: 5", "seconds: 5\n  template: lecture-hall", "8:13",
-         "templates: data, hero, instrument, lecture, minimal, portrait, side-by-side, square, wide-gas"},
+         "templates: data, hero, instrument, lecture, minimal, portrait, side-by-side, square, "
+         "wide-gas"},
         {"seconds: 5", "seconds: 5\n  template: Lecture", "8:13", "did you mean `lecture`?"},
         {"seconds: 5", "seconds: 5\n  theme: black", "8:10", "did you mean `dark`?"},
         {"seconds: 5", "seconds: 5\n  font: Comic Sans", "8:3", "leave it out"},

@@ -120,27 +120,6 @@ plot::Line curve(const plot::Plot& plot, std::string name, const plot::Stroke& s
     return line;
 }
 
-// Adds the name of the curve that was added last: beside it, where it is free.
-void add_name(plot::Plot& plot, const plot::Text& words) {
-    constexpr int places = 16;
-    constexpr double over = -0.5, under = 1.25;  // units, to the baseline
-    const auto& line = std::get<plot::Line>(plot.layers.back());
-    plot::Label label;
-    label.still = label.is_name = true;
-    label.role = line.stroke.role;
-    label.words = {words};
-    label.sample = line.stroke;
-    for (int k = 2; k < places && line.x.size() > 0; ++k) {
-        const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
-        for (const bool is_over : {true, false})
-            label.anchors.push_back({.at = {line.x[i], line.y[i]},
-                                     .offset = {is_over ? 0.4 : -0.4, is_over ? over : under},
-                                     .align = is_over ? Align::left : Align::right,
-                                     .is_inside = true});
-    }
-    plot.layers.emplace_back(std::move(label));
-}
-
 class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
   public:
     PressureVolumePanel(const PanelContext& context, const PanelSpec& spec)
@@ -270,7 +249,7 @@ void PressureVolumePanel::add_curves(const Compression& theory) {
         whole_.layers.emplace_back(
             curve(whole_, std::move(name), stroke, theory.area, one.pressure));
         key.entries.push_back({stroke, {words}});
-        add_name(whole_, words);
+        plot::name_last_line(whole_, words);
     }
     whole_.notes.push_back(std::move(key));
     // Theory of another gas is named as such; that of this gas needs no name.

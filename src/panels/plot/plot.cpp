@@ -79,6 +79,28 @@ void name_level(Level& level, std::vector<Text> words, double deviation) {
                                      .step = {-0.5, 0.0}});
 }
 
+void name_last_line(Plot& plot, const Text& words) {
+    constexpr int places = 16;
+    constexpr double over = -0.5, under = 1.25;  // units, to the baseline
+    const auto& line = std::get<Line>(plot.layers.back());
+    Label label;
+    label.still = label.is_name = true;
+    label.role = line.stroke.role;
+    label.words = {words};
+    label.sample = line.stroke;
+    label.line = plot.layers.size() - 1;
+    for (int k = 2; k < places && line.x.size() > 0; ++k) {
+        const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
+        for (const double off : {over, under})
+            for (const bool is_right : {true, false})  // which of them is free if the line slopes
+                label.anchors.push_back({.at = {line.x[i], line.y[i]},
+                                         .offset = {is_right ? 0.4 : -0.4, off},
+                                         .align = is_right ? Align::left : Align::right,
+                                         .is_inside = true});
+    }
+    plot.layers.emplace_back(std::move(label));
+}
+
 void name_runs(Plot& plot, std::vector<std::string> names) {
     Note key{.entries = {}, .wraps = true};
     for (std::size_t k = 0; k < names.size(); ++k) {

@@ -348,6 +348,10 @@ struct Plot {
     std::vector<std::string> accounts_of_runs = {};  ///< of each run: "mean 1.25"
 };
 
+/// Adds the name of the line that was added last: in its colour, beside it where it is free. It is
+/// one of the names of NamedAtLines.
+void name_last_line(Plot& plot, const Text& words);
+
 /// Names the runs that a plot compares, and adds a key: a sample of each run's line before its
 /// name.
 void name_runs(Plot& plot, std::vector<std::string> names);

@@ -121,7 +121,11 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
         plot_.account += " " + (dashes == dashes_of_theory ? say(language_, "Dashed: {}.", name)
                                                            : say(language_, "Dotted: {}.", name));
     }
-    if (!key.entries.empty()) plot_.notes.push_back(std::move(key));
+    if (key.entries.empty()) return;
+    key.of_last_titles = plot_.titles.size();  // unless the names are at the curves
+    plot_.notes.push_back(std::move(key));
+    // A title of one's own does not say what the vertical axis shows.
+    if (!title_) plot_.at_lines = plot::NamedAtLines{.titles = plot_.titles};
 }
 
 // A key of the lines, which are theoretical curves if any are known, and otherwise join the points.
@@ -159,8 +163,12 @@ void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t li
         return add_curve(line.theory.y.size() > 1 ? line.theory : joined, plot::stroke_of_run(k),
                          line.column);
     }
-    add_curve(line.theory, stroke_of_theory(dashes_of_theory), line.column);
-    add_curve(line.ideal, stroke_of_theory(dashes_of_ideal), line.column);
+    for (const auto& [curve, dashes] :
+         {std::pair{&line.theory, dashes_of_theory}, std::pair{&line.ideal, dashes_of_ideal}}) {
+        add_curve(*curve, stroke_of_theory(dashes), line.column);
+        if (plot_.at_lines && curve->y.size() > 1)
+            plot::name_last_line(plot_, escape_markup(say(language_, Phrase{curve->name})));
+    }
 }
 
 // A bar of an error is a piece of one line, from its lower end to its upper.

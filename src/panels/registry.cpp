@@ -329,8 +329,9 @@ std::vector<PanelKind> all_kinds() {
          .shows =
              "The pressure on a moving wall against the area, as a path; if the gas fills the "
              "area and there is no gravity, with the isotherm and the adiabat of hard disks or "
-             "rods from the same start; where the radii of disks differ or they are very "
-             "few, with those of an ideal gas.",
+             "rods from the same start, or with an isotherm at each temperature to which heat "
+             "baths change together; where the radii of disks differ or they are very few, with "
+             "those of an ideal gas.",
          .make = make_pressure_volume,
          .abilities = {over, theory, comparison},
          .keys = pressure_volume_keys(),

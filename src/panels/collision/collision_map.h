@@ -19,6 +19,7 @@ using plot::column, plot::dashes_in_print, plot::named, plot::text_of;
 using Vector = Eigen::Array2d;
 using Cause = WalkStep::Cause;
 
+/// The marks of a state after and before, and the strokes of the lines, which keys show too.
 inline const plot::Mark full{.role = {Role::Of::ink}, .radius = 0.36, .halo = 0.1};
 inline const plot::Mark hollow{
     .role = {Role::Of::ink}, .radius = 0.36, .is_hollow = true, .halo = 0.1};
@@ -27,11 +28,12 @@ inline const Stroke of_steps{.role = {Role::Of::highlight}, .width = 0.14, .shad
 inline const Stroke of_walls{.width = 0.11, .dashes = {0.4, 0.3}};
 inline const Role ink{Role::Of::ink}, page{Role::Of::page}, muted{Role::Of::muted};
 
+/// Collisions of the two beads with each other and with walls.
 struct Counts {
     std::int64_t pair = 0, wall = 0;
 };
 
-// The stroke of a line of constant momentum.
+/// The stroke of a line of constant momentum.
 Stroke of_momentum();
 
 class CollisionMapPanel : public PlotPanel {

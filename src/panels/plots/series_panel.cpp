@@ -73,7 +73,7 @@ Phrase phrase_of_event(const RunEvent& event) {
 std::string series_event_word(const RunEvent& event) {
     const auto* change = std::get_if<ChangeSurface>(&event.action);
     const auto* bath = change != nullptr ? std::get_if<Bath>(&change->behaviour) : nullptr;
-    return bath != nullptr ? fmt::format("T = {:g}", bath->temperature)
+    return bath != nullptr ? "T = " + plain_number(bath->temperature)
                            : std::string(phrase_of_event(event).english);
 }
 

@@ -97,14 +97,9 @@ std::vector<double> bath_temperatures(const Box& box, const std::vector<RunEvent
         if (next == events.size()) return found;
         for (const double instant = events[next].at;
              next < events.size() && events[next].at == instant; ++next) {
-            const auto set = [&](std::int32_t surface, const Behaviour& behaviour) {
-                auto& wall = walls.at(static_cast<std::size_t>(surface));
-                if (wall) wall = behaviour;
-            };
-            if (const auto* change = std::get_if<ChangeSurface>(&events[next].action))
-                set(change->surface, change->behaviour);
-            if (const auto* move = std::get_if<MoveSurface>(&events[next].action))
-                set(move->surface, Driven{move->velocity});
+            const auto given = given_behaviour(events[next]);
+            const auto k = given ? static_cast<std::size_t>(given->first) : walls.size();
+            if (k < walls.size() && walls[k]) walls[k] = given->second;
         }
     }
 }

@@ -35,6 +35,17 @@ struct Contact {
     double overlap = 0.0;  ///< overlap depth, in units of the contact distance
 };
 
+/// The contact of two disks of which the impulse factor is given (ContactRule::impulse()); `sigma`:
+/// sum of radii.
+template <typename Scalar>
+[[gnu::always_inline]] inline Contact<2> contact_of(const RelativeMotion<Scalar>& m,
+                                                    const Scalar& factor, double sigma) {
+    const auto square = static_cast<double>(m.x * m.x + m.y * m.y);
+    return {{static_cast<double>(m.x), static_cast<double>(m.y)},
+            -static_cast<double>(factor) * square,
+            0.5 * (1.0 - square / (sigma * sigma))};
+}
+
 /// The predicted next event of a particle; its time is stored in the event queue. It is a contact
 /// with another particle if `contact_time` is not later than that time, otherwise the particle
 /// reaches a border.

@@ -1,7 +1,7 @@
-// Contact arithmetic: the contact time of two disks, the time at which a disk reaches a wall, and
-// the velocities after a collision. Free functions on numbers, for any scalar with sqrt, abs and a
-// correctly rounded fma. Independent of particles, box and clock: times are counted from the
-// present.
+// Contact arithmetic: the contact time of two disks, and the time at which a disk reaches a wall.
+// Free functions on numbers, for any scalar with sqrt, abs and a correctly rounded fma; what a
+// contact does is in contact_rule.h. Independent of particles, box and clock: times are counted
+// from the present.
 #pragma once
 
 #include <cmath>
@@ -166,28 +166,6 @@ template <typename Scalar>
     using std::fma;
     const Scalar product = a * b.value;
     return product + (fma(a, b.value, -product) + a * b.error);
-}
-
-/// Impulse factor J = 2 r . v / (r^2 (w1 + w2)) of an elastic collision of smooth disks with
-/// separation r and inverse masses w1, w2, at least one of them positive: v1 += w1 J r, v2 -= w2 J
-/// r.
-///
-/// Only r . v and, in product_of(), w J are rounded. If the divisor were rounded as well, its error
-/// would be nearly the same at each collision of the same two disks. Moreover, quotients by a
-/// number close to a power of 2 and products with one close to a simple fraction are rounded up
-/// more often than down, or the reverse. The energy would therefore drift: for equal disks of
-/// diameter 1 and mass 1 it rose by 4e-18 of a disk's energy at each collision.
-template <typename Scalar>
-[[gnu::always_inline]] inline Unrounded<Scalar> impulse_factor(const RelativeMotion<Scalar>& m,
-                                                               const Scalar& first_inverse_mass,
-                                                               const Scalar& second_inverse_mass) {
-    using std::fma;
-    const Unrounded<Scalar> square = square_of_distance(m);
-    const Unrounded<Scalar> sum = unrounded_sum(first_inverse_mass, second_inverse_mass);
-    const Scalar product = square.value * sum.value;
-    const Scalar error = fma(square.value, sum.value, -product) +
-                         (square.value * sum.error + square.error * sum.value);
-    return quotient_of<Scalar>(2 * (m.x * m.vx + m.y * m.vy), {product, error});
 }
 
 /// Time until a coordinate at x with velocity v reaches `low` (v < 0) or `high` (v > 0). Returns 0

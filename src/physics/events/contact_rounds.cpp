@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "physics/collision/contact_rule.h"
 #include "physics/multiprecision/multiprecision.h"
 
 namespace carom {
@@ -197,7 +198,8 @@ void ContactRounds<Scalar>::push(std::size_t contact, const Scalar& impulse) {
 template <typename Scalar>
 void ContactRounds<Scalar>::reflect(std::size_t contact) {
     const Contact& c = contacts_[contact];
-    const Scalar impulse = -2.0 * opening_speed(contact) / coupling(contact, contact);
+    const Scalar impulse =
+        -ContactRule::change(opening_speed(contact)) / coupling(contact, contact);
     push(contact, impulse);
     Participant &a = participants_[c.first], &b = participants_[c.second];
     for (std::size_t k = 0; k < 2; ++k) {
@@ -213,7 +215,8 @@ template <typename Scalar>
 void ContactRounds<Scalar>::reflect_together(const std::vector<std::size_t>& set) {
     constexpr std::size_t most_in_matrix = 100;
     std::vector<Scalar> right;
-    for (const std::size_t contact : set) right.push_back(-2.0 * opening_speed(contact));
+    for (const std::size_t contact : set)
+        right.push_back(-ContactRule::change(opening_speed(contact)));
     const std::vector<Scalar> impulses = set.size() <= most_in_matrix
                                              ? impulses_by_matrix(set, std::move(right))
                                              : impulses_by_gradients(set, std::move(right));

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "physics/collision/contact_rule.h"
 #include "physics/collision_error.h"
 #include "physics/multiprecision/disk_overlap.h"
 #include "util/interrupt.h"
@@ -453,10 +454,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::bounce(std::int32_t i, int side
     advance_body(b, now_);
     Scalar& v = b.v[static_cast<std::size_t>(side / 2)];
     impulses_.wall[static_cast<std::size_t>(side)] +=
-        2.0 * std::abs(static_cast<double>(v)) /
+        ContactRule::change(std::abs(static_cast<double>(v))) /
         geometry_.properties(bodies_, static_cast<std::size_t>(i)).inverse_mass;
     const auto before = in_doubles(b.v);
-    v = -v;
+    ContactRule::reflect(v);
     body_has_changed(b);
     ++b.collisions;
     ++counts_.wall;

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "physics/collision/pair_collision.h"
+#include "physics/collision/contact_rule.h"
 #include "physics/collision_error.h"
 #include "util/interrupt.h"
 
@@ -73,11 +73,11 @@ void FixedStepLoop::reflect(std::vector<Collision>* record) {
             const bool is_low = x < radius && v < 0.0;
             if (!is_low && !(x > box_.size[axis] - radius && v > 0.0)) continue;
             const Eigen::Array2d before = velocity(i);
-            v = -v;
+            ContactRule::reflect(v);
             ++counts_.wall;
             const int side = 2 * axis + (is_low ? 0 : 1);
             impulses_.wall[static_cast<std::size_t>(side)] +=
-                2.0 * std::abs(v) / particles_.inverse_mass[i];
+                ContactRule::change(std::abs(v)) / particles_.inverse_mass[i];
             if (record == nullptr) continue;
             Eigen::Array2d contact = place(i);
             contact[axis] = is_low ? 0.0 : box_.size[axis];
@@ -114,7 +114,8 @@ void FixedStepLoop::collide(std::int32_t first, std::int32_t second,
     const double first_w = particles_.inverse_mass[first],
                  second_w = particles_.inverse_mass[second];
     if ((apart * relative).sum() >= 0.0 || first_w + second_w == 0.0) return;
-    const Unrounded<double> factor = impulse_factor(motion, first_w, second_w);
+    static_assert(ContactRule::keeps_species);
+    const Unrounded<double> factor = ContactRule::impulse(motion, first_w, second_w);
     now_.velocity.row(first) += (product_of(first_w, factor) * apart).transpose();
     now_.velocity.row(second) -= (product_of(second_w, factor) * apart).transpose();
     ++counts_.particle;

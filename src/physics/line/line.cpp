@@ -5,35 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/collision/contact_rule.h"
 #include "physics/collision/flight.h"
-#include "physics/collision/pair_collision.h"
 #include "physics/collision_error.h"
 
 namespace carom {
-namespace {
-
-// The ratio in which the velocities of two colliding beads change: that of their inverse masses.
-// Expressed by the masses where these are finite, because for example 1 / 3 is not a double: for
-// masses in a simple ratio half of all new velocities lie midway between two numbers, and such an
-// error would round all of them in the same direction.
-std::array<double, 2> shares_of_change(double first_inverse_mass, double second_inverse_mass) {
-    const double first = 1.0 / first_inverse_mass, second = 1.0 / second_inverse_mass;
-    if (std::isfinite(first) && std::isfinite(second)) return {second, first};
-    return {first_inverse_mass, second_inverse_mass};
-}
-
-// v + a b with one rounding.
-template <typename Scalar>
-Scalar sum_with_product(const Scalar& v, const Unrounded<Scalar>& a, const Unrounded<Scalar>& b) {
-    using std::fma;
-    const Scalar product = a.value * b.value;
-    const Unrounded<Scalar> sum = unrounded_sum(v, product);
-    return sum.value + (sum.error + (fma(a.value, b.value, -product) +
-                                     (a.value * b.error + a.error * b.value)));
-}
-
-}  // namespace
-
 template <typename Scalar, typename BodyType>
 Line<Scalar, BodyType>::Line(const Box& box, const Particles& particles, const Arithmetic&)
     : length_(box.size[0]),
@@ -135,8 +111,7 @@ void Line<Scalar, BodyType>::cross(Bodies& bodies, std::int32_t i, int side, con
     body.turns += side == 1 ? 1 : -1;
 }
 
-// Beads of equal mass exchange their velocities to the last bit. Of two alone on a ring either may
-// be the left one.
+// Of two alone on a ring either may be the left one.
 template <typename Scalar, typename BodyType>
 bool Line<Scalar, BodyType>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
                                      Contact<1>& contact) const {
@@ -158,18 +133,13 @@ bool Line<Scalar, BodyType>::collide(Bodies& bodies, std::int32_t i, std::int32_
     const bool around = &left > &right;
     const auto depth = static_cast<double>(-gap(left, right, a.time, around));
     contact.separation = {a_is_left ? sigma : -sigma};
-    contact.virial = sigma * 2.0 * static_cast<double>((left.v[0] - right.v[0]) / (a_w + b_w));
+    contact.virial =
+        sigma * ContactRule::change(static_cast<double>((left.v[0] - right.v[0]) / (a_w + b_w)));
     contact.overlap = sigma > 0.0 ? std::max(0.0, depth / sigma) : 0.0;
-    if (a.inverse_mass == b.inverse_mass) {
-        std::swap(a.v[0], b.v[0]);
-        return true;
-    }
-    const auto [a_share, b_share] = shares_of_change(a.inverse_mass, b.inverse_mass);
-    const Scalar a_part = as_precise_as(a.v[0], a_share), b_part = as_precise_as(a.v[0], b_share);
-    const Unrounded<Scalar> whole = unrounded_sum(a_part, b_part),
-                            change = unrounded_sum(Scalar(2.0 * b.v[0]), Scalar(-2.0 * a.v[0]));
-    a.v[0] = sum_with_product(a.v[0], quotient_of(a_part, whole), change);
-    b.v[0] = sum_with_product(b.v[0], quotient_of(Scalar(-b_part), whole), change);
+    const auto [a_share, b_share] = ContactRule::shares_on_line(a.inverse_mass, b.inverse_mass);
+    static_assert(ContactRule::keeps_species);
+    ContactRule::push_on_line(a.v[0], b.v[0], as_precise_as(a.v[0], a_share),
+                              as_precise_as(a.v[0], b_share));
     return true;
 }
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "physics/collision/contact_rule.h"
+
 namespace carom {
 namespace {
 
@@ -372,29 +374,10 @@ bool MpPlane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>
     b_.set_difference(squared(sigma), a_);
     contact.overlap = 0.5 * static_cast<double>(b_) / (sigma * sigma);
     contact.separation = {static_cast<double>(r_[0]), static_cast<double>(r_[1])};
-    contact.virial = -2.0 * static_cast<double>(approach_) / (a.inverse_mass + b.inverse_mass);
-    // 2 r.v / (r^2 (w1 + w2)), multiplied by w1 and w2; these are half their sum if they are equal.
-    if (a.inverse_mass == b.inverse_mass) {
-        c_.set_quotient(approach_, a_);
-        for (std::size_t k = 0; k < 2; ++k) {
-            b_.set_product(c_, r_[k]);
-            a.v[k].set_sum(a.v[k], b_);
-            b.v[k].set_difference(b.v[k], b_);
-        }
-    } else {
-        c_.set(a.inverse_mass);
-        c_.set_sum(c_, b.inverse_mass);
-        a_.set_product(a_, c_);
-        c_.set_quotient(approach_, a_);
-        c_.scale_by_power_of_two(1);
-        for (std::size_t k = 0; k < 2; ++k) {
-            b_.set_product(c_, r_[k]);
-            a_.set_product(b_, a.inverse_mass);
-            a.v[k].set_sum(a.v[k], a_);
-            a_.set_product(b_, b.inverse_mass);
-            b.v[k].set_difference(b.v[k], a_);
-        }
-    }
+    contact.virial =
+        -ContactRule::change(static_cast<double>(approach_)) / (a.inverse_mass + b.inverse_mass);
+    static_assert(ContactRule::keeps_species);
+    ContactRule::push(a.v, b.v, r_, a.inverse_mass, b.inverse_mass, approach_, a_, c_, b_);
     body_has_changed(a);
     body_has_changed(b);
     return true;

@@ -1,6 +1,6 @@
 #include "physics/plane/plane.h"
 
-#include "physics/collision/pair_collision.h"
+#include "physics/collision/contact_rule.h"
 #include "util/threads/processors.h"
 
 namespace carom {
@@ -32,12 +32,13 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
     const double sigma = first.radius + second.radius;
     RelativeMotion<double> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
     if (!separation_at_contact(a, b, sigma, m.x, m.y)) return false;
-    const Unrounded<double> factor = impulse_factor(m, first.inverse_mass, second.inverse_mass);
+    static_assert(ContactRule::keeps_species);
+    const Unrounded<double> factor =
+        ContactRule::impulse(m, first.inverse_mass, second.inverse_mass);
     const TwoLanes r{m.x, m.y};
     store_two(load_two(a.v.data()) + product_of(first.inverse_mass, factor) * r, a.v.data());
     store_two(load_two(b.v.data()) - product_of(second.inverse_mass, factor) * r, b.v.data());
-    const double square = m.x * m.x + m.y * m.y;
-    contact = {{m.x, m.y}, -factor.value * square, 0.5 * (1.0 - square / (sigma * sigma))};
+    contact = contact_of(m, factor.value, sigma);
     return true;
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/collision/contact_rule.h"
 #include "physics/collision/lanes.h"
-#include "physics/collision/pair_collision.h"
 
 namespace carom {
 namespace {
@@ -406,16 +406,14 @@ bool OpenPlane<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
     if (!this->separation_at_contact(a, b, sigma, m.x, m.y)) return false;
     const Scalar first_w = as_precise_as(m.x, first.inverse_mass),
                  second_w = as_precise_as(m.x, second.inverse_mass);
-    const Unrounded<Scalar> factor = impulse_factor(m, first_w, second_w);
+    static_assert(ContactRule::keeps_species);
+    const Unrounded<Scalar> factor = ContactRule::impulse(m, first_w, second_w);
     const std::array<Scalar, 2> r{m.x, m.y};
     accelerate(a, product_of(first_w, factor), r);
     accelerate(b, Scalar(-product_of(second_w, factor)), r);
     surfaces_.path_has_changed(a);
     surfaces_.path_has_changed(b);
-    const auto distance_square = static_cast<double>(m.x * m.x + m.y * m.y);
-    contact = {{static_cast<double>(m.x), static_cast<double>(m.y)},
-               -static_cast<double>(factor.value) * distance_square,
-               0.5 * (1.0 - distance_square / (sigma * sigma))};
+    contact = contact_of(m, factor.value, sigma);
     return true;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "physics/collision/contact_rule.h"
 #include "physics/surfaces/surface_error.h"
 #include "util/random.h"
 
@@ -181,21 +182,14 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Barri
                               : m.x;
     const auto* mover = this->mover_of(barrier);
     const double other = mover != nullptr ? mover->inverse_mass : 0.0;
-    const Scalar change = -2.0 * dot(m.v, normal) / dot(normal, normal);
-    if (!(other > 0.0)) {
-        for (std::size_t k = 0; k < 2; ++k) body.v[k] += change * normal[k];
-        return;
-    }
-    // The same impulse factor is used for both: two factors with different rounding errors would
-    // make the energy drift.
-    const Scalar w = as_precise_as(change, body.inverse_mass),
-                 other_w = as_precise_as(change, other);
-    const Unrounded<Scalar> factor = quotient_of(change, unrounded_sum(w, other_w));
-    const Scalar own_change = product_of(w, factor);
-    for (std::size_t k = 0; k < 2; ++k) body.v[k] += own_change * normal[k];
+    const auto change = ContactRule::reflection<Scalar>(dot(m.v, normal), dot(normal, normal),
+                                                        as_precise_as(m.x[0], body.inverse_mass),
+                                                        as_precise_as(m.x[0], other));
+    for (std::size_t k = 0; k < 2; ++k) body.v[k] += change.of_particle * normal[k];
+    if (!(other > 0.0)) return;
     Mover<Scalar>& hit = at(movers_, barrier.surface);
     hit.advance(now);
-    hit.velocity -= product_of(other_w, factor) * normal[hit.axis];
+    hit.velocity += change.of_surface * normal[hit.axis];
     ++hit.changes;
 }
 

@@ -1,11 +1,10 @@
-#include "physics/collision/pair_collision.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "physics/collision/contact_rule.h"
 #include "support/csv.h"
 #include "support/relative.h"
 #include "util/random.h"
@@ -41,7 +40,7 @@ TEST_CASE("along the line of centres a collision is the exact one of one dimensi
             const double v1x = u1 * nx - 0.5 * ny, v1y = u1 * ny + 0.5 * nx;
             const double v2x = u2 * nx - 0.5 * ny, v2y = u2 * ny + 0.5 * nx;
             const Motion m{1.25 * nx, 1.25 * ny, v2x - v1x, v2y - v1y};
-            const Unrounded<double> factor = impulse_factor(m, w1, w2);
+            const Unrounded<double> factor = ContactRule::impulse(m, w1, w2);
             const double first = product_of(w1, factor), second = product_of(w2, factor);
             const double after1 = (v1x + first * m.x) * nx + (v1y + first * m.y) * ny;
             const double after2 = (v2x - second * m.x) * nx + (v2y - second * m.y) * ny;
@@ -207,7 +206,7 @@ TEST_CASE("the rounding errors of impulses have no mean") {
                 2 * approach / ((x * x + y * y) * (static_cast<long double>(w1) + w2));
             for (const double w : {w1, w2})
                 sum += static_cast<double>(
-                    (product_of(w, impulse_factor(m, w1, w2)) / (w * exact) - 1) / unit);
+                    (product_of(w, ContactRule::impulse(m, w1, w2)) / (w * exact) - 1) / unit);
             ++k;
         }
         CHECK(std::abs(sum / (2 * pairs)) < most);
@@ -216,9 +215,9 @@ TEST_CASE("the rounding errors of impulses have no mean") {
 
 TEST_CASE("an infinite mass is not moved, and a heavy one hardly") {
     const Motion m{1.0, 0.0, -2.0, 0.0};
-    CHECK(product_of(1.0, impulse_factor(m, 1.0, 0.0)) ==
+    CHECK(product_of(1.0, ContactRule::impulse(m, 1.0, 0.0)) ==
           -4.0);  // v1 += 1 * -4: the wall's law, twice its speed
-    CHECK(product_of(1e-15, impulse_factor(m, 1e-15, 1.0)) == relative(-4e-15, 1e-14));
+    CHECK(product_of(1e-15, ContactRule::impulse(m, 1e-15, 1.0)) == relative(-4e-15, 1e-14));
 }
 
 TEST_CASE("walls are met from inside, at once from beyond, and never at rest") {

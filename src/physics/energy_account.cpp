@@ -27,7 +27,7 @@ EnergyAccount energies(const Box& box, const Particles& particles, const Sample&
     for (std::size_t k = 0; k < states.size(); ++k) {
         const SurfaceState& state = states[k];
         account.heat += state.heat;
-        const auto* piston = std::get_if<Piston>(&state.behaviour);
+        const auto* piston = piston_of(state.behaviour);
         if (piston == nullptr) continue;
         const double pull = gravity[box.surfaces.axis_of(k)];
         account.pistons += piston->kinetic_energy(state.motion->velocity);

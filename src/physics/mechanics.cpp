@@ -112,12 +112,11 @@ bool conserves_momentum(const Box& box, Eigen::Index axis) {
     const Surfaces& surfaces = box.surfaces;
     if (!box.is_periodic(axis) || surfaces.gravity[axis] != 0.0 || !surfaces.obstacles.empty())
         return false;
-    const auto is_bath = [](const Behaviour& its) { return std::holds_alternative<Bath>(its); };
     for (std::size_t side = 0; side < surfaces.sides.size(); ++side)
-        if (box.has_surface(side) && !box.is_periodic(side / 2) && is_bath(surfaces.sides[side]))
+        if (box.has_surface(side) && !box.is_periodic(side / 2) && !is_smooth(surfaces.sides[side]))
             return false;
     return std::ranges::none_of(surfaces.partitions, [&](const Partition& line) {
-        return line.axis == axis || !line.gaps.empty() || is_bath(line.behaviour);
+        return line.axis == axis || !line.gaps.empty() || !is_smooth(line.behaviour);
     });
 }
 

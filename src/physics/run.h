@@ -1,17 +1,23 @@
-// The run: what happens to the gas in the course of time, as plain values. reversal_times() may be
-// called from any thread.
+// The run: what happens to the gas in the course of time, as plain values, and what several parts
+// of the program ask about its events. Every question is answered for each alternative by a visit
+// without a generic function, so that a new alternative does not compile until all of them are;
+// questions of one place are visited there. Which alternative an event is, is asked only here. All
+// functions may be called from any thread.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "physics/gas.h"
 #include "physics/surface.h"
+#include "util/overloaded.h"
 
 namespace carom {
 
@@ -60,14 +66,100 @@ struct Heat {
                                                  ///< resulting temperature
 };
 
+/// What happens at an event.
+using RunAction = std::variant<ReverseVelocities, Perturbation, SetOpen, MoveSurface, HoldPiston,
+                               ReleasePiston, ChangeSurface, Heat>;
+
 struct RunEvent {
     double at = 0.0;  ///< simulated time
-    std::variant<ReverseVelocities, Perturbation, SetOpen, MoveSurface, HoldPiston, ReleasePiston,
-                 ChangeSurface, Heat>
-        action;
+    RunAction action;
     bool is_mirrored = true;  ///< if the event happens at t and velocities are reversed at r, it is
                               ///< undone at 2 r - t; only for events that can be undone
 };
+
+/// Whether it reverses all velocities.
+inline bool reverses(const RunEvent& event) {
+    return std::visit(
+        Overloaded{[](const ReverseVelocities&) { return true; },
+                   [](const Perturbation&) { return false; }, [](const SetOpen&) { return false; },
+                   [](const MoveSurface&) { return false; },
+                   [](const HoldPiston&) { return false; },
+                   [](const ReleasePiston&) { return false; },
+                   [](const ChangeSurface&) { return false; }, [](const Heat&) { return false; }},
+        event.action);
+}
+
+/// Whether it changes energies directly, not by surfaces.
+inline bool heats(const RunEvent& event) {
+    return std::visit(
+        Overloaded{[](const ReverseVelocities&) { return false; },
+                   [](const Perturbation&) { return false; }, [](const SetOpen&) { return false; },
+                   [](const MoveSurface&) { return false; },
+                   [](const HoldPiston&) { return false; },
+                   [](const ReleasePiston&) { return false; },
+                   [](const ChangeSurface&) { return false; }, [](const Heat&) { return true; }},
+        event.action);
+}
+
+/// The surface on which it acts; none for other events.
+inline std::optional<std::int32_t> surface_of(const RunEvent& event) {
+    using Surface = std::optional<std::int32_t>;
+    return std::visit(Overloaded{[](const ReverseVelocities&) { return Surface(); },
+                                 [](const Perturbation&) { return Surface(); },
+                                 [](const SetOpen& its) { return Surface(its.surface); },
+                                 [](const MoveSurface& its) { return Surface(its.surface); },
+                                 [](const HoldPiston& its) { return Surface(its.surface); },
+                                 [](const ReleasePiston& its) { return Surface(its.surface); },
+                                 [](const ChangeSurface& its) { return Surface(its.surface); },
+                                 [](const Heat&) { return Surface(); }},
+                      event.action);
+}
+
+/// The surface to which it gives another behaviour, and that; none for other events.
+inline std::optional<std::pair<std::int32_t, Behaviour>> given_behaviour(const RunEvent& event) {
+    using Given = std::optional<std::pair<std::int32_t, Behaviour>>;
+    return std::visit(Overloaded{[](const ReverseVelocities&) { return Given(); },
+                                 [](const Perturbation&) { return Given(); },
+                                 [](const SetOpen&) { return Given(); },
+                                 [](const MoveSurface& its) {
+                                     return Given({its.surface, Driven{its.velocity}});
+                                 },
+                                 [](const HoldPiston&) { return Given(); },
+                                 [](const ReleasePiston&) { return Given(); },
+                                 [](const ChangeSurface& its) {
+                                     return Given({its.surface, its.behaviour});
+                                 },
+                                 [](const Heat&) { return Given(); }},
+                      event.action);
+}
+
+// The values of one alternative, for what only this one has; null for all others.
+inline const Perturbation* perturbation_of(const RunEvent& event) {
+    return std::get_if<Perturbation>(&event.action);
+}
+inline const SetOpen* opening_of(const RunEvent& event) {
+    return std::get_if<SetOpen>(&event.action);
+}
+
+/// Whether it does more than reverse velocities or displace particles: acts on a surface or heats.
+inline bool acts_on_box(const RunEvent& event) {
+    return std::visit(
+        Overloaded{[](const ReverseVelocities&) { return false; },
+                   [](const Perturbation&) { return false; }, [](const SetOpen&) { return true; },
+                   [](const MoveSurface&) { return true; }, [](const HoldPiston&) { return true; },
+                   [](const ReleasePiston&) { return true; },
+                   [](const ChangeSurface&) { return true; }, [](const Heat&) { return true; }},
+        event.action);
+}
+inline bool act_on_box(const std::vector<RunEvent>& events) {
+    return std::ranges::any_of(events, acts_on_box);
+}
+
+/// Whether any event gives a surface another behaviour.
+inline bool change_behaviours(const std::vector<RunEvent>& events) {
+    return std::ranges::any_of(
+        events, [](const RunEvent& event) { return given_behaviour(event).has_value(); });
+}
 
 /// Significand bits that a run may calculate with: those of a double, or from the least to the most
 /// of multiprecision.
@@ -99,21 +191,27 @@ inline std::int64_t collision_ceiling(const Run& run, std::int64_t particles) {
     return run.most_collisions.value_or(std::max(least, for_each_particle * particles));
 }
 
-/// Whether any event does more than reverse velocities or displace particles, that is, acts on
-/// surfaces or heats the gas.
-inline bool acts_on_box(const std::vector<RunEvent>& events) {
-    return std::ranges::any_of(events, [](const RunEvent& event) {
-        return !std::holds_alternative<ReverseVelocities>(event.action) &&
-               !std::holds_alternative<Perturbation>(event.action);
-    });
-}
-
 /// The times at which velocities are reversed, in ascending order.
 inline std::vector<double> reversal_times(const Run& run) {
     std::vector<double> times;
     for (const RunEvent& event : run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action)) times.push_back(event.at);
+        if (reverses(event)) times.push_back(event.at);
     return times;
+}
+
+/// All behaviours that each side and partition has in the course of the run: at the start and after
+/// its events.
+inline std::vector<std::vector<Behaviour>> behaviours_in_time(const Surfaces& surfaces,
+                                                              const Run& run) {
+    std::vector<std::vector<Behaviour>> all;
+    for (const Behaviour& side : surfaces.sides) all.push_back({side});
+    for (const Partition& partition : surfaces.partitions) all.push_back({partition.behaviour});
+    for (const RunEvent& event : run.events) {
+        const auto given = given_behaviour(event);
+        const auto k = given ? static_cast<std::size_t>(given->first) : all.size();
+        if (k < all.size()) all[k].push_back(given->second);
+    }
+    return all;
 }
 
 }  // namespace carom

@@ -21,6 +21,7 @@
 #include "physics/surfaces/surface_events.h"
 #include "physics/ways_back.h"
 #include "util/fingerprint.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -31,10 +32,6 @@ using Loop = std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventL
 
 // With fewer particles per change than this, looking at all particles takes less time.
 constexpr std::size_t particles_a_change = 2;
-
-bool reverses(const RunEvent& event) {
-    return std::holds_alternative<ReverseVelocities>(event.action);
-}
 
 }  // namespace
 
@@ -90,8 +87,7 @@ struct Simulation::Implementation {
         const std::int64_t most = collision_ceiling(run, particles.count());
         if (run.time_step)
             return Loop(std::in_place_type<FixedStepLoop>, box, particles, *run.time_step, most);
-        const bool is_plain =
-            box.surfaces.are_plain() && std::ranges::none_of(run.events, needs_surfaces);
+        const bool is_plain = box.surfaces.are_plain() && !act_on_box(run.events);
         if (bits > bits_of_double)
             return is_plain ? loop_in<Real, false>(box, particles, bits, most)
                             : loop_in<Real, true>(box, particles, bits, most);
@@ -174,6 +170,7 @@ struct Simulation::Implementation {
     // For an accurate return the reversal takes place exactly at its time, and all predictions are
     // made again.
     void reverse(std::size_t event) {
+        velocities.give_up();
         const auto one_way = with_loop([](const auto& its) -> std::optional<double> {
             if constexpr (requires { its.one_way(); })
                 return its.one_way();
@@ -209,27 +206,23 @@ struct Simulation::Implementation {
     }
 
     void apply(std::size_t event) {
-        const auto& action = events[event].action;
-        if (const auto* its = std::get_if<Perturbation>(&action)) return perturb(event, *its);
-        velocities.give_up();
-        if (std::holds_alternative<ReverseVelocities>(action))
-            reverse(event);
-        else
-            change(event);
+        std::visit(Overloaded{[&](const ReverseVelocities&) { reverse(event); },
+                              [&](const Perturbation& its) { perturb(event, its); },
+                              [&](const SetOpen& its) { change(event, its); },
+                              [&](const MoveSurface& its) { change(event, its); },
+                              [&](const HoldPiston& its) { change(event, its); },
+                              [&](const ReleasePiston& its) { change(event, its); },
+                              [&](const ChangeSurface& its) { change(event, its); },
+                              [&](const Heat& its) { heat(event, its); }},
+                   events[event].action);
     }
 
-    void change(std::size_t event) {
-        const auto& action = events[event].action;
-        const bool is_mirrored = events[event].is_mirrored;
+    void change(std::size_t event, const SurfaceAction& action) {
+        velocities.give_up();
         std::optional<std::int32_t> in_the_way;
-        bool is_done = true;
         with_loop([&](auto& its) {
-            if constexpr (requires { its.heat(Heat{}, true, 0.0); }) {
-                if (const auto* heat = std::get_if<Heat>(&action))
-                    is_done = its.heat(*heat, is_mirrored, present.time);
-                else
-                    in_the_way = its.change(surface_action(action), is_mirrored, present.time);
-            }
+            if constexpr (requires { its.change(action, true, 0.0); })
+                in_the_way = its.change(action, events[event].is_mirrored, present.time);
         });
         sampled = false;
         if (in_the_way)
@@ -239,6 +232,16 @@ struct Simulation::Implementation {
                             "way",
                             present.time, *in_the_way),
                 "close it a little earlier or later");
+    }
+
+    void heat(std::size_t event, const Heat& heat) {
+        velocities.give_up();
+        bool is_done = true;
+        with_loop([&](auto& its) {
+            if constexpr (requires { its.heat(heat, true, 0.0); })
+                is_done = its.heat(heat, events[event].is_mirrored, present.time);
+        });
+        sampled = false;
         if (!is_done)
             throw RunEventError(
                 event,

@@ -13,7 +13,6 @@
 #include "physics/placement/overlap.h"
 #include "physics/placement/placed_disks.h"
 #include "physics/surfaces/barrier.h"
-#include "physics/surfaces/surface_events.h"
 #include "physics/surfaces/surface_problem.h"
 #include "physics/time_step.h"
 
@@ -46,13 +45,6 @@ bool is_number(const std::string& text) {
     return !text.empty() && *end == '\0' && std::isfinite(value);
 }
 
-// Whether the event changes a surface rather than velocities or positions.
-bool changes_surface(const RunEvent& event) {
-    return std::visit(
-        [](const auto& its) { return std::is_constructible_v<SurfaceAction, decltype(its)>; },
-        event.action);
-}
-
 bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Sample& start) {
     const std::vector<Barrier> barriers = barriers_of(box, box.size.maxCoeff());
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
@@ -79,12 +71,10 @@ void check_events(const std::vector<RunEvent>& events, double present, Eigen::In
         require(event.at >= before && std::isfinite(event.at),
                 "events lie ahead, in order of their times");
         before = event.at;
-        if (changes_surface(event)) {
-            const std::int32_t surface = surface_of(surface_action(event.action));
-            require(surface >= 0 && surface < box.surfaces.first_obstacle(),
+        if (const auto surface = surface_of(event))
+            require(*surface >= 0 && *surface < box.surfaces.first_obstacle(),
                     "an event changes a side or a partition of the box");
-        }
-        const auto* perturbation = std::get_if<Perturbation>(&event.action);
+        const auto* perturbation = perturbation_of(event);
         if (perturbation == nullptr) continue;
         require(perturbation->particle >= 0 && perturbation->particle < particles,
                 "a perturbation is of a particle of the gas");
@@ -103,10 +93,6 @@ void check_surfaces(const Box& box, const Particles& particles, const Sample& st
     check_surfaces(box, run);
     require(box.surfaces.are_plain() || is_clear_of_surfaces(box, particles, start),
             "particles lie clear of all surfaces");
-}
-
-bool needs_surfaces(const RunEvent& event) {
-    return changes_surface(event) || std::holds_alternative<Heat>(event.action);
 }
 
 int check_run(const Run& run, Eigen::Index particles, const Box& box) {

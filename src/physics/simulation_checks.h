@@ -31,7 +31,4 @@ int check_run(const Run& run, Eigen::Index particles, const Box& box);
 void check_events(const std::vector<RunEvent>& events, double present, Eigen::Index particles,
                   const Box& box);
 
-/// Whether an event requires the event loop for boxes with surfaces.
-bool needs_surfaces(const RunEvent& event);
-
 }  // namespace carom

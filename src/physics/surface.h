@@ -9,70 +9,15 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "physics/surfaces/behaviours.h"
+
 namespace carom {
-
-/// Reflects specularly: reverses the normal component of the velocity.
-struct Reflecting {};
-
-/// A heat bath. A particle leaves it as if it came from a gas of this temperature: the normal
-/// velocity v has the distribution of the flux, (v m / T) exp(-m v^2 / 2T); the tangential velocity
-/// is normally distributed.
-struct Bath {
-    double temperature = 1.0;
-};
-
-/// Moves along its normal at a prescribed velocity, unaffected by collisions; from `until` on it
-/// stands still.
-struct Driven {
-    double velocity = 0.0;
-    double until = std::numeric_limits<double>::infinity();
-
-    double velocity_at(double time) const { return time < until ? velocity : 0.0; }
-};
-
-/// Moves freely along its normal, driven by particle impacts and a constant force.
-struct Piston {
-    double mass = 1.0;
-    double force = 0.0;     ///< signed, along x or y
-    double velocity = 0.0;  ///< at the start
-
-    /// The total constant force on the piston, if gravity has the component `gravity` along its
-    /// normal.
-    double force_in(double gravity) const { return force + mass * gravity; }
-    double kinetic_energy(double its_velocity) const {
-        return 0.5 * mass * its_velocity * its_velocity;
-    }
-    /// Potential energy in the constant forces on the piston.
-    double potential_energy(double place, double gravity) const {
-        return -force_in(gravity) * place;
-    }
-};
-
-/// Lets particles through or reflects them. Particles of the listed species always pass; others
-/// pass in a given direction if their speed lies between the two bounds for that direction.
-struct Membrane {
-    struct Speeds {
-        double faster_than = std::numeric_limits<double>::infinity();
-        double slower_than = std::numeric_limits<double>::infinity();
-        bool admits(double speed) const { return speed > faster_than && speed < slower_than; }
-        bool admits_some() const { return faster_than < slower_than; }
-    };
-    std::vector<std::int32_t> species = {};  ///< indices into Gas::species
-    Speeds upward = {};                      ///< for particles that move towards larger x or y
-    Speeds downward = {};
-
-    /// Whether it selects particles by speed, like Maxwell's demon.
-    bool is_demon() const { return upward.admits_some() || downward.admits_some(); }
-};
-
-using Behaviour = std::variant<Reflecting, Bath, Driven, Piston, Membrane>;
 
 /// A straight line across the box, perpendicular to an axis. It has two sides and no thickness.
 struct Partition {
@@ -145,10 +90,7 @@ struct Surfaces {
     }
 
     /// Whether all sides only reflect.
-    bool sides_reflect() const {
-        return std::ranges::all_of(
-            sides, [](const Behaviour& side) { return std::holds_alternative<Reflecting>(side); });
-    }
+    bool sides_reflect() const { return std::ranges::all_of(sides, only_reflects); }
     bool has_gravity() const { return (gravity != 0.0).any(); }
     /// Whether the box has only reflecting sides: no partitions, no obstacles and no gravity.
     bool are_plain() const {

@@ -14,7 +14,7 @@ std::optional<ProblemText> time_step_problem(const Box& box, const Run& run) {
     if (run.bits != bits_of_double)
         return ProblemText{"time steps are calculated in double precision",
                            "leave out `precision`, or the time step"};
-    if (acts_on_box(run.events) || !box.surfaces.are_plain())
+    if (act_on_box(run.events) || !box.surfaces.are_plain())
         return ProblemText{
             "with a time step there are only walls that reflect, without gravity and obstacles",
             "leave it out"};

@@ -74,13 +74,13 @@ class Walk {
 std::vector<WayBack> ways_back(const std::vector<RunEvent>& events) {
     Walk walk;
     for (std::size_t k = 0; k < events.size(); ++k) {
-        const auto& [at, action, is_mirrored] = events[k];
-        if (std::holds_alternative<Perturbation>(action)) continue;
-        walk.advance(at);
-        if (std::holds_alternative<ReverseVelocities>(action))
+        const RunEvent& event = events[k];
+        if (perturbation_of(event)) continue;
+        walk.advance(event.at);
+        if (reverses(event))
             walk.reverse();
         else
-            walk.see(k, is_mirrored);
+            walk.see(k, event.is_mirrored);
     }
     walk.advance(infinite);
     return std::move(walk).found();

@@ -17,11 +17,9 @@ constexpr const char* hint_for_walks =
 // Whether nothing acts on the particles but collisions, walls at rest and reversals.
 bool keeps_energy(const Scene& scene) {
     const Surfaces& surfaces = scene.gas.box.surfaces;
-    const auto reflects = [](const Partition& one) {
-        return std::holds_alternative<Reflecting>(one.behaviour);
-    };
-    return surfaces.sides_reflect() && std::ranges::all_of(surfaces.partitions, reflects) &&
-           !surfaces.has_gravity() && !acts_on_box(scene.run.events);
+    return surfaces.sides_reflect() &&
+           std::ranges::all_of(surfaces.partitions, only_reflects, &Partition::behaviour) &&
+           !surfaces.has_gravity() && !act_on_box(scene.run.events);
 }
 
 }  // namespace

@@ -243,8 +243,8 @@ class EventLoop {
     Participant participant_of(std::int32_t i);
     Participant surface_participant(const ClosedContact& contact);
     Rounds rounds_of(const std::vector<ClosedContact>& contacts);
-    bool is_tie(const ContactRounds<Scalar>& rounds, bool is_bath) const;
-    bool settle_instant(std::int32_t i, std::int32_t j, bool is_bath, Collision* collision);
+    bool is_tie(const ContactRounds<Scalar>& rounds, bool is_random) const;
+    bool settle_instant(std::int32_t i, std::int32_t j, bool is_random, Collision* collision);
     void count_tie(std::size_t contacts);
     void set_velocity(std::int32_t i, const std::array<Scalar, 2>& before,
                       const std::array<Scalar, 2>& after);

@@ -98,27 +98,28 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::rounds_of(
 // have just been carried out.
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::is_tie(const ContactRounds<Scalar>& rounds,
-                                                        bool is_bath) const {
+                                                        bool is_random) const {
     const std::size_t count = rounds.contacts().size();
     std::size_t approaching = 0, receding = 0;
     for (std::size_t c = 0; c < count; ++c) {
         approaching += rounds.approaches(c) ? 1 : 0;
         receding += rounds.recedes(c) ? 1 : 0;
     }
-    return approaching > 1 || (approaching == 1 && (receding + 1 < count || is_bath));
+    return approaching > 1 || (approaching == 1 && (receding + 1 < count || is_random));
 }
 
 // Carries out all contacts of this instant that are connected with the event of body i, with or
 // without a partner j, except those with baths. Returns false, and changes nothing, if there is
-// only one: the event is then an ordinary collision. `is_bath`: the event is a contact with a bath.
+// only one: the event is then an ordinary collision. `is_random`: the event is a contact
+// with a surface that particles leave in random directions.
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::settle_instant(std::int32_t i, std::int32_t j,
-                                                                bool is_bath,
+                                                                bool is_random,
                                                                 Collision* collision) {
     const std::vector<ClosedContact> contacts = closed_contacts_around(i, j);
-    if (contacts.size() < (is_bath ? 1 : 2)) return false;
+    if (contacts.size() < (is_random ? 1 : 2)) return false;
     Rounds found = rounds_of(contacts);
-    if (!is_tie(found.rounds, is_bath)) return false;
+    if (!is_tie(found.rounds, is_random)) return false;
     const std::vector<Participant> start = found.rounds.participants();
     if (!found.rounds.run()) refuse_endless(i);
     if (found.rounds.hits().size() > 1 && !one_way_ && !found.rounds.lead_back_to(start))

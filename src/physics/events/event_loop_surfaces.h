@@ -93,7 +93,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
         if (surfaces.changes_of(barrier) == event.partner_collisions) {
             const auto time = static_cast<double>(now_);
             if (may_coincide(i, i, time)) [[unlikely]]
-                if (settle_instant(i, i, surfaces.is_bath(barrier), collision)) return true;
+                if (settle_instant(i, i, surfaces.is_random(barrier), collision)) return true;
             advance_body(b, now_);
             const auto before = b.v;
             const auto surface_before = surfaces.velocity_of(barrier, now_);
@@ -153,7 +153,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::stop_later(std::int32_t surface
             return change != nullptr && change->is_pending && change->surface == surface;
         });
         const auto moving = geometry_.surfaces().control(surface, now_);
-        const auto* driven = std::get_if<Driven>(&moving.behaviour);
+        const auto* driven = driven_of(moving.behaviour);
         if (driven == nullptr || !std::isfinite(driven->until)) return;
         auto still = moving;
         still.velocity = 0.0;
@@ -176,9 +176,8 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
         const auto after = control_after(before, action, time);
         surfaces.set_control(surface, after, now_);
         // Disks that the surface has let through may still overlap it.
-        const bool opens = std::holds_alternative<SetOpen>(action);
-        const bool let_through =
-            before.is_open || (!opens && std::holds_alternative<Membrane>(before.behaviour));
+        const bool opens = sets_opening(action);
+        const bool let_through = before.is_open || (!opens && membrane_of(before.behaviour));
         if (const auto one = let_through && !after.is_open ? first_in(surface) : std::nullopt) {
             surfaces.set_control(surface, before, now_);
             return one;

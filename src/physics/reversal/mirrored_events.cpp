@@ -1,6 +1,7 @@
 #include "physics/reversal/mirrored_events.h"
 
 #include "physics/surfaces/mirrored_schedule.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -15,19 +16,25 @@ void invert(EventOnWay& its) { its.is_undone = !its.is_undone; }
 }  // namespace
 
 std::optional<RunEvent> opposite_of(const RunEvent& event) {
-    RunEvent opposite = event;
-    if (auto* set = std::get_if<SetOpen>(&opposite.action))
-        set->is_open = !set->is_open;
-    else if (const auto* hold = std::get_if<HoldPiston>(&event.action))
-        opposite.action = ReleasePiston{hold->surface};
-    else if (const auto* release = std::get_if<ReleasePiston>(&event.action))
-        opposite.action = HoldPiston{release->surface};
-    else if (auto* heat = std::get_if<Heat>(&opposite.action);
-             heat != nullptr && std::holds_alternative<double>(heat->amount))
-        heat->amount = -std::get<double>(heat->amount);
-    else
-        return {};
-    return opposite;
+    using Opposite = std::optional<RunEvent>;
+    const auto with = [&](const RunAction& action) {
+        return Opposite({event.at, action, event.is_mirrored});
+    };
+    return std::visit(
+        Overloaded{[](const ReverseVelocities&) { return Opposite(); },
+                   [](const Perturbation&) { return Opposite(); },
+                   [&](const SetOpen& its) {
+                       return with(SetOpen{its.surface, !its.is_open});
+                   },
+                   [](const MoveSurface&) { return Opposite(); },
+                   [&](const HoldPiston& its) { return with(ReleasePiston{its.surface}); },
+                   [&](const ReleasePiston& its) { return with(HoldPiston{its.surface}); },
+                   [](const ChangeSurface&) { return Opposite(); },
+                   [&](const Heat& its) {
+                       const double* energy = std::get_if<double>(&its.amount);
+                       return energy != nullptr ? with(Heat{its.species, -*energy}) : Opposite();
+                   }},
+        event.action);
 }
 
 std::vector<MirroredEvent> mirrored_events(const Run& run) {
@@ -41,12 +48,12 @@ std::vector<MirroredEvent> mirrored_events(const Run& run) {
         }
     };
     for (std::size_t k = 0; k < run.events.size(); ++k) {
-        const auto& [at, action, is_mirrored] = run.events[k];
-        go_to(at);
-        if (std::holds_alternative<ReverseVelocities>(action))
-            schedule.reverse(at);
-        else if (is_mirrored && !std::holds_alternative<Perturbation>(action))
-            schedule.add_behind({at, {k, false}});
+        const RunEvent& event = run.events[k];
+        go_to(event.at);
+        if (reverses(event))
+            schedule.reverse(event.at);
+        else if (event.is_mirrored && acts_on_box(event))
+            schedule.add_behind({event.at, {k, false}});
     }
     go_to(run.until);
     return mirrored;

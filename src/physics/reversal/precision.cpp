@@ -33,12 +33,10 @@ Run in_bits(Run run, int bits) {
     return run;
 }
 
-bool is_perturbation(const RunEvent& event) {
-    return std::holds_alternative<Perturbation>(event.action);
-}
+bool is_perturbation(const RunEvent& event) { return perturbation_of(event) != nullptr; }
 
 bool closes(const RunEvent& event) {
-    const auto* set = std::get_if<SetOpen>(&event.action);
+    const auto* set = opening_of(event);
     return set != nullptr && !set->is_open;
 }
 
@@ -143,9 +141,7 @@ class ReturnTrial {
         first_event_ = next_event_;
         const auto from = all.begin() + static_cast<std::ptrdiff_t>(first_event_);
         const auto begin = has_begun_ && from != all.end() ? from + 1 : from;
-        const auto end = std::find_if(begin, all.end(), [](const RunEvent& event) {
-            return std::holds_alternative<ReverseVelocities>(event.action);
-        });
+        const auto end = std::find_if(begin, all.end(), reverses);
         next_event_ = static_cast<std::size_t>(end - all.begin());
         has_begun_ = true;
         return {from, end};
@@ -342,7 +338,7 @@ Simulation start_run(const Gas& gas, const Run& run, const TrialCallback& on_pro
     int bits = run.bits.value_or(bits_of_double);
     if (!run.bits) {
         for (const RunEvent& event : run.events)
-            if (const auto* perturbation = std::get_if<Perturbation>(&event.action))
+            if (const auto* perturbation = perturbation_of(event))
                 bits = std::max(bits, bits_for(*perturbation, gas.box.size.maxCoeff()));
         const ReversalSchedule schedule(run);
         if (!schedule.mirror_times().empty()) {

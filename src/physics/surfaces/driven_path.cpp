@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/surfaces/barrier.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -21,7 +22,15 @@ struct Path {
     Behaviour behaviour;
     bool is_open = false;
 
-    bool is_known() const { return !is_open && !std::holds_alternative<Piston>(behaviour); }
+    // Not that of a piston.
+    bool is_known() const {
+        const bool is_free = std::visit(
+            Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return false; },
+                       [](const Driven&) { return false; }, [](const Piston&) { return true; },
+                       [](const Membrane&) { return false; }},
+            behaviour);
+        return !is_open && !is_free;
+    }
 
     // An open partition passes the others; its motion ends at the walls of the box.
     bool ends_at(const Path& other, double time) const {
@@ -29,7 +38,7 @@ struct Path {
                other.is_known();
     }
     double velocity_at(double time) const {
-        const auto* driven = std::get_if<Driven>(&behaviour);
+        const auto* driven = driven_of(behaviour);
         return driven != nullptr ? driven->velocity_at(time) : 0.0;
     }
 };
@@ -52,7 +61,7 @@ class Paths {
         while (now_ < time) {
             double next = time;
             for (const Path& path : paths_)
-                if (const auto* driven = std::get_if<Driven>(&path.behaviour))
+                if (const auto* driven = driven_of(path.behaviour))
                     if (driven->until > now_) next = std::min(next, driven->until);
             if (const auto end = first_end(next)) return end;
             for (Path& path : paths_) path.place += path.velocity_at(now_) * (next - now_);
@@ -62,12 +71,10 @@ class Paths {
     }
 
     void apply(const RunEvent& event) {
-        if (const auto* set = std::get_if<SetOpen>(&event.action))
+        if (const auto* set = opening_of(event))
             if (Path* path = find(set->surface)) path->is_open = set->is_open;
-        if (const auto* move = std::get_if<MoveSurface>(&event.action))
-            if (Path* path = find(move->surface)) path->behaviour = Driven{move->velocity};
-        if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-            if (Path* path = find(change->surface)) path->behaviour = change->behaviour;
+        if (const auto given = given_behaviour(event))
+            if (Path* path = find(given->first)) path->behaviour = given->second;
     }
 
   private:
@@ -126,7 +133,7 @@ std::optional<DrivenEnd> driven_end(const Box& box, const Run& run, double area)
     Paths paths(box, area);
     for (const RunEvent& event : run.events) {
         if (const auto end = paths.advance(std::min(event.at, run.until))) return end;
-        if (std::holds_alternative<ReverseVelocities>(event.action)) return std::nullopt;
+        if (reverses(event)) return std::nullopt;
         paths.apply(event);
     }
     return paths.advance(run.until);

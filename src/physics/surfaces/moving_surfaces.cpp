@@ -40,10 +40,7 @@ MovingSurfaces<Scalar>::MovingSurfaces(const Box& box, double reach,
         mover.axis = static_cast<std::size_t>(surfaces.axis_of(k));
         mover.place = box.place_of(k);
         is_open_[k] = line != nullptr && line->is_open;
-        double velocity = 0.0;
-        if (const auto* driven = std::get_if<Driven>(&behaviours_[k])) velocity = driven->velocity;
-        if (const auto* piston = std::get_if<Piston>(&behaviours_[k])) velocity = piston->velocity;
-        set_motion(k, velocity);
+        set_motion(k, velocity_from(behaviours_[k], 0.0));
         mover.changes = 0;
     }
 }
@@ -62,7 +59,7 @@ bool MovingSurfaces<Scalar>::is_there(const Barrier& barrier) const {
 
 template <typename Scalar>
 bool MovingSurfaces<Scalar>::lets_pass(const Barrier& barrier, std::int32_t species) const {
-    const auto* membrane = std::get_if<Membrane>(&at(behaviours_, barrier.surface));
+    const auto* membrane = membrane_of(at(behaviours_, barrier.surface));
     return membrane != nullptr &&
            std::ranges::find(membrane->species, species) != membrane->species.end();
 }
@@ -242,7 +239,7 @@ void MovingSurfaces<Scalar>::set_control(std::int32_t surface,
 // Kinetic energy, and potential energy in the constant forces on the piston.
 template <typename Scalar>
 double MovingSurfaces<Scalar>::energy_of_piston(std::size_t k) const {
-    const auto* piston = std::get_if<Piston>(&behaviours_[k]);
+    const auto* piston = piston_of(behaviours_[k]);
     if (piston == nullptr) return 0.0;
     const Mover<Scalar>& mover = movers_[k];
     const double pull = box_.surfaces.gravity[static_cast<Eigen::Index>(mover.axis)];
@@ -254,15 +251,15 @@ double MovingSurfaces<Scalar>::energy_of_piston(std::size_t k) const {
 template <typename Scalar>
 void MovingSurfaces<Scalar>::set_motion(std::size_t k, const Scalar& velocity) {
     Mover<Scalar>& mover = movers_[k];
-    const auto* piston = std::get_if<Piston>(&behaviours_[k]);
+    const auto* piston = piston_of(behaviours_[k]);
     const bool is_free = piston != nullptr && !is_held_[k];
     const auto axis = static_cast<Eigen::Index>(mover.axis);
     mover.inverse_mass = is_free ? 1.0 / piston->mass : 0.0;
     mover.acceleration =
         is_free ? piston->force * mover.inverse_mass + box_.surfaces.gravity[axis] : 0.0;
-    const bool is_driven = std::holds_alternative<Driven>(behaviours_[k]);
-    mover.velocity = is_free || is_driven ? velocity : Scalar(0.0);
-    mover.is_mobile = mover.is_mobile || piston != nullptr || is_driven;
+    const bool stands_still = is_held_[k] || !moves(behaviours_[k]);
+    mover.velocity = stands_still ? Scalar(0.0) : velocity;
+    mover.is_mobile = mover.is_mobile || moves(behaviours_[k]);
     ++mover.changes;
 }
 

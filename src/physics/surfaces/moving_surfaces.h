@@ -53,8 +53,9 @@ class MovingSurfaces {
         const auto* mover = mover_of(barrier);
         return mover != nullptr && mover->inverse_mass > 0.0;
     }
-    bool is_bath(const Barrier& barrier) const {
-        return std::holds_alternative<Bath>(behaviours_[static_cast<std::size_t>(barrier.surface)]);
+    /// Whether particles leave it in random directions.
+    bool is_random(const Barrier& barrier) const {
+        return carom::is_random(behaviours_[static_cast<std::size_t>(barrier.surface)]);
     }
     /// The axis along which its surface can move.
     std::size_t axis_of(const Barrier& barrier) const {

@@ -2,12 +2,11 @@
 // on.
 #pragma once
 
-#include <stdexcept>
-#include <type_traits>
 #include <variant>
 
 #include "physics/run.h"
 #include "physics/surfaces/surface_set.h"
+#include "util/overloaded.h"
 
 namespace carom {
 
@@ -17,15 +16,13 @@ inline std::int32_t surface_of(const SurfaceAction& action) {
     return std::visit([](const auto& its) { return its.surface; }, action);
 }
 
-/// Throws std::logic_error if this event does not change a surface.
-inline SurfaceAction surface_action(const decltype(RunEvent::action)& action) {
+/// Whether it opens or closes the surface; all others change how it acts or moves.
+inline bool sets_opening(const SurfaceAction& action) {
     return std::visit(
-        [](const auto& its) -> SurfaceAction {
-            if constexpr (std::is_constructible_v<SurfaceAction, decltype(its)>)
-                return its;
-            else
-                throw std::logic_error("this event does not change a surface");
-        },
+        Overloaded{[](const SetOpen&) { return true; }, [](const MoveSurface&) { return false; },
+                   [](const HoldPiston&) { return false; },
+                   [](const ReleasePiston&) { return false; },
+                   [](const ChangeSurface&) { return false; }},
         action);
 }
 
@@ -33,21 +30,23 @@ inline SurfaceAction surface_action(const decltype(RunEvent::action)& action) {
 template <typename Scalar>
 SurfaceControl<Scalar> control_after(SurfaceControl<Scalar> control, const SurfaceAction& action,
                                      double time) {
-    if (const auto* its = std::get_if<SetOpen>(&action)) {
-        control.is_open = its->is_open;
-    } else if (const auto* moved = std::get_if<MoveSurface>(&action)) {
-        control.behaviour = Driven{.velocity = moved->velocity};
-        control.velocity = moved->velocity;
-    } else if (const auto* changed = std::get_if<ChangeSurface>(&action)) {
-        control = {.behaviour = changed->behaviour, .is_open = control.is_open};
-        if (const auto* driven = std::get_if<Driven>(&changed->behaviour))
-            control.velocity = driven->velocity_at(time);
-        if (const auto* piston = std::get_if<Piston>(&changed->behaviour))
-            control.velocity = piston->velocity;
-    } else {
-        control.is_held = std::holds_alternative<HoldPiston>(action);
+    const auto hold = [&](bool is_held) {
+        control.is_held = is_held;
         control.velocity = 0.0;
-    }
+    };
+    std::visit(Overloaded{[&](const SetOpen& its) { control.is_open = its.is_open; },
+                          [&](const MoveSurface& its) {
+                              control.behaviour = Driven{.velocity = its.velocity};
+                              control.velocity = its.velocity;
+                          },
+                          [&](const HoldPiston&) { hold(true); },
+                          [&](const ReleasePiston&) { hold(false); },
+                          [&](const ChangeSurface& its) {
+                              control = {.behaviour = its.behaviour,
+                                         .is_open = control.is_open,
+                                         .velocity = velocity_from(its.behaviour, time)};
+                          }},
+               action);
     return control;
 }
 

@@ -9,6 +9,7 @@
 #include "physics/surfaces/behaviours.h"
 #include "physics/surfaces/driven_path.h"
 #include "physics/surfaces/surface_error.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -17,13 +18,29 @@ using Kind = SurfaceProblem::Kind;
 
 bool is_finite(const Behaviour& behaviour) {
     const auto finite = [](auto... values) { return (std::isfinite(values) && ...); };
-    if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return bath->temperature > 0.0 && finite(bath->temperature);
-    if (const auto* driven = std::get_if<Driven>(&behaviour))
-        return finite(driven->velocity) && driven->until >= 0.0;
-    if (const auto* piston = std::get_if<Piston>(&behaviour))
-        return piston->mass > 0.0 && finite(piston->mass, piston->force, piston->velocity);
-    return true;
+    return std::visit(
+        Overloaded{
+            [](const Reflecting&) { return true; },
+            [&](const Bath& its) { return its.temperature > 0.0 && finite(its.temperature); },
+            [&](const Driven& its) { return finite(its.velocity) && its.until >= 0.0; },
+            [&](const Piston& its) {
+                return its.mass > 0.0 && finite(its.mass, its.force, its.velocity);
+            },
+            [](const Membrane&) { return true; }},
+        behaviour);
+}
+
+// The reason why a reversal cannot undo what it does, if it acts irreversibly.
+std::optional<Kind> lost_memory(const Behaviour& behaviour) {
+    using Lost = std::optional<Kind>;
+    return std::visit(
+        Overloaded{[](const Reflecting&) { return Lost(); },
+                   [](const Bath&) { return Lost(Kind::forgets_heat); },
+                   [](const Driven&) { return Lost(); }, [](const Piston&) { return Lost(); },
+                   [](const Membrane& its) {
+                       return its.is_demon() ? Lost(Kind::forgets_passing) : Lost();
+                   }},
+        behaviour);
 }
 
 bool is_finite(const Obstacle& obstacle) {
@@ -73,23 +90,23 @@ class Search {
         for (std::size_t k = 0; k < behaviours.size(); ++k)
             remember(static_cast<std::int32_t>(k), behaviours[k]);
         for (event_ = 0; *event_ < run.events.size(); ++*event_) {
-            const auto& action = run.events[*event_].action;
-            if (std::holds_alternative<ReverseVelocities>(action) && forgetful_)
-                add(forgetful_->kind, forgetful_->surface);
-            if (const auto* its = std::get_if<SetOpen>(&action);
-                its != nullptr && is_there(its->surface) &&
-                surfaces_.partition(its->surface) == nullptr)
-                add(Kind::not_a_partition, its->surface);
-            else if (its != nullptr && its->is_open)
-                refuse_open_piston(its->surface, behaviours, held);
-            if (const auto* its = std::get_if<MoveSurface>(&action))
-                change(its->surface, Driven{its->velocity}, behaviours, held);
-            if (const auto* its = std::get_if<ChangeSurface>(&action))
-                change(its->surface, its->behaviour, behaviours, held);
-            if (const auto* its = std::get_if<HoldPiston>(&action))
-                hold(its->surface, true, behaviours, held);
-            if (const auto* its = std::get_if<ReleasePiston>(&action))
-                hold(its->surface, false, behaviours, held);
+            std::visit(
+                Overloaded{
+                    [&](const ReverseVelocities&) {
+                        if (forgetful_) add(forgetful_->kind, forgetful_->surface);
+                    },
+                    [](const Perturbation&) {},
+                    [&](const SetOpen& its) { set_open(its, behaviours, held); },
+                    [&](const MoveSurface& its) {
+                        change(its.surface, Driven{its.velocity}, behaviours, held);
+                    },
+                    [&](const HoldPiston& its) { hold(its.surface, true, behaviours, held); },
+                    [&](const ReleasePiston& its) { hold(its.surface, false, behaviours, held); },
+                    [&](const ChangeSurface& its) {
+                        change(its.surface, its.behaviour, behaviours, held);
+                    },
+                    [](const Heat&) {}},
+                run.events[*event_].action);
         }
     }
 
@@ -98,11 +115,13 @@ class Search {
         found_.push_back({.kind = kind, .surface = surface, .item = item, .event = event_});
     }
 
-    void refuse_open_piston(std::int32_t surface, const std::vector<Behaviour>& behaviours,
-                            const std::vector<bool>& held) {
-        const auto k = static_cast<std::size_t>(surface);
-        if (k < held.size() && std::holds_alternative<Piston>(behaviours[k]) && !held[k])
-            add(Kind::open_piston, surface);
+    void set_open(const SetOpen& event, const std::vector<Behaviour>& behaviours,
+                  const std::vector<bool>& held) {
+        const auto k = static_cast<std::size_t>(event.surface);
+        if (is_there(event.surface) && surfaces_.partition(event.surface) == nullptr)
+            add(Kind::not_a_partition, event.surface);
+        else if (event.is_open && k < held.size() && piston_of(behaviours[k]) && !held[k])
+            add(Kind::open_piston, event.surface);
     }
 
     // The reason why a side or a partition cannot have this behaviour, at the start or after an
@@ -113,21 +132,18 @@ class Search {
         const Partition* partition = surfaces_.partition(surface);
         const bool is_periodic = box_.is_periodic(surfaces_.axis_of(surface));
         if (partition == nullptr) {
-            const bool only_reflects = std::holds_alternative<Reflecting>(behaviour);
-            if (is_periodic && !(from_start && only_reflects)) return Kind::no_wall;
+            if (is_periodic && !(from_start && only_reflects(behaviour))) return Kind::no_wall;
             return std::nullopt;
         }
         if (moves(behaviour) && is_periodic) return Kind::along_periodic;
-        if (std::holds_alternative<Piston>(behaviour) && !partition->gaps.empty())
-            return Kind::piston_gaps;
+        if (piston_of(behaviour) && !partition->gaps.empty()) return Kind::piston_gaps;
         return std::nullopt;
     }
 
     void look_at_line() {
         const std::vector<Behaviour> behaviours = behaviours_of(box_);
         for (std::size_t k = 0; k < behaviours.size(); ++k)
-            if (!box_.has_surface(k) &&
-                (!Surfaces::is_side(k) || !std::holds_alternative<Reflecting>(behaviours[k])))
+            if (!box_.has_surface(k) && (!Surfaces::is_side(k) || !only_reflects(behaviours[k])))
                 add(Kind::not_on_line, static_cast<std::int32_t>(k));
     }
 
@@ -144,8 +160,7 @@ class Search {
             before = to;
         }
         if (const auto kind = problem_of(surface, partition.behaviour, true)) add(*kind, surface);
-        if (partition.is_open && std::holds_alternative<Piston>(partition.behaviour))
-            add(Kind::open_piston, surface);
+        if (partition.is_open && piston_of(partition.behaviour)) add(Kind::open_piston, surface);
     }
 
     void look_at_obstacle(std::int32_t surface, const Obstacle& obstacle) {
@@ -182,17 +197,15 @@ class Search {
 
     // Remembers the first surface that acts irreversibly.
     void remember(std::int32_t surface, const Behaviour& behaviour) {
-        if (forgetful_ || !loses_memory(behaviour)) return;
-        const bool is_bath = std::holds_alternative<Bath>(behaviour);
-        forgetful_ = {.kind = is_bath ? Kind::forgets_heat : Kind::forgets_passing,
-                      .surface = surface};
+        const auto kind = lost_memory(behaviour);
+        if (kind && !forgetful_) forgetful_ = {.kind = *kind, .surface = surface};
     }
 
     void hold(std::int32_t surface, bool is_held, const std::vector<Behaviour>& behaviours,
               std::vector<bool>& held) {
         if (!is_there(surface)) return;
         const auto k = static_cast<std::size_t>(surface);
-        if (!std::holds_alternative<Piston>(behaviours[k])) return add(Kind::no_piston, surface);
+        if (!piston_of(behaviours[k])) return add(Kind::no_piston, surface);
         if (!is_held && !held[k]) return add(Kind::not_held, surface);
         held[k] = is_held;
     }
@@ -237,11 +250,6 @@ ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const
 }
 
 }  // namespace
-
-bool loses_memory(const Behaviour& behaviour) {
-    const auto* membrane = std::get_if<Membrane>(&behaviour);
-    return std::holds_alternative<Bath>(behaviour) || (membrane != nullptr && membrane->is_demon());
-}
 
 std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double area) {
     Search search(box);

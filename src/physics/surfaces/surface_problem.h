@@ -52,9 +52,6 @@ struct SurfaceProblem {
     double value = 0.0, room = 0.0;
 };
 
-/// Whether the surface acts irreversibly, so that a reversal cannot undo it.
-bool loses_memory(const Behaviour& behaviour);
-
 /// All problems of the surfaces of a box and of the events of a run that act on them. If `area`,
 /// that of all disks, is known, also whether driven walls would leave the disks no room.
 std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double area = 0.0);

@@ -10,6 +10,7 @@
 
 #include "physics/collision/contact_rule.h"
 #include "physics/surfaces/surface_error.h"
+#include "util/overloaded.h"
 #include "util/random.h"
 
 namespace carom {
@@ -226,7 +227,7 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
     if (is_line && put_on_side(body, its, side, m)) m = motion_of(body, its, now);
     const Scalar approach = is_line ? Scalar(side * dot(its.normal, m.v)) : dot(m.x, m.v);
     if (!(approach < 0.0)) return false;
-    if (const auto* membrane = std::get_if<Membrane>(&behaviour)) {
+    if (const auto* membrane = membrane_of(behaviour)) {
         const auto& speeds =
             body.v[at(movers_, its.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
@@ -237,11 +238,17 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
     }
     const Vector before = body.v;
     const std::int64_t number = ++at(totals_, its.surface).hits;
-    const auto* bath = std::get_if<Bath>(&behaviour);
-    if (bath != nullptr && body.inverse_mass > 0.0)
-        leave_bath(body, its, bath->temperature, number, m.x);
-    else
-        reflect(body, its, m, now);
+    const auto reflect_it = [&] { reflect(body, its, m, now); };
+    std::visit(
+        Overloaded{[&](const Reflecting&) { reflect_it(); },
+                   [&](const Bath& bath) {
+                       body.inverse_mass > 0.0
+                           ? leave_bath(body, its, bath.temperature, number, m.x)
+                           : reflect_it();
+                   },
+                   [&](const Driven&) { reflect_it(); }, [&](const Piston&) { reflect_it(); },
+                   [&](const Membrane&) { reflect_it(); }},
+        behaviour);
     body.passing &= ~bit_of(its.surface);
     path_has_changed(body);
     if (body.inverse_mass > 0.0) account_for_hit(body, before, its);
@@ -254,11 +261,11 @@ auto SurfaceSet<Scalar>::touch(const Body& body, std::int32_t k, const Scalar& n
     using std::sqrt;
     const Barrier& its = this->barrier(k);
     const Behaviour& behaviour = at(behaviours_, its.surface);
-    if (!this->is_there(its) || this->lets_pass(its, body.species) ||
-        std::holds_alternative<Bath>(behaviour) || (body.passing & bit_of(its.surface)) != 0)
+    if (!this->is_there(its) || this->lets_pass(its, body.species) || is_random(behaviour) ||
+        (body.passing & bit_of(its.surface)) != 0)
         return std::nullopt;
     const BarrierMotion<Scalar> m = motion_of(body, its, now);
-    if (const auto* membrane = std::get_if<Membrane>(&behaviour)) {
+    if (const auto* membrane = membrane_of(behaviour)) {
         const auto& speeds = velocity_at(body, at(movers_, its.surface).axis, now) > 0.0
                                  ? membrane->upward
                                  : membrane->downward;
@@ -300,13 +307,21 @@ void SurfaceSet<Scalar>::account_for_hit(const Body& body, const Vector& before,
         totals.impulse[static_cast<Eigen::Index>(a)] +=
             mass * static_cast<double>(before[a] - body.v[a]);
     const double gain = 0.5 * mass * (square_of(body.v) - square_of(before));
-    if (std::holds_alternative<Bath>(at(behaviours_, barrier.surface))) {
+    const auto count_heat = [&] {
         totals.heat += gain;
         most_work_ += most_times_energy * std::abs(gain);
-    } else if (const auto* mover = this->mover_of(barrier)) {
+    };
+    const auto count_work = [&] {  // of one that moves or has moved
+        const auto* mover = this->mover_of(barrier);
+        if (mover == nullptr) return;
         totals.work += gain;
         if (mover->inverse_mass == 0.0) driven_work_ += gain;
-    }
+    };
+    std::visit(
+        Overloaded{[&](const Reflecting&) { count_work(); }, [&](const Bath&) { count_heat(); },
+                   [&](const Driven&) { count_work(); }, [&](const Piston&) { count_work(); },
+                   [&](const Membrane&) { count_work(); }},
+        at(behaviours_, barrier.surface));
     if (totals.work > most_work_) throw crushes(barrier.surface);
 }
 

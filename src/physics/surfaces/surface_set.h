@@ -51,8 +51,8 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
         Scalar gap;
         Vector normal;  ///< of length 1, from the disk to the barrier
     };
-    /// Empty if it does not face the barrier, if that lets it through, or if it is a bath, which
-    /// forgets how it was hit.
+    /// Empty if it does not face the barrier, if that lets it through, or if particles leave it
+    /// in random directions, which do not show how it was hit.
     std::optional<Touch> touch(const Body& body, std::int32_t barrier, const Scalar& now) const;
     /// To be called when a disk that touches a barrier has been reflected by one of several
     /// contacts at the present: counts the hit. `normal`: as in Touch; `before`: its velocity

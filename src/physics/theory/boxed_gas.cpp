@@ -10,6 +10,7 @@
 
 #include "physics/placement/members.h"
 #include "physics/surfaces/behaviours.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -45,10 +46,23 @@ std::vector<MassGroup> group_by_mass(std::vector<double> masses) {
 }
 
 void add_influence(const Behaviour& behaviour, Influences& all) {
-    all.bath = all.bath || std::holds_alternative<Bath>(behaviour);
-    all.driven = all.driven || std::holds_alternative<Driven>(behaviour);
-    all.piston = all.piston || std::holds_alternative<Piston>(behaviour);
-    all.membrane = all.membrane || std::holds_alternative<Membrane>(behaviour);
+    std::visit(Overloaded{[](const Reflecting&) {}, [&](const Bath&) { all.bath = true; },
+                          [&](const Driven&) { all.driven = true; },
+                          [&](const Piston&) { all.piston = true; },
+                          [&](const Membrane&) { all.membrane = true; }},
+               behaviour);
+}
+
+void add_influence(const RunEvent& event, Influences& all) {
+    std::visit(Overloaded{[&](const ReverseVelocities&) { all.velocities = true; },
+                          [&](const Perturbation&) { all.velocities = true; },
+                          [&](const SetOpen&) { all.wall_event = true; },
+                          [&](const MoveSurface&) { all.wall_event = true; },
+                          [&](const HoldPiston&) { all.wall_event = true; },
+                          [&](const ReleasePiston&) { all.wall_event = true; },
+                          [&](const ChangeSurface&) { all.wall_event = true; },
+                          [&](const Heat&) { all.heat_event = true; }},
+               event.action);
 }
 
 // Whether the partition with this index is open, has gaps or is opened by an event.
@@ -57,7 +71,7 @@ bool lets_through(const Partition& partition, std::size_t index,
     if (partition.is_open || !partition.gaps.empty()) return true;
     const auto number = static_cast<std::int32_t>(index) + Surfaces::first_partition;
     return std::ranges::any_of(events, [&](const RunEvent& event) {
-        const auto* open = std::get_if<SetOpen>(&event.action);
+        const auto* open = opening_of(event);
         return open != nullptr && open->surface == number && open->is_open;
     });
 }
@@ -71,7 +85,7 @@ struct BathTemperature {
 BathTemperature bath_temperature_of(const std::vector<std::optional<Behaviour>>& walls) {
     BathTemperature found;
     for (const std::optional<Behaviour>& wall : walls) {
-        const auto* bath = wall ? std::get_if<Bath>(&*wall) : nullptr;
+        const auto* bath = wall ? bath_of(*wall) : nullptr;
         if (bath == nullptr) continue;
         found.differs = found.differs || (found.value && *found.value != bath->temperature);
         found.value = bath->temperature;
@@ -123,13 +137,7 @@ Influences influences_of(const Box& box, const std::vector<RunEvent>& events) {
     all.obstacles = !surfaces.obstacles.empty();
     for (const std::size_t axis : {0, 1})
         all.gravity.at(axis) = surfaces.gravity[static_cast<Eigen::Index>(axis)] != 0.0;
-    for (const RunEvent& event : events) {
-        const bool heats = std::holds_alternative<Heat>(event.action);
-        const bool changes_wall = acts_on_box({event}) && !heats;
-        all.heat_event = all.heat_event || heats;
-        all.wall_event = all.wall_event || changes_wall;
-        all.velocities = all.velocities || (!heats && !changes_wall);
-    }
+    for (const RunEvent& event : events) add_influence(event, all);
     return all;
 }
 

@@ -36,9 +36,7 @@ std::optional<double> push(const BoxedGas& gas, const Asked& asked, double lengt
 bool moves_along(const BoxedGas& gas, int axis) {
     const auto& sides = gas.box.surfaces.sides;
     for (std::int32_t side = 0; side < static_cast<std::int32_t>(sides.size()); ++side) {
-        const Behaviour& its = sides.at(static_cast<std::size_t>(side));
-        const bool may_move =
-            std::holds_alternative<Driven>(its) || std::holds_alternative<Piston>(its);
+        const bool may_move = carom::moves(sides.at(static_cast<std::size_t>(side)));
         if (may_move && gas.box.surfaces.axis_of(side) == axis) return true;
     }
     return false;

@@ -8,6 +8,7 @@
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/error_growth.h"
 #include "physics/theory/laws/laws.h"
+#include "util/overloaded.h"
 
 namespace carom::laws {
 namespace {
@@ -21,9 +22,12 @@ std::optional<NoLaw> why_not_yet(const Asked& asked, double enough) {
 }
 
 bool moves_by_itself(const Behaviour& behaviour) {
-    if (const auto* driven = std::get_if<Driven>(&behaviour)) return driven->velocity != 0.0;
-    const auto* piston = std::get_if<Piston>(&behaviour);
-    return piston != nullptr && (piston->force != 0.0 || piston->velocity != 0.0);
+    return std::visit(
+        Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return false; },
+                   [](const Driven& its) { return its.velocity != 0.0; },
+                   [](const Piston& its) { return its.force != 0.0 || its.velocity != 0.0; },
+                   [](const Membrane&) { return false; }},
+        behaviour);
 }
 
 // The mean squared displacement of independent places, of which each is anywhere between walls:

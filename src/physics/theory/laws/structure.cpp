@@ -129,7 +129,7 @@ std::optional<NoLaw> why_not_alike(const BoxedGas& gas, const Asked& asked) {
     for (const Partition& line : surfaces.partitions) {
         const bool has_gap = std::ranges::any_of(
             line.gaps, [&](const auto& gap) { return gap.second - gap.first > diameter; });
-        const bool reflects = std::holds_alternative<Reflecting>(line.behaviour);
+        const bool reflects = only_reflects(line.behaviour);
         if (!line.is_open && !(reflects && has_gap)) return NoLaw{Why::partitions};
     }
     const Partition* line = surfaces.partition(asked.surface);

@@ -57,12 +57,9 @@ bool acts_evenly(const Surfaces& surfaces, const Box& box, int axis,
             return partition.axis != axis && partition.gaps.empty();
         });
     const auto first = static_cast<std::size_t>(2 * axis);
-    const auto reflects = [](const Behaviour& one) {
-        return std::holds_alternative<Reflecting>(one);
-    };
     return has_even_partitions &&
-           (box.is_periodic(axis) || (std::ranges::all_of(behaviours[first], reflects) &&
-                                      std::ranges::all_of(behaviours[first + 1], reflects)));
+           (box.is_periodic(axis) || (std::ranges::all_of(behaviours[first], only_reflects) &&
+                                      std::ranges::all_of(behaviours[first + 1], only_reflects)));
 }
 
 bool may_convect(const Box& box, const std::vector<std::vector<Behaviour>>& behaviours) {
@@ -70,7 +67,7 @@ bool may_convect(const Box& box, const std::vector<std::vector<Behaviour>>& beha
     bool differ = false;
     for (std::size_t k = 0; k < behaviours.size(); ++k)
         for (const Behaviour& one : behaviours[k]) {
-            const auto* bath = std::get_if<Bath>(&one);
+            const auto* bath = bath_of(one);
             if (bath == nullptr || (Surfaces::is_side(k) && box.is_periodic(k / 2))) continue;
             differ = differ || (temperature && *temperature != bath->temperature);
             temperature = bath->temperature;

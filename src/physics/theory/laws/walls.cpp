@@ -86,7 +86,7 @@ Law piston(const BoxedGas& gas, const Asked& asked) {
     const Surfaces& surfaces = gas.box.surfaces;
     if (!Surfaces::is_side(asked.surface)) return none(Why::partitions);
     const auto side = static_cast<std::size_t>(asked.surface);
-    const auto* free_side = std::get_if<Piston>(&surfaces.sides.at(side));
+    const auto* free_side = piston_of(surfaces.sides.at(side));
     if (free_side == nullptr) return none(Why::no_piston);
     if (const auto reason =
             first_of(gas, {Why::moving_infinite_mass, Why::driven, Why::bath, Why::event,
@@ -94,8 +94,7 @@ Law piston(const BoxedGas& gas, const Asked& asked) {
         return none(*reason);
     if (gas.influences.velocities) return none(Why::event);
     for (std::size_t k = 0; k < surfaces.sides.size(); ++k)
-        if (k != side && std::holds_alternative<Piston>(surfaces.sides[k]))
-            return none(Why::pistons);
+        if (k != side && piston_of(surfaces.sides[k])) return none(Why::pistons);
     const double inward =
         Surfaces::is_far_side(asked.surface) ? -free_side->force : free_side->force;
     if (!(inward > 0.0)) return none(Why::no_force);

@@ -217,9 +217,7 @@ class Course {
                          reversals_.reports(),
                          seconds_,
                          surfaces_.reports(simulation_.surfaces())};
-        const bool is_heated = std::ranges::any_of(run_.events, [](const RunEvent& event) {
-            return std::holds_alternative<Heat>(event.action);
-        });
+        const bool is_heated = std::ranges::any_of(run_.events, heats);
         if (!report.surfaces.empty() || is_heated) {
             report.account = simulation_.energy_account();
             report.summary.largest_energy_error = std::nullopt;

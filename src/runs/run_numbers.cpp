@@ -156,11 +156,7 @@ void add_surface(Rows& rows, const Source& from, const std::string& name) {
 
 // Whether there are surfaces to report. Walls that only reflect are covered by the pressures above.
 bool has_surfaces(const Scene& scene) {
-    return !scene.gas.box.surfaces.are_plain() ||
-           std::ranges::any_of(scene.run.events, [](const RunEvent& event) {
-               return std::holds_alternative<ChangeSurface>(event.action) ||
-                      std::holds_alternative<MoveSurface>(event.action);
-           });
+    return !scene.gas.box.surfaces.are_plain() || change_behaviours(scene.run.events);
 }
 
 void add_surfaces(Rows& rows, const Source& from) {

@@ -11,6 +11,7 @@
 #include "physics/reversal/mirrored_events.h"
 #include "physics/ways_back.h"
 #include "scene/yaml/scalar.h"
+#include "util/overloaded.h"
 #include "util/text.h"
 
 namespace carom {
@@ -101,7 +102,7 @@ std::string words_of(Language language, const Membrane& membrane, const Gas& gas
 
 std::string words_of(Language language, const Partition& partition, const std::string& subject,
                      const Gas& gas) {
-    const std::string what = std::holds_alternative<Reflecting>(partition.behaviour)
+    const std::string what = only_reflects(partition.behaviour)
                                  ? say(language, "divides the box")
                                  : words_of(language, partition.behaviour, gas, partition.axis);
     const char* axis = partition.axis == 0 ? "x" : "y";
@@ -157,22 +158,26 @@ std::string name_of_surface(Language language, std::int32_t surface, const Gas& 
 }
 
 std::string words_of(Language language, const Behaviour& behaviour, const Gas& gas, int axis) {
-    if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return say(language, "is a heat bath of temperature {}", bath->temperature);
-    if (const auto* driven = std::get_if<Driven>(&behaviour)) {
-        const std::string velocity = plain_number(language, driven->velocity);
-        return std::isinf(driven->until)
-                   ? say(language, "moves at velocity {}", velocity)
-                   : say(language, "moves at velocity {} until time {}", velocity, driven->until);
-    }
-    if (const auto* piston = std::get_if<Piston>(&behaviour))
-        return piston->force == 0.0
-                   ? say(language, "is a piston of mass {}", piston->mass)
-                   : say(language, "is a piston of mass {}, pushed by a force of {}", piston->mass,
-                         plain_number(language, piston->force));
-    if (const auto* membrane = std::get_if<Membrane>(&behaviour))
-        return words_of(language, *membrane, gas, axis);
-    return say(language, "is solid");
+    return std::visit(
+        Overloaded{[&](const Reflecting&) { return say(language, "is solid"); },
+                   [&](const Bath& its) {
+                       return say(language, "is a heat bath of temperature {}", its.temperature);
+                   },
+                   [&](const Driven& its) {
+                       const std::string velocity = plain_number(language, its.velocity);
+                       return std::isinf(its.until)
+                                  ? say(language, "moves at velocity {}", velocity)
+                                  : say(language, "moves at velocity {} until time {}", velocity,
+                                        its.until);
+                   },
+                   [&](const Piston& its) {
+                       return its.force == 0.0
+                                  ? say(language, "is a piston of mass {}", its.mass)
+                                  : say(language, "is a piston of mass {}, pushed by a force of {}",
+                                        its.mass, plain_number(language, its.force));
+                   },
+                   [&](const Membrane& its) { return words_of(language, its, gas, axis); }},
+        behaviour);
 }
 
 std::string words_of(Language language, const Perturbation& nudge) {
@@ -188,7 +193,7 @@ std::vector<std::string> words_of_surfaces(Language language, const Gas& gas) {
     std::vector<std::string> sentences;
     std::int32_t surface = 0;
     for (const Behaviour& side : surfaces.sides) {
-        if (!std::holds_alternative<Reflecting>(side))
+        if (!only_reflects(side))
             sentences.push_back(say(language, "{} {}", name_of_surface(language, surface, gas),
                                     words_of(language, side, gas, surfaces.axis_of(surface))));
         ++surface;
@@ -205,14 +210,20 @@ std::vector<std::string> words_of_surfaces(Language language, const Gas& gas) {
 namespace {
 
 std::string change_words(Language language, const Behaviour& behaviour) {
-    if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return say(language, "becomes a heat bath of temperature {}", bath->temperature);
-    if (const auto* piston = std::get_if<Piston>(&behaviour))
-        return say(language, "becomes a piston of mass {}", piston->mass);
-    if (const auto* driven = std::get_if<Driven>(&behaviour))
-        return say(language, "moves at velocity {}", plain_number(language, driven->velocity));
-    return std::holds_alternative<Membrane>(behaviour) ? say(language, "becomes a membrane")
-                                                       : say(language, "becomes an ordinary wall");
+    return std::visit(
+        Overloaded{
+            [&](const Reflecting&) { return say(language, "becomes an ordinary wall"); },
+            [&](const Bath& its) {
+                return say(language, "becomes a heat bath of temperature {}", its.temperature);
+            },
+            [&](const Driven& its) {
+                return say(language, "moves at velocity {}", plain_number(language, its.velocity));
+            },
+            [&](const Piston& its) {
+                return say(language, "becomes a piston of mass {}", its.mass);
+            },
+            [&](const Membrane&) { return say(language, "becomes a membrane"); }},
+        behaviour);
 }
 
 std::string heat_words(Language language, const Heat& heat, const Gas& gas) {
@@ -234,22 +245,29 @@ std::string words_of_surface_event(Language language, const RunEvent& event, con
     const auto with = [&](std::int32_t surface, const std::string& what) {
         return say(language, "{} {}", name_of_surface(language, surface, gas), what);
     };
-    if (const auto* set = std::get_if<SetOpen>(&event.action))
-        return with(set->surface, set->is_open ? say(language, "opens") : say(language, "closes"));
-    if (const auto* move = std::get_if<MoveSurface>(&event.action))
-        return with(move->surface, move->velocity == 0.0
-                                       ? say(language, "stands still from now on")
-                                       : say(language, "moves at velocity {}",
-                                             plain_number(language, move->velocity)));
-    if (const auto* hold = std::get_if<HoldPiston>(&event.action))
-        return with(hold->surface, say(language, "is held"));
-    if (const auto* release = std::get_if<ReleasePiston>(&event.action))
-        return with(release->surface, say(language, "is released"));
-    if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-        return with(change->surface, change_words(language, change->behaviour));
-    if (const auto* heat = std::get_if<Heat>(&event.action))
-        return heat_words(language, *heat, gas);
-    return "";
+    return std::visit(
+        Overloaded{
+            [](const ReverseVelocities&) { return std::string(); },
+            [](const Perturbation&) { return std::string(); },
+            [&](const SetOpen& its) {
+                return with(its.surface,
+                            its.is_open ? say(language, "opens") : say(language, "closes"));
+            },
+            [&](const MoveSurface& its) {
+                return with(its.surface, its.velocity == 0.0
+                                             ? say(language, "stands still from now on")
+                                             : say(language, "moves at velocity {}",
+                                                   plain_number(language, its.velocity)));
+            },
+            [&](const HoldPiston& its) { return with(its.surface, say(language, "is held")); },
+            [&](const ReleasePiston& its) {
+                return with(its.surface, say(language, "is released"));
+            },
+            [&](const ChangeSurface& its) {
+                return with(its.surface, change_words(language, its.behaviour));
+            },
+            [&](const Heat& its) { return heat_words(language, its, gas); }},
+        event.action);
 }
 
 namespace {
@@ -258,16 +276,12 @@ std::string words_of(Language language, const MirroredEvent& mirrored, const Run
                      const Gas& gas) {
     const RunEvent& event = run.events.at(mirrored.event);
     if (!mirrored.is_undone) return words_of_surface_event(language, event, gas);
-    const auto again = [&](std::int32_t surface) {
+    if (const auto given = given_behaviour(event))
         return say(language, "{} behaves again as it did before",
-                   name_of_surface(language, surface, gas));
-    };
-    if (const auto* move = std::get_if<MoveSurface>(&event.action)) return again(move->surface);
-    if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-        return again(change->surface);
+                   name_of_surface(language, given->first, gas));
     if (const std::optional<RunEvent> opposite = opposite_of(event))
         return words_of_surface_event(language, *opposite, gas);
-    return std::holds_alternative<Heat>(event.action)
+    return heats(event)
                ? say(language,
                      "The gas loses the energy that it was given, or gets back what it lost")
                : "";
@@ -309,7 +323,7 @@ std::string words_of_events(Language language, const Run& run, const Gas& gas) {
         sentences.push_back(
             say(language, "At time {} all velocities are reversed.", listed(language, times)));
     for (const RunEvent& event : run.events)
-        if (const auto* nudge = std::get_if<Perturbation>(&event.action))
+        if (const auto* nudge = perturbation_of(event))
             nudges.push_back(say(language, "{} at time {}.", words_of(language, *nudge), event.at));
     if (nudges.size() > most_told)
         nudges = {say(language, "A particle is moved by a small amount {} times.", nudges.size())};

@@ -147,8 +147,7 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
 const Node& first_acting(const SceneDraft& draft, const PlacedSurfaces& placed) {
     for (std::size_t k = 0; k < placed.nodes.size(); ++k)
         if (placed.nodes[k] != nullptr &&
-            (!Surfaces::is_side(k) ||
-             !std::holds_alternative<Reflecting>(placed.surfaces.sides[k])))
+            (!Surfaces::is_side(k) || !only_reflects(placed.surfaces.sides[k])))
             return *placed.nodes[k];
     return draft.gravity.node != nullptr ? *draft.gravity.node : *draft.box->node;
 }

@@ -17,17 +17,22 @@
 #include "scene/words.h"
 #include "util/fingerprint.h"
 #include "util/joined.h"
+#include "util/overloaded.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
 
 std::string_view side_word(const Box& box, std::size_t side) {
-    const Behaviour& behaviour = box.surfaces.sides[side];
-    if (std::holds_alternative<Bath>(behaviour)) return "bath";
-    if (std::holds_alternative<Piston>(behaviour)) return "piston";
-    if (std::holds_alternative<Driven>(behaviour)) return "driven";
-    return word_of(box.walls[side / 2]);
+    using Word = std::string_view;
+    const Word plain = word_of(box.walls[side / 2]);
+    return std::visit(
+        Overloaded{[&](const Reflecting&) { return plain; },
+                   [](const Bath&) { return Word("bath"); },
+                   [](const Driven&) { return Word("driven"); },
+                   [](const Piston&) { return Word("piston"); },
+                   [&](const Membrane&) { return plain; }},  // only partitions are membranes
+        box.surfaces.sides[side]);
 }
 
 Fact box_fact(const Box& box) {

@@ -74,12 +74,8 @@ bool standard_output_is_taken(const RunArguments& arguments) {
 
 // Refuses a table of surfaces for a box with only reflecting walls: it would have no rows.
 void refuse_no_surfaces(const RunArguments& arguments, const Scene& scene) {
-    const auto is_of_surface = [](const RunEvent& event) {
-        return std::holds_alternative<ChangeSurface>(event.action) ||
-               std::holds_alternative<MoveSurface>(event.action);
-    };
     if (arguments.surfaces.empty() || !scene.gas.box.surfaces.are_plain() ||
-        std::ranges::any_of(scene.run.events, is_of_surface))
+        change_behaviours(scene.run.events))
         return;
     throw UsageError(fmt::format(
         "--surfaces: {} has nothing but walls that reflect; leave the option out, or give the "

@@ -91,10 +91,8 @@ const Node* last_move(const SurfaceProblem& problem, const SurfaceNodes& nodes) 
     const Node* last = nullptr;
     for (std::size_t k = 0; k < nodes.run.events.size(); ++k) {
         const RunEvent& event = nodes.run.events[k];
-        const auto* move = std::get_if<MoveSurface>(&event.action);
-        const auto* change = std::get_if<ChangeSurface>(&event.action);
-        if (event.at < problem.value && ((move != nullptr && move->surface == problem.surface) ||
-                                         (change != nullptr && change->surface == problem.surface)))
+        const auto given = given_behaviour(event);
+        if (event.at < problem.value && given && given->first == problem.surface)
             last = nodes.events[k];
     }
     return last;

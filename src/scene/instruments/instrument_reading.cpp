@@ -99,28 +99,13 @@ void require_one(PanelSpec& panel, const Node& node, Reading& reading) {
 bool lets_through(const Reading& reading, std::int32_t surface) {
     const Partition* line = reading.gas.box.surfaces.partition(surface);
     if (line == nullptr || may_move(reading, surface)) return false;
-    const auto is_membrane = [](const Behaviour& behaviour) {
-        return std::holds_alternative<Membrane>(behaviour);
-    };
-    if (line->is_open || !line->gaps.empty() || is_membrane(line->behaviour)) return true;
+    if (line->is_open || !line->gaps.empty() || membrane_of(line->behaviour)) return true;
     return std::ranges::any_of(reading.run.events, [&](const RunEvent& event) {
-        const auto* set = std::get_if<SetOpen>(&event.action);
-        const auto* change = std::get_if<ChangeSurface>(&event.action);
+        const auto* set = opening_of(event);
+        const auto given = given_behaviour(event);
         return (set != nullptr && set->surface == surface && set->is_open) ||
-               (change != nullptr && change->surface == surface && is_membrane(change->behaviour));
+               (given && given->first == surface && membrane_of(given->second));
     });
-}
-
-// Returns the surface on which an event acts.
-std::optional<std::int32_t> surface_of(const RunEvent& event) {
-    return std::visit(
-        [](const auto& action) -> std::optional<std::int32_t> {
-            if constexpr (requires { action.surface; })
-                return action.surface;
-            else
-                return std::nullopt;
-        },
-        event.action);
 }
 
 // Returns the first event of a run that a word stands for: a reversal, heat, or an event that acts
@@ -132,8 +117,8 @@ std::optional<WatchStart> event_called(const std::string& word, const Node& node
     const std::vector<RunEvent>& events = reading.run.events;
     for (std::size_t k = 0; k < events.size(); ++k) {
         std::string name;
-        if (std::holds_alternative<ReverseVelocities>(events[k].action)) name = "reversal";
-        if (std::holds_alternative<Heat>(events[k].action)) name = "heat";
+        if (reverses(events[k])) name = "reversal";
+        if (heats(events[k])) name = "heat";
         if (const auto surface = surface_of(events[k])) {
             const auto number = static_cast<std::size_t>(*surface);
             if (number >= names.size()) return std::nullopt;  // of a box with mistakes, reported

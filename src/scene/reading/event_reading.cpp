@@ -10,6 +10,7 @@
 #include "scene/reading/gas_reading.h"
 #include "scene/time/captions.h"
 #include "scene/yaml/scalar.h"
+#include "util/overloaded.h"
 #include "util/text.h"
 
 namespace carom {
@@ -191,8 +192,7 @@ std::optional<Behaviour> change_of(const EventDraft& event, const Node& node, Er
                    "it is a time of the run, like `at`, not a duration");
         return std::nullopt;
     }
-    if (!behaviour || event.solid || !std::holds_alternative<Reflecting>(*behaviour))
-        return behaviour;
+    if (!behaviour || event.solid || !only_reflects(*behaviour)) return behaviour;
     if (find(node, "solid") == nullptr || given(node, "solid") != nullptr)
         errors.add(node, "a `wall` event needs `temperature`, `mass`, `velocity` or `solid`",
                    "`solid: true` makes it a wall that only reflects");
@@ -234,31 +234,22 @@ void add_event(const EventDraft& event, const Node& node, RunDraft& run, Errors&
 
 namespace {
 
-// Returns a pointer to the surface number in an event; null if the event concerns no surface.
-std::int32_t* surface_in(RunEvent& event) {
-    return std::visit(
-        [](auto& action) -> std::int32_t* {
-            if constexpr (requires { action.surface; }) return &action.surface;
-            return nullptr;
-        },
-        event.action);
+// Returns false if the name is not found.
+bool resolve_species(Heat& heat, const Node& node, const std::vector<std::string>& species,
+                     Errors& errors) {
+    const Node* of = given(node, "of");
+    if (of == nullptr || of->text == "all") return true;
+    heat.species = species_named(*of, species, errors);
+    return heat.species.has_value();
 }
 
-// Returns false if a name is not found.
-bool resolve(RunEvent& event, const Node& node, const PlacedSurfaces& surfaces,
-             const std::vector<std::string>& species, int dimension, Errors& errors) {
-    if (auto* heat = std::get_if<Heat>(&event.action)) {
-        const Node* of = given(node, "of");
-        if (of == nullptr || of->text == "all") return true;
-        heat->species = species_named(*of, species, errors);
-        return heat->species.has_value();
-    }
-    std::int32_t* surface = surface_in(event);
-    if (surface == nullptr) return true;
+// Returns false if the name is not found.
+bool resolve_surface(std::int32_t& surface, const Node& node, const PlacedSurfaces& surfaces,
+                     int dimension, Errors& errors) {
     std::vector<std::string> names = surfaces.surfaces.names();
     if (dimension == 1) names.erase(names.begin() + 2, names.begin() + 4);
     const auto found = std::ranges::find(names, node.text);
-    *surface = static_cast<std::int32_t>(found - names.begin());
+    surface = static_cast<std::int32_t>(found - names.begin());
     if (found != names.end()) return true;
     if (std::ranges::find(surfaces.others, node.text) != surfaces.others.end()) return false;
     names.insert(names.end(), surfaces.others.begin(), surfaces.others.end());
@@ -277,8 +268,20 @@ void resolve_names(RunDraft& run, const PlacedSurfaces& surfaces,
                    const std::vector<std::string>& species, int dimension, Errors& errors) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < run.events.size(); ++k) {
-        if (!resolve(run.events[k], *run.event_nodes[k], surfaces, species, dimension, errors))
-            continue;
+        const Node& node = *run.event_nodes[k];
+        const auto at_surface = [&](std::int32_t& surface) {
+            return resolve_surface(surface, node, surfaces, dimension, errors);
+        };
+        const bool is_known = std::visit(
+            Overloaded{[](ReverseVelocities&) { return true; }, [](Perturbation&) { return true; },
+                       [&](SetOpen& its) { return at_surface(its.surface); },
+                       [&](MoveSurface& its) { return at_surface(its.surface); },
+                       [&](HoldPiston& its) { return at_surface(its.surface); },
+                       [&](ReleasePiston& its) { return at_surface(its.surface); },
+                       [&](ChangeSurface& its) { return at_surface(its.surface); },
+                       [&](Heat& its) { return resolve_species(its, node, species, errors); }},
+            run.events[k].action);
+        if (!is_known) continue;
         std::swap(run.events[kept], run.events[k]);
         std::swap(run.event_nodes[kept++], run.event_nodes[k]);
     }
@@ -290,7 +293,7 @@ void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
     const auto count = particles_in(gas);
     const double size = gas.box.size.maxCoeff();
     for (std::size_t k = 0; k < run.events.size(); ++k) {
-        const auto* nudge = std::get_if<Perturbation>(&run.events[k].action);
+        const auto* nudge = perturbation_of(run.events[k]);
         if (nudge == nullptr) continue;
         const Node& node = *run.event_nodes[k];
         if (count && nudge->particle >= *count)

@@ -10,6 +10,7 @@
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/panel_reading.h"
 #include "scene/yaml/scalar.h"
+#include "util/overloaded.h"
 #include "util/text.h"
 
 namespace carom {
@@ -205,10 +206,15 @@ Region reach_of(const Box& box, const Run& run) {
         for (const Behaviour& behaviour : all[side]) {
             const bool is_far = Surfaces::is_far_side(side);
             const int axis = box.surfaces.axis_of(side);
-            double outward = std::holds_alternative<Piston>(behaviour) ? infinite : 0.0;
-            if (const auto* driven = std::get_if<Driven>(&behaviour))
-                outward = std::max(0.0, is_far ? driven->velocity : -driven->velocity) *
-                          std::min(run.until, driven->until);
+            const double outward = std::visit(
+                Overloaded{[](const Reflecting&) { return 0.0; }, [](const Bath&) { return 0.0; },
+                           [&](const Driven& its) {
+                               return std::max(0.0, is_far ? its.velocity : -its.velocity) *
+                                      std::min(run.until, its.until);
+                           },
+                           [](const Piston&) { return infinite; },
+                           [](const Membrane&) { return 0.0; }},
+                behaviour);
             double& end = is_far ? reach.high[axis] : reach.low[axis];
             end = is_far ? std::max(end, box.size[axis] + outward) : std::min(end, -outward);
         }

@@ -75,9 +75,7 @@ void check_way_home(const RunDraft& run, Errors& errors) {
     if (ways.size() != 1) return;
     const double home = std::min(2.0 * ways.front().begin, ways.front().end);
     if (home <= run.until || run.until <= 0.0) return;  // another error is reported
-    const auto reversal = std::ranges::find_if(run.events, [](const RunEvent& event) {
-        return std::holds_alternative<ReverseVelocities>(event.action);
-    });
+    const auto reversal = std::ranges::find_if(run.events, reverses);
     const bool is_left = ways.front().event.has_value();
     errors.add(
         *run.event_nodes[static_cast<std::size_t>(reversal - run.events.begin())],

@@ -281,10 +281,13 @@ PlacedSurfaces surfaces_of(const SidesDraft& sides, const SurfacesDraft& draft,
         const PartitionDraft& one = draft.partitions[k];
         Partition partition = one;
         partition.name = names.of(one.name, "partition", k, *one.node);
-        if (auto* membrane = std::get_if<Membrane>(&partition.behaviour))
+        if (const auto* without_names = membrane_of(one.behaviour)) {
+            Membrane membrane = *without_names;
             for (const Placed<std::string>& name : one.passes.species)
                 if (const auto s = species_named(*name.node, species, errors))
-                    membrane->species.push_back(*s);
+                    membrane.species.push_back(*s);
+            partition.behaviour = membrane;
+        }
         if (!one.is_known) {
             all.others.push_back(partition.name);
             continue;

@@ -14,7 +14,7 @@ struct SidesByName {
 };
 
 std::string_view kind_of(const SideDraft& side) {
-    return std::holds_alternative<Reflecting>(side.behaviour) ? word_of(side.wall) : "a wall";
+    return only_reflects(side.behaviour) ? word_of(side.wall) : "a wall";
 }
 
 void check_opposite(const Node& sides, const SideDraft& first, const SideDraft& second,
@@ -49,7 +49,7 @@ Notation<SideDraft> side_notation() {
                    std::optional<SideDraft> side;
                    const auto behaviour = behaviour_of(draft, node, reading.errors);
                    if (behaviour) side = SideDraft{Wall::solid, *behaviour, &node};
-                   if (behaviour && std::holds_alternative<Reflecting>(*behaviour)) {
+                   if (behaviour && only_reflects(*behaviour)) {
                        reading.errors.add(
                            node, "a wall that acts needs `temperature`, `mass` or `velocity`",
                            "a wall that only reflects is `solid`");

@@ -11,12 +11,9 @@ namespace carom {
 std::vector<double> velocity_changes(const Run& run) {
     std::vector<double> times;
     for (const RunEvent& event : run.events)
-        if (std::holds_alternative<ReverseVelocities>(event.action) ||
-            std::holds_alternative<Heat>(event.action))
-            times.push_back(event.at);
+        if (reverses(event) || heats(event)) times.push_back(event.at);
     for (const MirroredEvent& mirrored : mirrored_events(run))
-        if (std::holds_alternative<Heat>(run.events[mirrored.event].action))
-            times.push_back(mirrored.at);
+        if (heats(run.events[mirrored.event])) times.push_back(mirrored.at);
     std::ranges::sort(times);
     return times;
 }

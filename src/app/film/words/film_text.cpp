@@ -96,7 +96,7 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
         if (const auto frame = shown_from(time)) at(*frame).events.push_back(words);
     };
     for (const RunEvent& event : scene.run.events)
-        if (const auto* moved = std::get_if<Perturbation>(&event.action))
+        if (const auto* moved = perturbation_of(event))
             add(event.at, words_of(scene.film.language, *moved));
     const std::vector<int> pauses = pause_frames(scene.film);
     for (std::size_t k = 0; k < pauses.size(); ++k)

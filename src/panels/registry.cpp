@@ -161,10 +161,7 @@ std::int64_t count_of(const Gas& gas) {
 }
 
 bool acts_on_gas(const Gas& gas, const Run& run) {
-    return !gas.box.surfaces.are_plain() ||
-           std::ranges::any_of(run.events, [](const RunEvent& event) {
-               return std::holds_alternative<Heat>(event.action);
-           });
+    return !gas.box.surfaces.are_plain() || std::ranges::any_of(run.events, heats);
 }
 
 // Whether collisions redistribute speeds: equal beads on a line, and a single pair, only exchange

@@ -23,7 +23,7 @@ double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, d
 std::vector<double> interruptions(const Run& run, Eigen::Index particle) {
     std::vector<double> times = velocity_changes(run);
     for (const RunEvent& event : run.events)
-        if (const auto* nudge = std::get_if<Perturbation>(&event.action);
+        if (const auto* nudge = perturbation_of(event);
             nudge != nullptr && nudge->particle == particle)
             times.push_back(event.at);
     return times;

@@ -47,7 +47,7 @@ std::string words_of_start(const PanelContext& context, const WatchStart& since)
     const std::string when = say(language, "since time {}", plain_number(language, since.at));
     if (!since.event) return when;
     const RunEvent& event = context.scene.run.events.at(*since.event);
-    const std::string what = std::holds_alternative<ReverseVelocities>(event.action)
+    const std::string what = reverses(event)
                                  ? say(language, "velocities reversed")
                                  : words_of_surface_event(language, event, context.scene.gas);
     return what.empty() ? when : say(language, "{}: {}", when, what);

@@ -82,7 +82,7 @@ double EchoRecord::log10_law(const Step& step) const {
     }
     law += (step.collisions - collisions) * *bits_per_collision_ * digits;
     for (const RunEvent& event : context_.scene.run.events) {
-        const auto* perturbation = std::get_if<Perturbation>(&event.action);
+        const auto* perturbation = perturbation_of(event);
         const double since = event.at - reversals_[step.reversal];
         if (perturbation && since > before && since >= 0.0 && since <= step.since)
             law = std::max(law, moved_by({*perturbation}, 1).log10_largest);

@@ -81,7 +81,7 @@ bool ProfilePanel::is_changed_in_window(double until) const {
     const double from = until - over_.window;
     const auto is_inside = [&](double time) { return time > from && time < until; };
     return std::ranges::any_of(run.events, [&](const RunEvent& event) {
-        if (std::holds_alternative<Perturbation>(event.action)) return false;
+        if (perturbation_of(event)) return false;
         if (is_inside(event.at)) return true;
         return event.is_mirrored && std::ranges::any_of(reversal_times(run), [&](double reversal) {
                    return reversal > event.at && is_inside(2.0 * reversal - event.at);

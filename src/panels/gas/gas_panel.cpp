@@ -210,9 +210,7 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
                      hex_of(theme.muted), gas.ghosts->words});
     for (std::size_t k = 0; k < gas.surfaces.size(); ++k) {
         const SurfaceState& surface = gas.surfaces[k];
-        if (Surfaces::is_side(k) && !surface.motion &&
-            std::holds_alternative<Reflecting>(surface.behaviour))
-            continue;
+        if (Surfaces::is_side(k) && !surface.motion && only_reflects(surface.behaviour)) continue;
         const Gas& its = context_.scene.gas;
         const bool is_x = its.box.surfaces.axis_of(k) == 0;
         const Cell at = place_of_surface(its.box, gas.surfaces, k), none;

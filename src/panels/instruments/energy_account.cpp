@@ -21,13 +21,9 @@ struct Part {
 // The parts of the energy that are possible for this gas.
 std::vector<Part> parts_of(const PanelContext& context) {
     const Surfaces& surfaces = context.scene.gas.box.surfaces;
-    const auto is_piston = [](const Behaviour& one) { return std::holds_alternative<Piston>(one); };
-    bool has_pistons = std::ranges::any_of(surfaces.sides, is_piston);
-    for (const Partition& one : surfaces.partitions)
-        has_pistons = has_pistons || is_piston(one.behaviour);
-    for (const RunEvent& event : context.scene.run.events)
-        if (const auto* change = std::get_if<ChangeSurface>(&event.action))
-            has_pistons = has_pistons || is_piston(change->behaviour);
+    bool has_pistons = false;
+    for (const auto& one : behaviours_in_time(surfaces, context.scene.run))
+        has_pistons = has_pistons || std::ranges::any_of(one, piston_of);
     std::vector<Part> parts{{Phrase{"kinetic"}, {.of = plot::Role::Of::bar}}};
     if (has_pistons || surfaces.has_gravity())
         parts.push_back({Phrase{"potential"}, {.of = plot::Role::Of::run, .index = 0}});

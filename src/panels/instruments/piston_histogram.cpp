@@ -103,14 +103,14 @@ class PistonMeter : public CurveMeter {
     double lowest() const { return double(times_.first()) / shown_bins; }
 
     double acceleration(const SurfaceState& state) const {
-        const auto* piston = std::get_if<Piston>(&state.behaviour);
+        const auto* piston = piston_of(state.behaviour);
         if (piston == nullptr || state.is_held) return 0.0;
         return piston->force_in(context_.scene.gas.box.surfaces.gravity[axis_]) / piston->mass;
     }
 
     // The change of velocity of the surface by a hit.
     double change(const Collision& hit, const SurfaceState& state) const {
-        const auto* piston = std::get_if<Piston>(&state.behaviour);
+        const auto* piston = piston_of(state.behaviour);
         const double inverse_mass = context_.particles.inverse_mass[hit.first];
         if (piston == nullptr || inverse_mass == 0.0) return 0.0;
         return (hit.first_before[axis_] - hit.first_after[axis_]) / (inverse_mass * piston->mass);

@@ -24,7 +24,7 @@ std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::i
     if (!law(context.gas, LawOf::piston, {.surface = surface})) return std::nullopt;
     const Box& box = context.scene.gas.box;
     const auto side = static_cast<std::size_t>(surface);
-    const auto& piston = std::get<Piston>(box.surfaces.sides[side]);
+    const Piston& piston = *piston_of(box.surfaces.sides[side]);
     const double force = force_to_gas(piston, surface);
     const double direction = Surfaces::is_far_side(surface) ? 1.0 : -1.0;
     const double taken = box.dimension == 1 ? 2.0 * context.particles.radius.sum() : 0.0;

@@ -7,6 +7,7 @@
 #include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/surfaces/behaviours.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -48,14 +49,19 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
         return Rect{std::min(from, to), y - half_of_end * u, depth * u, 2.0 * half_of_end * u};
     };
     const Behaviour& behaviour = end.state.behaviour;
-    const auto* bath = std::get_if<Bath>(&behaviour);
-    const auto* piston = std::get_if<Piston>(&behaviour);
+    const auto* piston = piston_of(behaviour);
     const bool is_imposed = end.state.is_held || (piston == nullptr && end.state.motion);
-    if (bath != nullptr)
-        draw_bath(canvas, dc, band(0.0, SurfaceSize::bath), true,
-                  look_.bath_color(bath->temperature, dc.theme));
-    else
+    const auto draw_end = [&] {
         canvas.fill(band(0.0, 0.5), end.state.motion ? dc.theme.muted : dc.theme.wall);
+    };
+    std::visit(Overloaded{[&](const Reflecting&) { draw_end(); },
+                          [&](const Bath& bath) {
+                              draw_bath(canvas, dc, band(0.0, SurfaceSize::bath), true,
+                                        look_.bath_color(bath.temperature, dc.theme));
+                          },
+                          [&](const Driven&) { draw_end(); }, [&](const Piston&) { draw_end(); },
+                          [&](const Membrane&) { draw_end(); }},
+               behaviour);
     if (is_imposed) draw_ticks(canvas, dc, band(0.5, 0.4), side);
     const double along = piston != nullptr ? piston->force
                          : is_imposed      ? end.state.motion->velocity

@@ -12,6 +12,7 @@
 #include "panels/chosen.h"
 #include "physics/reversal/mirrored_events.h"
 #include "stats/histogram.h"
+#include "util/overloaded.h"
 #include "util/text.h"
 
 namespace carom {
@@ -54,25 +55,29 @@ std::string account_of_last(Language language, Phrase quantity, const std::vecto
 namespace {
 
 Phrase phrase_of_event(const RunEvent& event) {
-    if (const auto* set = std::get_if<SetOpen>(&event.action))
-        return set->is_open ? Phrase{"opened"} : Phrase{"closed"};
-    if (const auto* heat = std::get_if<Heat>(&event.action)) {
-        const double* energy = std::get_if<double>(&heat->amount);
-        return energy != nullptr && *energy < 0.0 ? Phrase{"cooled"} : Phrase{"heated"};
-    }
-    if (const auto* move = std::get_if<MoveSurface>(&event.action))
-        return move->velocity == 0.0 ? Phrase{"stopped"} : Phrase{"moved"};
-    if (std::holds_alternative<HoldPiston>(event.action)) return Phrase{"held"};
-    if (std::holds_alternative<ReleasePiston>(event.action)) return Phrase{"released"};
-    if (std::holds_alternative<ChangeSurface>(event.action)) return Phrase{"wall changed"};
-    return {};
+    return std::visit(
+        Overloaded{
+            [](const ReverseVelocities&) { return Phrase{}; },
+            [](const Perturbation&) { return Phrase{}; },
+            [](const SetOpen& its) { return its.is_open ? Phrase{"opened"} : Phrase{"closed"}; },
+            [](const MoveSurface& its) {
+                return its.velocity == 0.0 ? Phrase{"stopped"} : Phrase{"moved"};
+            },
+            [](const HoldPiston&) { return Phrase{"held"}; },
+            [](const ReleasePiston&) { return Phrase{"released"}; },
+            [](const ChangeSurface&) { return Phrase{"wall changed"}; },
+            [](const Heat& its) {
+                const double* energy = std::get_if<double>(&its.amount);
+                return energy != nullptr && *energy < 0.0 ? Phrase{"cooled"} : Phrase{"heated"};
+            }},
+        event.action);
 }
 
 // A word for an event, in English, or what a wall becomes; empty for an event that has its own
 // mark, or none.
 std::string series_event_word(const RunEvent& event) {
-    const auto* change = std::get_if<ChangeSurface>(&event.action);
-    const auto* bath = change != nullptr ? std::get_if<Bath>(&change->behaviour) : nullptr;
+    const auto given = given_behaviour(event);
+    const auto* bath = given ? bath_of(given->second) : nullptr;
     return bath != nullptr ? "T = " + plain_number(bath->temperature)
                            : std::string(phrase_of_event(event).english);
 }

@@ -9,6 +9,7 @@
 #include "panels/surfaces/surface_view.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/surfaces/behaviours.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -49,17 +50,19 @@ struct SurfaceView::Brush {
     };
 
     const Behaviour& behaviour(std::size_t k) const { return states[k].behaviour; }
-    template <class Kind>
-    bool is(std::size_t k) const {
-        return std::holds_alternative<Kind>(behaviour(k));
-    }
-    bool is_imposed(std::size_t k) const { return is<Driven>(k) || states[k].is_held; }
+    bool is_imposed(std::size_t k) const { return driven_of(behaviour(k)) || states[k].is_held; }
 
     // Of a side, outside of the room, in units.
     double thickness(std::size_t side) const {
-        if (is<Bath>(side)) return SurfaceSize::bath;
-        return is<Piston>(side) || is_imposed(side) ? SurfaceSize::bar : SurfaceSize::line;
+        return std::visit(Overloaded{[](const Reflecting&) { return SurfaceSize::line; },
+                                     [](const Bath&) { return SurfaceSize::bath; },
+                                     [](const Driven&) { return SurfaceSize::bar; },
+                                     [](const Piston&) { return SurfaceSize::bar; },
+                                     [](const Membrane&) { return SurfaceSize::line; }},
+                          behaviour(side));
     }
+
+    Color bath_color(const Bath& bath) const { return view.bath_color(bath.temperature, theme); }
 
     // In the direction in which it grows along an axis, on the picture.
     Point upwards(int axis) const { return axis == 0 ? Point{1.0, 0.0} : Point{0.0, -1.0}; }
@@ -69,13 +72,18 @@ struct SurfaceView::Brush {
     void draw_obstacle(const Obstacle& obstacle, Point shift) const;
     void draw_obstacles() const;
     void draw_side(std::size_t side) const;
+    void draw_bar(std::size_t side) const;
     void draw_side_arrow(std::size_t side) const;
     SideMark beside_mark(std::size_t side) const;
     void draw_side_mark(std::size_t side) const;
     void draw_line(Point from, Point to, std::size_t k) const;
+    void draw_dots(Point from, Point to) const;
     void draw_partition(std::size_t k) const;
     void draw_ends(std::size_t k) const;
+    bool has_block(std::size_t k) const;
     void draw_block(const Rect& block, std::size_t k) const;
+    void draw_holder(const Rect& block, std::size_t k) const;
+    void draw_eye(const Rect& block) const;
     double row_over_side(double from, double to) const;
     Color mark_color(std::size_t k) const;
     void draw_marks() const;
@@ -185,21 +193,29 @@ void SurfaceView::Brush::draw_obstacles() const {
 // ------------------------------------------------------------------------------------------- sides
 
 void SurfaceView::Brush::draw_side(std::size_t side) const {
-    if (const auto* bath = std::get_if<Bath>(&behaviour(side)))
-        draw_bath(canvas, dc, outside(side, 0.0, SurfaceSize::bath * u), is_upright(side),
-                  view.bath_color(bath->temperature, theme));
-    const bool is_bar = is<Piston>(side) || is_imposed(side);
-    if (is_bar) canvas.fill(outside(side, 0.0, SurfaceSize::bar * u), theme.muted);
+    std::visit(Overloaded{[](const Reflecting&) {},
+                          [&](const Bath& bath) {
+                              draw_bath(canvas, dc, outside(side, 0.0, SurfaceSize::bath * u),
+                                        is_upright(side), bath_color(bath));
+                          },
+                          [&](const Driven&) { draw_bar(side); },
+                          [&](const Piston&) { draw_bar(side); }, [](const Membrane&) {}},
+               behaviour(side));
+    draw_side_mark(side);
+}
+
+// Of a side that moves, or is held.
+void SurfaceView::Brush::draw_bar(std::size_t side) const {
+    canvas.fill(outside(side, 0.0, SurfaceSize::bar * u), theme.muted);
     if (is_imposed(side))
         draw_ticks(canvas, dc, outside(side, SurfaceSize::bar * u, 0.8 * SurfaceSize::hatch * u),
                    side);
-    if (is_bar) draw_side_arrow(side);
-    draw_side_mark(side);
+    draw_side_arrow(side);
 }
 
 // The arrow of the force on a piston, or of an imposed motion.
 void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
-    const auto* piston = std::get_if<Piston>(&behaviour(side));
+    const auto* piston = piston_of(behaviour(side));
     const auto& motion = states[side].motion;
     const double along = piston != nullptr ? piston->force : (motion ? motion->velocity : 0.0);
     if (along == 0.0) return;
@@ -220,7 +236,7 @@ SurfaceView::Brush::SideMark SurfaceView::Brush::beside_mark(std::size_t side) c
     if (is_upright(side)) return {};
     const std::string all =
         mark_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(side), 1);
-    const auto* piston = std::get_if<Piston>(&behaviour(side));
+    const auto* piston = piston_of(behaviour(side));
     const bool has_arrow = piston != nullptr && piston->force != 0.0;
     const double taken = has_arrow ? 1.8 * u : 0.0;
     const std::size_t comma = all.rfind(", ");
@@ -240,7 +256,7 @@ void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
     TextStyle style = label_style(dc);
     style.color = mark_color(side);
     style.align = has_arrow ? Align::left : Align::center;
-    const double from = is<Bath>(side) ? SurfaceSize::bath : SurfaceSize::bar;
+    const double from = bath_of(behaviour(side)) ? SurfaceSize::bath : SurfaceSize::bar;
     const Rect band =
         outside(side, from * u, (has_arrow ? SurfaceSize::arrow : SurfaceSize::mark) * u);
     draw_text(canvas,
@@ -252,21 +268,28 @@ void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
 // -------------------------------------------------------------------------------------- partitions
 
 void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
-    if (const auto* membrane = std::get_if<Membrane>(&behaviour(k))) {
-        if (!membrane->is_demon())
-            return canvas.stroke_line(from, to, 0.22 * u, theme.ink, 0.8 * u);
-        const double length = std::hypot(to.x - from.x, to.y - from.y);
-        const double count = std::max(1.0, std::round(length / (0.6 * u)));
-        for (double dot = 0.5; dot < count; dot += 1.0)
-            canvas.fill_circle(
-                {from.x + dot / count * (to.x - from.x), from.y + dot / count * (to.y - from.y)},
-                0.15 * u, theme.ink);
-        return;
-    }
-    Color color = is<Reflecting>(k) ? theme.wall : theme.muted;
-    if (const auto* bath = std::get_if<Bath>(&behaviour(k)))
-        color = view.bath_color(bath->temperature, theme);
-    canvas.stroke_line(from, to, SurfaceSize::thick * u, color);
+    const auto draw_thick = [&](Color color) {
+        canvas.stroke_line(from, to, SurfaceSize::thick * u, color);
+    };
+    std::visit(Overloaded{[&](const Reflecting&) { draw_thick(theme.wall); },
+                          [&](const Bath& bath) { draw_thick(bath_color(bath)); },
+                          [&](const Driven&) { draw_thick(theme.muted); },
+                          [&](const Piston&) { draw_thick(theme.muted); },
+                          [&](const Membrane& its) {
+                              its.is_demon()
+                                  ? draw_dots(from, to)
+                                  : canvas.stroke_line(from, to, 0.22 * u, theme.ink, 0.8 * u);
+                          }},
+               behaviour(k));
+}
+
+void SurfaceView::Brush::draw_dots(Point from, Point to) const {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double count = std::max(1.0, std::round(length / (0.6 * u)));
+    for (double dot = 0.5; dot < count; dot += 1.0)
+        canvas.fill_circle(
+            {from.x + dot / count * (to.x - from.x), from.y + dot / count * (to.y - from.y)},
+            0.15 * u, theme.ink);
 }
 
 // An open partition is drawn by its ends at the walls only.
@@ -295,16 +318,21 @@ void SurfaceView::Brush::draw_partition(std::size_t k) const {
 }
 
 void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
-    if (const auto* bath = std::get_if<Bath>(&behaviour(k))) {
-        canvas.fill(block, view.bath_color(bath->temperature, theme));
-        return;
-    }
-    if (is<Membrane>(k)) {  // an eye
-        const Point middle{block.x + block.width / 2, block.y + block.height / 2};
-        canvas.stroke_circle(middle, 0.34 * u, 0.1 * u, theme.ink);
-        canvas.fill_circle(middle, 0.13 * u, theme.ink);
-        return;
-    }
+    std::visit(Overloaded{[](const Reflecting&) {},
+                          [&](const Bath& bath) { canvas.fill(block, bath_color(bath)); },
+                          [&](const Driven&) { draw_holder(block, k); },
+                          [&](const Piston&) { draw_holder(block, k); },
+                          [&](const Membrane&) { draw_eye(block); }},
+               behaviour(k));
+}
+
+void SurfaceView::Brush::draw_eye(const Rect& block) const {
+    const Point middle{block.x + block.width / 2, block.y + block.height / 2};
+    canvas.stroke_circle(middle, 0.34 * u, 0.1 * u, theme.ink);
+    canvas.fill_circle(middle, 0.13 * u, theme.ink);
+}
+
+void SurfaceView::Brush::draw_holder(const Rect& block, std::size_t k) const {
     canvas.fill(block, is_imposed(k) ? theme.page : theme.muted);
     if (is_imposed(k)) {
         hatch_polygon(canvas, corners_of(block), 0.25 * u, 0.09 * u, theme.muted);
@@ -312,13 +340,19 @@ void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
     }
 }
 
+bool SurfaceView::Brush::has_block(std::size_t k) const {
+    return std::visit(
+        Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return true; },
+                   [](const Driven&) { return true; }, [](const Piston&) { return true; },
+                   [](const Membrane& its) { return its.is_demon(); }},
+        behaviour(k));
+}
+
 // The holders of a partition that does more than reflect: outside of the walls at both ends, moving
 // with it.
 void SurfaceView::Brush::draw_ends(std::size_t k) const {
     const Partition& partition = *box.surfaces.partition(k);
-    const auto* membrane = std::get_if<Membrane>(&behaviour(k));
-    const bool reflects = is<Reflecting>(k);
-    if (states[k].is_open || reflects || (membrane != nullptr && !membrane->is_demon())) return;
+    if (states[k].is_open || !has_block(k)) return;
     const double at = place_of_surface(box, states, k);
     const Point foot = map.pixel({at, at});
     const double deep = 0.6 * u, wide = 0.9 * u;
@@ -330,11 +364,12 @@ void SurfaceView::Brush::draw_ends(std::size_t k) const {
     const Rect second = upright ? Rect{first.x, room.bottom() + near, wide, deep}
                                 : Rect{room.x - near - deep, first.y, deep, wide};
     draw_block(first, k);
-    if (membrane == nullptr) draw_block(second, k);
-    const auto* piston = std::get_if<Piston>(&behaviour(k));
+    if (!membrane_of(behaviour(k))) draw_block(second, k);
+    const auto* piston = piston_of(behaviour(k));
     const auto& motion = states[k].motion;
-    const double along =
-        piston != nullptr ? piston->force : (is<Driven>(k) && motion ? motion->velocity : 0.0);
+    const double along = piston != nullptr
+                             ? piston->force
+                             : (driven_of(behaviour(k)) && motion ? motion->velocity : 0.0);
     if (along == 0.0) return;
     const Point up = upwards(partition.axis);
     const double sign = along > 0.0 ? 1.0 : -1.0, off = wide / 2 + 0.15 * u;
@@ -365,9 +400,9 @@ double SurfaceView::Brush::row_over_side(double from, double to) const {
 
 // A heat bath's words have its colour, in print that of all words.
 Color SurfaceView::Brush::mark_color(std::size_t k) const {
-    const auto* bath = std::get_if<Bath>(&behaviour(k));
+    const auto* bath = bath_of(behaviour(k));
     if (theme.kind == ThemeKind::print) return theme.ink;
-    return bath != nullptr ? legible(view.bath_color(bath->temperature, theme), theme) : theme.ink;
+    return bath != nullptr ? legible(bath_color(*bath), theme) : theme.ink;
 }
 
 // Labels of vertical partitions are in a row above the box, clear of each other, and those of sides

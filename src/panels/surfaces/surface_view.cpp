@@ -8,6 +8,7 @@
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/surfaces/behaviours.h"
+#include "util/overloaded.h"
 
 namespace carom {
 namespace {
@@ -19,13 +20,24 @@ double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
         marked_here && !mark_of_surface(Language::english, gas, behaviour, 1).empty()
             ? SurfaceSize::mark
             : 0.0;
-    if (std::holds_alternative<Bath>(behaviour)) return SurfaceSize::bath + mark;
-    if (std::holds_alternative<Driven>(behaviour))
-        return SurfaceSize::bar + SurfaceSize::hatch + SurfaceSize::arrow;
-    const auto* piston = std::get_if<Piston>(&behaviour);
-    if (piston == nullptr) return 0.0;
-    return SurfaceSize::bar + SurfaceSize::hatch +
-           (piston->force != 0.0 ? SurfaceSize::arrow : mark);
+    constexpr double bar = SurfaceSize::bar + SurfaceSize::hatch;
+    return std::visit(Overloaded{[](const Reflecting&) { return 0.0; },
+                                 [&](const Bath&) { return SurfaceSize::bath + mark; },
+                                 [](const Driven&) { return bar + SurfaceSize::arrow; },
+                                 [&](const Piston& its) {
+                                     return bar + (its.force != 0.0 ? SurfaceSize::arrow : mark);
+                                 },
+                                 [](const Membrane&) { return 0.0; }},
+                      behaviour);
+}
+
+// Whether a partition has something at its ends outside of the box, or room for it.
+bool has_ends(const Behaviour& behaviour) {
+    return std::visit(
+        Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return true; },
+                   [](const Driven&) { return true; }, [](const Piston&) { return true; },
+                   [](const Membrane&) { return true; }},
+        behaviour);
 }
 
 }  // namespace
@@ -39,11 +51,7 @@ Rect BoxMap::rect(const Region& region) const {
 SurfaceView::SurfaceView(const PanelContext& context)
     : scene_(context.scene),
       plain_(context.scene.gas.box.surfaces.are_plain() &&
-             std::ranges::none_of(context.scene.run.events,
-                                  [](const RunEvent& event) {
-                                      return std::holds_alternative<ChangeSurface>(event.action) ||
-                                             std::holds_alternative<MoveSurface>(event.action);
-                                  })),
+             !change_behaviours(context.scene.run.events)),
       behaviours_(behaviours_in_time(context.scene.gas.box.surfaces, context.scene.run)),
       extent_{Eigen::Array2d::Zero(), context.scene.gas.box.size} {
     for (std::size_t side = 0; side < 4; ++side) still_ = still_ && !may_move(side);
@@ -51,7 +59,7 @@ SurfaceView::SurfaceView(const PanelContext& context)
     temperatures_ = {infinite, -infinite};
     for (const auto& list : behaviours_)
         for (const Behaviour& behaviour : list)
-            if (const auto* bath = std::get_if<Bath>(&behaviour))
+            if (const auto* bath = bath_of(behaviour))
                 temperatures_ = {std::min(temperatures_[0], bath->temperature),
                                  std::max(temperatures_[1], bath->temperature)};
     if (!plain_) margins_ = margins_of();
@@ -67,7 +75,7 @@ SurfaceView::SurfaceView(const PanelContext& context)
 double SurfaceView::thickness_of(std::size_t side) const {
     double most = SurfaceSize::line;
     for (const Behaviour& behaviour : behaviours_[side]) {
-        if (std::holds_alternative<Bath>(behaviour)) most = std::max(most, SurfaceSize::bath);
+        if (bath_of(behaviour)) most = std::max(most, SurfaceSize::bath);
         if (may_move(side)) most = std::max(most, SurfaceSize::bar);
     }
     return most;
@@ -90,7 +98,7 @@ SurfaceView::Margins SurfaceView::margins_of() const {
         for (const Behaviour& behaviour : behaviours_[k]) {
             if (axis == 0 && !mark_of_surface(Language::english, gas, behaviour, axis).empty())
                 names = SurfaceSize::mark;
-            if (Surfaces::is_side(k) || std::holds_alternative<Reflecting>(behaviour)) continue;
+            if (Surfaces::is_side(k) || !has_ends(behaviour)) continue;
             const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);
             for (const std::size_t end : {first, first + 1}) blocks[end] = SurfaceSize::block;
         }

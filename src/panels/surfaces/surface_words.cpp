@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/describe.h"
+#include "util/overloaded.h"
 #include "util/text.h"
 
 namespace carom {
@@ -52,12 +53,20 @@ std::string membrane_mark(Language language, const Gas& gas, const Membrane& mem
 
 std::string doing_of(Language language, const Gas& gas, const SurfaceState& state, int axis) {
     if (state.is_open) return say(language, "is open");
-    const bool reflects = std::holds_alternative<Reflecting>(state.behaviour);
-    if (!reflects && !std::holds_alternative<Driven>(state.behaviour))
+    const auto of_motion = [&] {
+        return is_moving(state) ? say(language, "moves at velocity {}",
+                                      three_digits(language, state.motion->velocity))
+                                : say(language, "stands still");
+    };
+    const auto of_behaviour = [&] {
         return with_held(language, state, words_of(language, state.behaviour, gas, axis));
-    return is_moving(state) ? say(language, "moves at velocity {}",
-                                  three_digits(language, state.motion->velocity))
-                            : say(language, "stands still");
+    };
+    return std::visit(Overloaded{[&](const Reflecting&) { return of_motion(); },
+                                 [&](const Bath&) { return of_behaviour(); },
+                                 [&](const Driven&) { return of_motion(); },
+                                 [&](const Piston&) { return of_behaviour(); },
+                                 [&](const Membrane&) { return of_behaviour(); }},
+                      state.behaviour);
 }
 
 }  // namespace
@@ -69,14 +78,17 @@ double place_of_surface(const Box& box, std::span<const SurfaceState> states, st
 
 std::string mark_of_surface(Language language, const Gas& gas, const Behaviour& behaviour,
                             int axis) {
-    if (const auto* bath = std::get_if<Bath>(&behaviour))
-        return "T = " + plain_number(language, bath->temperature);
-    if (const auto* membrane = std::get_if<Membrane>(&behaviour))
-        return membrane_mark(language, gas, *membrane, axis);
-    const auto* piston = std::get_if<Piston>(&behaviour);
-    if (piston == nullptr) return "";
-    return "M = " + plain_number(language, piston->mass) +
-           (piston->force == 0.0 ? "" : ", F = " + plain_number(language, piston->force));
+    return std::visit(
+        Overloaded{
+            [](const Reflecting&) { return std::string(); },
+            [&](const Bath& its) { return "T = " + plain_number(language, its.temperature); },
+            [](const Driven&) { return std::string(); },
+            [&](const Piston& its) {
+                return "M = " + plain_number(language, its.mass) +
+                       (its.force == 0.0 ? "" : ", F = " + plain_number(language, its.force));
+            },
+            [&](const Membrane& its) { return membrane_mark(language, gas, its, axis); }},
+        behaviour);
 }
 
 std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k) {
@@ -93,8 +105,7 @@ std::string words_at_present(Language language, const Gas& gas,
     const std::size_t count = states.empty() ? 0 : surfaces.first_obstacle();
     for (std::size_t k = 0; k < count; ++k) {
         const SurfaceState& state = states[k];
-        const bool is_wall =
-            Surfaces::is_side(k) && std::holds_alternative<Reflecting>(state.behaviour);
+        const bool is_wall = Surfaces::is_side(k) && only_reflects(state.behaviour);
         if (!state.motion && (is_wall || (only_changes && !state.is_open))) continue;
         const int axis = gas.box.surfaces.axis_of(k);
         const bool has_place = !state.is_open && (!Surfaces::is_side(k) || state.motion);

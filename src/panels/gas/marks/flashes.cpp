@@ -23,7 +23,7 @@ bool is_contact(const Collision& collision, const FrameInput& input) {
     if (!collision.second.is_side()) return true;
     const std::vector<SurfaceState>& surfaces = input.advanced.surfaces;
     const auto side = static_cast<std::size_t>(collision.second.surface());
-    return side < surfaces.size() && !std::holds_alternative<Reflecting>(surfaces[side].behaviour);
+    return side < surfaces.size() && !only_reflects(surfaces[side].behaviour);
 }
 
 }  // namespace

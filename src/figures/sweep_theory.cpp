@@ -102,7 +102,7 @@ std::optional<double> density_of(const Scene& scene) {
     const Box& box = scene.gas.box;
     double count = 0.0;
     for (const Species& species : scene.gas.species) count += static_cast<double>(species.count);
-    return count / (box.dimension == 1 ? box.size[0] : box.size.prod());
+    return count / (box.dimension == 1 ? box.size[0] : box.content());
 }
 
 }  // namespace carom

@@ -71,7 +71,7 @@ std::vector<Binding<PanelSpec>> profile_keys() {
     return {bind_key("quantity", &PanelSpec::quantity, quantity_notation(false),
                      "What it shows; `flow` is the mean velocity along the axis."),
             cells_key(),
-            bind_key("around", &PanelSpec::around, pair_of(not_negative, "[x, y]"),
+            bind_key("around", &PanelSpec::around, plane_vector(not_negative),
                      "A point: the density then is shown in rings around it, against the distance "
                      "from it, up to the nearest side of the box.")
                 .default_text("none: along an axis"),
@@ -98,8 +98,10 @@ void check_profile(PanelSpec& panel, const Node& node, Reading& reading) {
                           "leave it out: a profile along the wire shows the density");
     for (const char* key : {"component", "quantity"})
         refuse_key(key, "a profile `around` a point is of the density in rings", "leave it out");
-    const bool is_inside = (box.size <= 0.0).any() ||  // reported
-                           ((*panel.around > 0.0).all() && (*panel.around < box.size).all());
+    const bool is_inside = on_each_axis(box.dimension, [&](int axis) {
+        const double size = box.size[axis], at = (*panel.around)[axis];
+        return size <= 0.0 || (at > 0.0 && at < size);  // a size of 0 is reported
+    });
     if (!is_inside)
         refuse_key("around", "this point is not inside the box",
                    "rings reach from the point to the nearest side");

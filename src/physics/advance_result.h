@@ -2,7 +2,6 @@
 // transferred. Plain values.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -17,8 +16,8 @@
 
 namespace carom {
 
-/// The sides of the box; a line has the first two.
-enum class Side : std::int8_t { left, right, bottom, top };
+/// The sides of the box; a line has the first two, a plane the first four.
+enum class Side : std::int8_t { left, right, bottom, top, back, front };
 
 /// What a particle has collided with: another particle, a side of the box or another surface.
 class Partner {
@@ -29,7 +28,6 @@ class Partner {
     /// The surface of this number: a side of the box, a partition or an obstacle (surface.h).
     static constexpr Partner of_surface(std::int32_t surface) { return Partner(-1 - surface); }
 
-    constexpr bool is_side() const { return code_ < 0 && code_ >= -4; }
     constexpr bool is_surface() const { return code_ < 0; }
     constexpr bool is_particle() const { return code_ >= 0; }
 
@@ -43,12 +41,6 @@ class Partner {
         if (is_particle()) throw std::logic_error("the partner of this collision is a particle");
         return -1 - code_;
     }
-    /// Throws std::logic_error if it is not a side.
-    constexpr Side side() const {
-        if (!is_side()) throw std::logic_error("the partner of this collision is no side");
-        return static_cast<Side>(-1 - code_);
-    }
-
     friend constexpr bool operator==(Partner, Partner) = default;
     friend constexpr bool operator==(Partner a, std::int64_t particle) {
         return a.is_particle() && a.code_ == particle;
@@ -68,11 +60,11 @@ struct Collision {
     double time;
     std::int32_t first;  ///< particle
     Partner second;
-    Eigen::Array2d first_position;   ///< centre of `first` at contact; y is 0 in 1-D
-    Eigen::Array2d second_position;  ///< centre of `second` (in a periodic box of its image that
-                                     ///< touches `first`), or the point of contact on the wall
-    Eigen::Array2d first_before, second_before;  ///< velocities; y is 0 in 1-D, a wall's are 0
-    Eigen::Array2d first_after, second_after;
+    Vec first_position;               ///< centre of `first` at contact
+    Vec second_position;              ///< centre of `second` (in a periodic box of its image that
+                                      ///< touches `first`), or the point of contact on the wall
+    Vec first_before, second_before;  ///< velocities; a wall's are 0
+    Vec first_after, second_after;
 };
 
 /// Contacts of connected particles that coincided, and were carried out together
@@ -92,8 +84,8 @@ struct CollisionCounts {
 
 /// Momentum transferred by collisions since t = 0, and the largest overlap at contact.
 struct ImpulseTotals {
-    std::array<double, 4> wall{};  ///< outward momentum given to each side: left, right, bottom,
-                                   ///< top; infinite after a hit by an infinite mass
+    std::array<double, 6> wall{};  ///< outward momentum given to each side of the box, in the order
+                                   ///< of Side; infinite after a hit by an infinite mass
     double virial = 0.0;  ///< sum over collisions of two particles of r . dp: r from the first
                           ///< to the second, dp what the second received
     double largest_overlap = 0.0;  ///< largest overlap depth at a collision of two particles, in

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "physics/advance_result.h"
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/run.h"
 #include "physics/surface.h"
@@ -44,7 +44,7 @@ inline void archive_parts(Archive& archive, Obstacle& its) {
     std::visit([&](auto& shape) { archive(shape); }, its.shape);
 }
 inline void archive_parts(Archive& archive, Surfaces& its) {
-    archive(its.sides, its.partitions, its.obstacles, its.gravity, its.seed);
+    archive(its.sides, its.side_count, its.partitions, its.obstacles, its.gravity, its.seed);
 }
 
 inline void archive_parts(Archive& archive, SurfaceTotals& its) {

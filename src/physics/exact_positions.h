@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 
 namespace carom {

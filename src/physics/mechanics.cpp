@@ -89,13 +89,14 @@ double mean_of_speeds(const Particles& particles, const Eigen::ArrayXd& speeds) 
                                                 : speeds.mean();
 }
 
-Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision) {
+Vec impulse_of(const Particles& particles, const Collision& collision) {
     const double inverse = particles.inverse_mass[collision.first];
     if (inverse > 0.0) return (collision.first_before - collision.first_after) / inverse;
     const double other =
         collision.second.is_particle() ? particles.inverse_mass[collision.second.particle()] : 0.0;
     if (other > 0.0) return (collision.second_after - collision.second_before) / other;
-    return Eigen::Array2d::Constant(std::numeric_limits<double>::quiet_NaN());
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    return {unknown, unknown, unknown};
 }
 
 Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample) {
@@ -112,7 +113,7 @@ bool conserves_momentum(const Box& box, Eigen::Index axis) {
     const Surfaces& surfaces = box.surfaces;
     if (!box.is_periodic(axis) || surfaces.gravity[axis] != 0.0 || !surfaces.obstacles.empty())
         return false;
-    for (std::size_t side = 0; side < surfaces.sides.size(); ++side)
+    for (std::size_t side = 0; side < surfaces.numbered_sides().size(); ++side)
         if (box.has_surface(side) && !box.is_periodic(side / 2) && !is_smooth(surfaces.sides[side]))
             return false;
     return std::ranges::none_of(surfaces.partitions, [&](const Partition& line) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "physics/advance_result.h"
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 
 namespace carom {
@@ -35,7 +35,7 @@ double mean_of_speeds(const Particles& particles, const Eigen::ArrayXd& speeds);
 
 /// The momentum that the partner in a collision received, which is what the first particle lost.
 /// NaN if neither mass is finite.
-Eigen::Array2d impulse_of(const Particles& particles, const Collision& collision);
+Vec impulse_of(const Particles& particles, const Collision& collision);
 
 /// Total momentum, one component for each dimension; infinite with an infinite mass that moves.
 Eigen::ArrayXd momentum(const Particles& particles, const Sample& sample);

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "physics/vec.h"
+
 namespace carom {
 
 /// Constant properties of N particles.
@@ -27,6 +29,16 @@ struct Sample {
     Eigen::ArrayXXd position;  ///< N x dimension, length
     Eigen::ArrayXXd velocity;  ///< N x dimension, length/time
 };
+
+/// The position or the velocity of one particle: a row of `values`, N x dimension.
+inline Vec vec_in(const Eigen::ArrayXXd& values, Eigen::Index particle) {
+    Vec vec;
+    for (Eigen::Index axis = 0; axis < values.cols(); ++axis) vec[axis] = values(particle, axis);
+    return vec;
+}
+inline void put(const Vec& vec, Eigen::ArrayXXd& values, Eigen::Index particle) {
+    for (Eigen::Index axis = 0; axis < values.cols(); ++axis) values(particle, axis) = vec[axis];
+}
 
 /// Speeds |v| of all particles, N.
 inline Eigen::ArrayXd speeds(const Sample& sample) {

@@ -15,8 +15,8 @@
 #include <variant>
 #include <vector>
 
-#include "physics/gas.h"
 #include "physics/surface.h"
+#include "physics/temperature.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -204,7 +204,7 @@ inline std::vector<double> reversal_times(const Run& run) {
 inline std::vector<std::vector<Behaviour>> behaviours_in_time(const Surfaces& surfaces,
                                                               const Run& run) {
     std::vector<std::vector<Behaviour>> all;
-    for (const Behaviour& side : surfaces.sides) all.push_back({side});
+    for (const Behaviour& side : surfaces.numbered_sides()) all.push_back({side});
     for (const Partition& partition : surfaces.partitions) all.push_back({partition.behaviour});
     for (const RunEvent& event : run.events) {
         const auto given = given_behaviour(event);

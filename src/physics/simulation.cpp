@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "physics/archived.h"
-#include "physics/echo_measurement.h"
-#include "physics/energy_account.h"
+#include "physics/events/echo_measurement.h"
+#include "physics/events/energy_account.h"
 #include "physics/events/event_loop.h"
 #include "physics/events/fixed_step_loop.h"
+#include "physics/gas.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/placement/feasibility.h"
 #include "physics/placement/placement.h"

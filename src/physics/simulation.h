@@ -17,13 +17,15 @@
 #include <vector>
 
 #include "physics/advance_result.h"
+#include "physics/box.h"
 #include "physics/collision/velocity_changes.h"
 #include "physics/exact_positions.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/run.h"
 
 namespace carom {
+
+struct Gas;
 
 class Archive;
 

@@ -8,13 +8,13 @@
 #include <string>
 #include <variant>
 
+#include "physics/events/time_step.h"
 #include "physics/placement/feasibility.h"
 #include "physics/placement/members.h"
 #include "physics/placement/overlap.h"
 #include "physics/placement/placed_disks.h"
 #include "physics/surfaces/barrier.h"
 #include "physics/surfaces/surface_problem.h"
-#include "physics/time_step.h"
 
 namespace carom {
 namespace {
@@ -46,10 +46,9 @@ bool is_number(const std::string& text) {
 }
 
 bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Sample& start) {
-    const std::vector<Barrier> barriers = barriers_of(box, box.size.maxCoeff());
+    const std::vector<Barrier> barriers = barriers_of(box, box.longest_side());
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        const Eigen::Array2d center{start.position(i, 0),
-                                    box.dimension == 1 ? 0.0 : start.position(i, 1)};
+        const Vec center{start.position(i, 0), box.dimension == 1 ? 0.0 : start.position(i, 1)};
         if (surface_in_the_way(box, barriers, center, particles.radius[i])) return false;
     }
     return true;

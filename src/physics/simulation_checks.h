@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/run.h"
 

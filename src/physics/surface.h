@@ -3,19 +3,20 @@
 // consecutively: the sides left, right, bottom, top, then the partitions, then the obstacles.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "physics/surfaces/behaviours.h"
+#include "physics/vec.h"
 
 namespace carom {
 
@@ -32,11 +33,11 @@ struct Partition {
 /// A fixed body: a disk, or straight lines from corner to corner, each of which has two sides.
 struct Obstacle {
     struct Disk {
-        Eigen::Array2d center;
+        Vec center;
         double radius;
     };
     struct Lines {
-        std::vector<Eigen::Array2d> corners;
+        std::vector<Vec> corners;
         bool is_closed = false;  ///< the last corner is joined to the first
     };
     std::string name;
@@ -45,45 +46,51 @@ struct Obstacle {
 
 /// All surfaces of a box, and the gravitational acceleration of everything mobile in it.
 struct Surfaces {
-    std::array<Behaviour, 4> sides{};  ///< left, right, bottom, top; unused along periodic axes
+    std::array<Behaviour, 6> sides{};  ///< left, right, bottom, top, back, front; unused beyond
+                                       ///< side_count, and along periodic axes
+    std::int32_t side_count = 4;       ///< that have numbers: 6 in space
     std::vector<Partition> partitions = {};
     std::vector<Obstacle> obstacles = {};
-    Eigen::Array2d gravity{0.0, 0.0};
+    Vec gravity = {};
     std::uint64_t seed = 1;  ///< for the velocities after a heat bath; in a gas, Gas::seed is used
+
+    /// The sides that have numbers.
+    std::span<const Behaviour> numbered_sides() const {
+        return std::span(sides).first(static_cast<std::size_t>(side_count));
+    }
 
     /// Numbers of the first partition and of the first obstacle among all surfaces, and the total
     /// number of surfaces.
-    static constexpr std::int32_t first_partition = 4;
+    std::int32_t first_partition() const { return side_count; }
     std::int32_t first_obstacle() const {
-        return first_partition + static_cast<std::int32_t>(partitions.size());
+        return first_partition() + static_cast<std::int32_t>(partitions.size());
     }
     std::int32_t count() const {
         return first_obstacle() + static_cast<std::int32_t>(obstacles.size());
     }
 
-    static bool is_side(std::integral auto surface) {
-        return std::cmp_less(surface, first_partition);
-    }
+    bool is_side(std::integral auto surface) const { return std::cmp_less(surface, side_count); }
     /// The partition with this number; null for sides and obstacles.
     const Partition* partition(std::integral auto surface) const {
         if (is_side(surface) || std::cmp_greater_equal(surface, first_obstacle())) return nullptr;
-        return &partitions[static_cast<std::size_t>(surface) - first_partition];
+        return &partitions[static_cast<std::size_t>(surface - side_count)];
     }
 
-    /// The axis that a side or a partition is perpendicular to: 0 for x, 1 for y.
+    /// The axis that a side or a partition is perpendicular to: 0 for x, 1 for y, 2 for z.
     int axis_of(std::integral auto surface) const {
         const Partition* line = partition(surface);
         return line != nullptr ? line->axis : static_cast<int>(surface / 2);
     }
-    /// Whether the surface is the side at the upper end of its axis: right or top.
-    static bool is_far_side(std::integral auto surface) {
+    /// Whether the surface is the side at the upper end of its axis: right, top or front.
+    bool is_far_side(std::integral auto surface) const {
         return is_side(surface) && surface % 2 == 1;
     }
 
     /// The names of all surfaces in the order of their numbers; the sides are called left, right,
-    /// bottom and top.
+    /// bottom, top, back and front.
     std::vector<std::string> names() const {
-        std::vector<std::string> all{"left", "right", "bottom", "top"};
+        std::vector<std::string> all{"left", "right", "bottom", "top", "back", "front"};
+        all.resize(static_cast<std::size_t>(side_count));
         for (const Partition& partition : partitions) all.push_back(partition.name);
         for (const Obstacle& obstacle : obstacles) all.push_back(obstacle.name);
         return all;
@@ -91,7 +98,7 @@ struct Surfaces {
 
     /// Whether all sides only reflect.
     bool sides_reflect() const { return std::ranges::all_of(sides, only_reflects); }
-    bool has_gravity() const { return (gravity != 0.0).any(); }
+    bool has_gravity() const { return gravity != Vec(); }
     /// Whether the box has only reflecting sides: no partitions, no obstacles and no gravity.
     bool are_plain() const {
         return sides_reflect() && partitions.empty() && obstacles.empty() && !has_gravity();
@@ -101,9 +108,9 @@ struct Surfaces {
 /// What a surface has done since t = 0.
 struct SurfaceTotals {
     std::int64_t hits = 0;
-    Eigen::Array2d impulse{0.0, 0.0};  ///< momentum transferred to the surface
-    double work = 0.0;                 ///< done on particles by the moving surface
-    double heat = 0.0;                 ///< given to particles by a heat bath
+    Vec impulse = {};   ///< momentum transferred to the surface
+    double work = 0.0;  ///< done on particles by the moving surface
+    double heat = 0.0;  ///< given to particles by a heat bath
 };
 
 /// The totals of a surface together with its present state.

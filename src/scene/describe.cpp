@@ -125,7 +125,7 @@ std::string words_of(Language language, const std::vector<Obstacle>& obstacles) 
     return say(language, "{}: {}", text, listed(language, names));
 }
 
-std::string words_of_gravity(Language language, const Eigen::Array2d& g, int dimension) {
+std::string words_of_gravity(Language language, const Vec& g, int dimension) {
     const double size = std::hypot(g[0], g[1]);
     if (dimension == 1 || g[1] == 0.0)
         return g[0] > 0.0 ? say(language, "Gravity pulls to the right with acceleration {}", size)
@@ -192,7 +192,7 @@ std::vector<std::string> words_of_surfaces(Language language, const Gas& gas) {
     const Surfaces& surfaces = gas.box.surfaces;
     std::vector<std::string> sentences;
     std::int32_t surface = 0;
-    for (const Behaviour& side : surfaces.sides) {
+    for (const Behaviour& side : surfaces.numbered_sides()) {
         if (!only_reflects(side))
             sentences.push_back(say(language, "{} {}", name_of_surface(language, surface, gas),
                                     words_of(language, side, gas, surfaces.axis_of(surface))));

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "physics/events/time_step.h"
 #include "physics/sample_times.h"
-#include "physics/time_step.h"
 #include "scene/describe.h"
 #include "scene/feasibility/classroom.h"
 #include "scene/feasibility/feasibility.h"
@@ -147,7 +147,7 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
 const Node& first_acting(const SceneDraft& draft, const PlacedSurfaces& placed) {
     for (std::size_t k = 0; k < placed.nodes.size(); ++k)
         if (placed.nodes[k] != nullptr &&
-            (!Surfaces::is_side(k) || !only_reflects(placed.surfaces.sides[k])))
+            (!placed.surfaces.is_side(k) || !only_reflects(placed.surfaces.sides[k])))
             return *placed.nodes[k];
     return draft.gravity.node != nullptr ? *draft.gravity.node : *draft.box->node;
 }

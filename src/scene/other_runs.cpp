@@ -80,7 +80,7 @@ void take_film(Node& root, const ScenePart& part) {
 // Checks what the two runs of a film must have in common.
 std::optional<ProblemText> problem_beside(const Scene& scene, const Scene& other) {
     const Box &box = scene.gas.box, &its = other.gas.box;
-    if (box.dimension != its.dimension || (box.size != its.size).any())
+    if (box.dimension != its.dimension || box.size != its.size)
         return ProblemText{"the box of the other run has another size",
                            "boxes side by side must have the same size"};
     const auto kinds = [](const Film& film) {

@@ -2,6 +2,7 @@
 // templates.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -125,8 +126,8 @@ enum class Component { x, y, both };
 
 /// Two colliding beads, which need not exist in the scene.
 struct GivenPair {
-    Eigen::Array2d inverse_mass;  ///< 0: infinite mass, at most one of the two
-    Eigen::Array2d velocity;      ///< before the collision; unequal
+    std::array<double, 2> inverse_mass;  ///< 0: infinite mass, at most one of the two
+    std::array<double, 2> velocity;      ///< before the collision; unequal
 };
 
 /// The whole box, or the whole line in one dimension.
@@ -233,11 +234,11 @@ struct PanelSpec {
     bool logarithmic = false;         ///< free flights: whether the vertical axis is logarithmic
     bool ends_at_walls = false;       ///< free flights: walls and partitions end them, too
     bool against_collisions = false;  ///< return distances; false: against time
-    FieldOf quantity = FieldOf::density;        ///< of a profile
-    std::optional<Eigen::Array2d> around = {};  ///< a profile: of distances from this point
-    bool front = false;                         ///< a profile of distances: marks its front
-    std::vector<std::int32_t> surfaces = {};    ///< numbers of the surfaces that it measures at
-    std::vector<NamedRegion> regions = {};  ///< parts of the box; empty: the sides of a partition
+    FieldOf quantity = FieldOf::density;      ///< of a profile
+    std::optional<Vec> around = {};           ///< a profile: of distances from this point
+    bool front = false;                       ///< a profile of distances: marks its front
+    std::vector<std::int32_t> surfaces = {};  ///< numbers of the surfaces that it measures at
+    std::vector<NamedRegion> regions = {};    ///< parts of the box; empty: the sides of a partition
     PartMeasure measure = PartMeasure::count;
     EntropyOf entropy_of = EntropyOf::velocities;
     bool gauge = false;                     ///< a pressure: a dial instead of a plot

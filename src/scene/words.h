@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "scene/scene.h"
 
 namespace carom {

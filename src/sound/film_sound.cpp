@@ -43,7 +43,7 @@ void FilmSound::see(const Tick& tick, const AdvanceResult& advanced) {
                             : tick.frame;
         const std::int64_t sample = sample_at(frame);
         if (sample < 0 || frame >= end_) continue;
-        const double impulse = impulse_of(particles_, one).matrix().norm();
+        const double impulse = length(impulse_of(particles_, one));
         mixer_.add({sample, reference_pitch * impulse / reference_});
     }
     time_before_ = tick.time;

@@ -30,16 +30,20 @@ CollisionError too_fast(Eigen::Index particle, double time) {
 }  // namespace
 
 Region Cells::region(Eigen::Index cell) const {
-    const Eigen::Array2d low{static_cast<double>(cell % count[0]) * size[0],
-                             static_cast<double>(cell / count[0]) * size[1]};
+    const Vec low{static_cast<double>(cell % count[0]) * size[0],
+                  static_cast<double>(cell / count[0]) * size[1]};
     return {low, low + size};
 }
 
 Cells square_cells(const Box& box, int along_longer) {
     if (box.dimension == 1) return slabs(box, 0, along_longer);
-    const double side = box.size.maxCoeff() / along_longer;
-    const Eigen::Array2i count = (box.size / side).round().max(1.0).cast<int>();
-    return {count, box.size / count.cast<double>(), box.size};
+    const double side = box.longest_side() / along_longer;
+    Cells cells{{1, 1}, box.size, box.size};
+    for (int axis = 0; axis < box.dimension; ++axis) {
+        cells.count[axis] = static_cast<int>(std::max(std::round(box.size[axis] / side), 1.0));
+        cells.size[axis] /= cells.count[axis];
+    }
+    return cells;
 }
 
 Cells slabs(const Box& box, int axis, int count) {
@@ -88,7 +92,7 @@ std::int64_t CellAverages::slice_number(double time) const {
 
 // -1 for a position outside the cells, as it can be with sides that move. The last cell includes
 // the upper side, which point disks can touch.
-Eigen::Index CellAverages::cell_at(const Eigen::Array2d& place) const {
+Eigen::Index CellAverages::cell_at(const Vec& place) const {
     std::array<Eigen::Index, 2> at{0, 0};
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
         const Eigen::Index count = cells_.count[axis];
@@ -211,7 +215,7 @@ void CellAverages::add_crossings(const PathPiece& piece, double from, double to)
 
 void CellAverages::stay(const PathPiece& piece, double from, double to) {
     const double span = to - from, middle = 0.5 * (from + to) - piece.from;
-    const Eigen::Array2d velocity = piece.velocity_after(middle);  // also the mean
+    const Vec velocity = piece.velocity_after(middle);  // also the mean
     const Eigen::Index cell = cell_at(piece.place_after(middle));
     if (cell < 0) return;
     CellSums& sums = slice_at(0.5 * (from + to));
@@ -232,22 +236,22 @@ namespace {
 struct CellMotion {
     int count = 0;
     double mass = 0.0, squares = 0.0, products = 0.0, squares_gained = 0.0;
-    Eigen::Array2d momentum{0.0, 0.0}, force{0.0, 0.0};
+    Vec momentum = {}, force = {};
 
-    void add(double its, const Eigen::Array2d& velocity, const Eigen::Array2d& acceleration) {
+    void add(double its, const Vec& velocity, const Vec& acceleration) {
         mass += its;
         momentum += its * velocity;
-        squares += its * velocity.square().sum();
-        if ((acceleration == 0.0).all()) return;
+        squares += its * square(velocity);
+        if (acceleration == Vec()) return;
         force += its * acceleration;
-        products += its * (velocity * acceleration).sum();
-        squares_gained += its * acceleration.square().sum();
+        products += its * dot(velocity, acceleration);
+        squares_gained += its * square(acceleration);
     }
 
     // Twice the kinetic energy of the motion relative to their centre of mass.
     double thermal(double time) const {
         const double all = squares + time * (2.0 * products + time * squares_gained);
-        return std::max(0.0, all - (momentum + time * force).square().sum() / mass);
+        return std::max(0.0, all - square(momentum + time * force) / mass);
     }
     // The integral of thermal() over time: its integrand is constant where all particles fall
     // alike, otherwise a parabola (Simpson's rule is exact).
@@ -307,14 +311,14 @@ void CellAverages::add_moment(const Sample& sample) {
         const Eigen::Index cell = is_member(i) ? cell_at(point.place) : -1;
         if (cell < 0) continue;
         moment_.particles[cell] += 1.0;
-        moment_.speed[cell] += point.velocity.matrix().norm();
-        moment_.velocity.row(cell) += point.velocity.head(box_.dimension).transpose();
+        moment_.speed[cell] += length(point.velocity);
+        put(vec_in(moment_.velocity, cell) + point.velocity, moment_.velocity, cell);
         if (particles_.inverse_mass[i] == 0.0) continue;
         const double its = 1.0 / particles_.inverse_mass[i];
         count[cell] += 1.0;
         mass[cell] += its;
-        squares[cell] += its * point.velocity.square().sum();
-        momentum.row(cell) += its * point.velocity.head(box_.dimension).transpose();
+        squares[cell] += its * square(point.velocity);
+        put(vec_in(momentum, cell) + its * point.velocity, momentum, cell);
     }
     const auto several = count > 1.0;
     moment_.thermal_freedom = several.select(count - 1.0, 0.0);

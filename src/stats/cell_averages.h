@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
 #include "stats/paths/paths.h"
@@ -21,11 +21,11 @@ namespace carom {
 /// left.
 struct Cells {
     Eigen::Array2i count{1, 1};
-    Eigen::Array2d size{1.0, 1.0};  ///< of one cell; along y 1 in one dimension
-    Eigen::Array2d box{1.0, 1.0};   ///< of the whole grid
+    Vec size{1.0, 1.0};  ///< of one cell; along y 1 in one dimension
+    Vec box{1.0, 1.0};   ///< of the whole grid
 
     Eigen::Index all() const { return Eigen::Index{count[0]} * count[1]; }
-    double area() const { return size.prod(); }  ///< a length in one dimension
+    double area() const { return size[0] * size[1]; }  ///< a length in one dimension
     Region region(Eigen::Index cell) const;
 };
 
@@ -97,14 +97,14 @@ class CellAverages {
   private:
     struct Point {
         double time = 0.0;
-        Eigen::Array2d place{0.0, 0.0}, velocity{0.0, 0.0};
+        Vec place = {}, velocity = {};
     };
     /// An interval of time that a particle spends in a cell.
     struct Stay {
         Eigen::Index cell;
         double from, to;
-        Eigen::Array2d velocity;      ///< extrapolated along this path to the time `from_`
-        Eigen::Array2d acceleration;  ///< minus gravity
+        Vec velocity = {};      ///< extrapolated along this path to the time `from_`
+        Vec acceleration = {};  ///< minus gravity
         double mass;
     };
     struct Slice {
@@ -119,7 +119,7 @@ class CellAverages {
     CellSums no_sums() const;
     CellSums& slice_at(double time);
     std::int64_t slice_number(double time) const;
-    Eigen::Index cell_at(const Eigen::Array2d& place) const;
+    Eigen::Index cell_at(const Vec& place) const;
     void fly(const PathPiece& piece);
     void add_crossings(const PathPiece& piece, double from, double to);
     void stay(const PathPiece& piece, double from, double to);
@@ -131,7 +131,7 @@ class CellAverages {
     Cells cells_;
     Wanted wanted_;
     Paths paths_;
-    Eigen::Array2d gravity_{0.0, 0.0};
+    Vec gravity_ = {};
     std::deque<Slice> slices_;
     CellSums moment_;
     bool is_first_ = true;         ///< no sample has been seen

@@ -5,11 +5,11 @@
 
 namespace carom {
 
-void Displacements::fly(Eigen::Index particle, double time, const Eigen::Array2d& after) {
+void Displacements::fly(Eigen::Index particle, double time, const Vec& after) {
     if (time < time_[particle]) return;  // a collision before the first sample
     moved_.row(particle) += (time - time_[particle]) * velocity_.row(particle);
     time_[particle] = time;
-    velocity_.row(particle) = after.head(velocity_.cols()).transpose();
+    put(after, velocity_, particle);
 }
 
 Eigen::ArrayXXd Displacements::operator()(const Sample& sample,

@@ -19,7 +19,7 @@ class Displacements {
     Eigen::ArrayXXd operator()(const Sample& sample, std::span<const Collision> collisions);
 
   private:
-    void fly(Eigen::Index particle, double time, const Eigen::Array2d& after);
+    void fly(Eigen::Index particle, double time, const Vec& after);
 
     Box box_;
     double from_;

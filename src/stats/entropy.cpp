@@ -13,7 +13,7 @@ PositionEntropy::PositionEntropy(const Box& box, const Particles& particles,
     constexpr double wanted_in_cell = 5.0;
     const double cells = std::max(1.0, counted_.sum() / wanted_in_cell);
     const double stretch =
-        box.dimension == 1 ? cells : std::sqrt(cells * box.size.maxCoeff() / box.size.minCoeff());
+        box.dimension == 1 ? cells : std::sqrt(cells * box.longest_side() / box.shortest_side());
     cells_ = square_cells(
         box, along_longer.value_or(std::max(2, 2 * static_cast<int>(std::floor(0.5 * stretch)))));
 }

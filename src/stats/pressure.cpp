@@ -29,7 +29,7 @@ double size_of_room(const Box& box, double radius) {
 
 bool has_one_pressure(const Box& box, std::span<const SurfaceState> states) {
     if (states.empty()) return true;
-    const auto first_partition = static_cast<std::size_t>(Surfaces::first_partition);
+    const std::size_t first_partition = box.surfaces.numbered_sides().size();
     const auto partitions = states.subspan(first_partition, box.surfaces.partitions.size());
     return !box.surfaces.has_gravity() &&
            std::ranges::none_of(states.first(first_partition),

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
 

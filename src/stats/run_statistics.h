@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/mechanics.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
@@ -115,7 +115,7 @@ class RunStatistics {
     std::vector<Tally> tallies_;            ///< by species
     std::array<ExactSum, 2> momentum_;      ///< by axis
     double mass_ = 0.0;                     ///< of all
-    std::array<bool, 2> is_conserved_{};    ///< momentum along an axis
+    std::array<bool, 3> is_conserved_{};    ///< momentum along an axis
     Totals first_, last_;
     double largest_energy_error_ = 0.0;
     double largest_overlap_ = 0.0;

@@ -7,6 +7,7 @@
 #include <ctime>
 #include <limits>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 
 namespace carom::test {

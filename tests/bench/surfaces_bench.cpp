@@ -27,9 +27,9 @@ Gas plain_gas(std::int64_t count) {
 void add_obstacles(Gas& gas) {
     constexpr int rows = 25, columns = 40;
     for (int k = 0; k < rows * columns; ++k) {
-        const Eigen::Array2d share{(k % columns + 0.5) / columns, (k / columns + 0.5) / rows};
-        gas.box.surfaces.obstacles.push_back(
-            {std::to_string(k), Obstacle::Disk{gas.box.size * share, 1.0}});
+        const Vec place{gas.box.size[0] * (k % columns + 0.5) / columns,
+                        gas.box.size[1] * (k / columns + 0.5) / rows};
+        gas.box.surfaces.obstacles.push_back({std::to_string(k), Obstacle::Disk{place, 1.0}});
     }
 }
 

@@ -272,9 +272,9 @@ Measure exponent_of_fronts(double until) {
         for (const Collision& hit : course.collisions) {
             if (hit.time > until) break;
             fly(hit.time);
-            const Eigen::Array2d off = hit.first_position - Eigen::Array2d{7.5, 4.5};
-            if (std::abs(off.matrix().norm() - radius) > 1e-6) continue;  // a wall
-            const double cosine = std::abs((off * hit.first_before).sum()) / (radius * speed);
+            const Vec off = hit.first_position - Vec{7.5, 4.5};
+            if (std::abs(length(off) - radius) > 1e-6) continue;  // a wall
+            const double cosine = std::abs(dot(off, hit.first_before)) / (radius * speed);
             curvature += 2.0 / (radius * cosine);
         }
         fly(until);

@@ -211,10 +211,9 @@ std::vector<SceneClaims> claims_in_gravity() {
 Measure share_of_short_paths() {
     return {[](const Course& course) {
         std::vector<double> last(static_cast<std::size_t>(course.particles.count()), -1.0), paths;
-        const auto end_path = [&](std::int32_t particle, const Eigen::Array2d& velocity,
-                                  double time) {
+        const auto end_path = [&](std::int32_t particle, const Vec& velocity, double time) {
             double& before = last[static_cast<std::size_t>(particle)];
-            if (before >= 0.0) paths.push_back(velocity.matrix().norm() * (time - before));
+            if (before >= 0.0) paths.push_back(length(velocity) * (time - before));
             before = time;
         };
         for (const Collision& c : course.collisions) {

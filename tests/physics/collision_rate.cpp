@@ -164,11 +164,9 @@ TEST_CASE("the rate of beads of different masses is that of their order, once it
 
 TEST_CASE("there is no expected rate where there is none") {
     Gas gas = plane(Wall::solid, 20.0);
-    gas.species = {{.name = "piston",
-                    .count = 1,
-                    .mass = Infinite{},
-                    .velocity = Velocity{{Eigen::Array2d{1.0, 0.0}}}},
-                   {.name = "gas", .count = 5}};
+    gas.species = {
+        {.name = "piston", .count = 1, .mass = Infinite{}, .velocity = Velocity{{Vec{1.0, 0.0}}}},
+        {.name = "gas", .count = 5}};
     const auto [particles, sample] = draw_gas(gas);
     CHECK(law(BoxedGas(gas.box, {}, particles, sample), LawOf::collision_rate).none->why ==
           NoLaw::Why::moving_infinite_mass);

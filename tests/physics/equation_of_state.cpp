@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "stats/pressure.h"
 #include "support/blocks.h"
@@ -20,7 +21,7 @@ using enum EquationOfState;
 namespace {
 
 // Disks of diameter 1 and two masses that cover this share of a box between these sides.
-Gas disks(double packing, std::int64_t count, std::array<Wall, 2> walls) {
+Gas disks(double packing, std::int64_t count, Walls walls) {
     const double area = static_cast<double>(count) * std::numbers::pi / 4.0 / packing;
     Gas gas;
     gas.seed = 11;

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"
 #include "support/csv.h"

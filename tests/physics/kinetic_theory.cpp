@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"
 #include "support/csv.h"
@@ -30,17 +31,17 @@ class Ways {
   public:
     Ways(const Box& box, const Eigen::ArrayXXd& places) : size_(box.size), last_(places) {}
 
-    void add(std::int32_t disk, const Eigen::Array2d& place) {
-        Eigen::Array2d step = place - last_.row(disk).transpose();
+    void add(std::int32_t disk, const Vec& place) {
+        Vec step = place - vec_in(last_, disk);
         for (int a = 0; a < 2; ++a) step[a] = std::remainder(step[a], size_[a]);
         total_ += std::hypot(step[0], step[1]);
-        last_.row(disk) = place.transpose();
+        put(place, last_, disk);
     }
 
     double total() const { return total_; }
 
   private:
-    Eigen::Array2d size_;
+    Vec size_;
     Eigen::ArrayXXd last_;
     double total_ = 0.0;
 };
@@ -82,7 +83,7 @@ TEST_CASE("disks collide as often, and fly as far, as Enskog's theory says") {
             ways.add(c.second.particle(), c.second_position);
         }
         const Eigen::ArrayXXd& end = simulation.sample().position;
-        for (std::int32_t i = 0; i < count; ++i) ways.add(i, end.row(i).transpose());
+        for (std::int32_t i = 0; i < count; ++i) ways.add(i, vec_in(end, i));
 
         const double collisions = 2.0 * static_cast<double>(advanced.counts.particle);
         const double temperature =
@@ -132,9 +133,9 @@ TEST_CASE("a gas of points presses as much as it has energy, over the area") {
     const double duration = 2000.0;
     const AdvanceResult advanced = gas.advance_to(duration);
     CHECK(advanced.counts.particle == 0);
-    const std::array<double, 4>& wall = advanced.impulses.wall;
-    const Eigen::Array2d size = gas.box().size;
-    const double doubt = (momenta * size).sum() / (2.0 * duration);
+    const std::array<double, 6>& wall = advanced.impulses.wall;
+    const Vec size = gas.box().size;
+    const double doubt = (momenta[0] * size[0] + momenta[1] * size[1]) / (2.0 * duration);
     CHECK(doubt < 2e-3 * energy);
     const double force_times_length =
         ((wall[0] + wall[1]) * size[0] + (wall[2] + wall[3]) * size[1]) / (2.0 * duration);

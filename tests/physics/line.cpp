@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "support/bodies.h"
 #include "support/csv.h"
 #include "support/relative.h"

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/reversal/precision.h"
 #include "physics/simulation.h"
@@ -22,7 +23,7 @@ Partition divider_at(double x, Behaviour behaviour = Reflecting{}) {
     return {.name = "divider", .axis = 0, .at = x, .behaviour = behaviour};
 }
 
-constexpr std::int32_t divider = Surfaces::first_partition;
+const std::int32_t divider = Surfaces{}.first_partition();
 
 // Disks in the left part of a box with a divider.
 Gas gas_beside_divider(int count, Behaviour behaviour = Reflecting{}) {
@@ -321,7 +322,7 @@ TEST_CASE("beads beside baths, under gravity and between driven ends do what dis
         double left = 0.0, count = 0.0;
         for (const Collision& hit : simulation.advance_to(40'000.0).collisions) {
             if (hit.second.surface() != 0) continue;
-            left += 0.5 * hit.first_after.square().sum();
+            left += 0.5 * square(hit.first_after);
             count += 1.0;
         }
         // Each energy is exponential with mean and deviation T = 2.
@@ -382,7 +383,7 @@ TEST_CASE("the end of a motion and what is undone change nothing else of a surfa
     gas.box.surfaces.partitions = {
         {.name = "p", .axis = 0, .at = 5.0, .behaviour = Driven{.velocity = 0.5, .until = 8.0}}};
     gas.species = {{.name = "points", .count = 1, .radius = 0.0, .velocity = Temperature{1.0}}};
-    constexpr std::int32_t p = Surfaces::first_partition;
+    const std::int32_t p = Surfaces{}.first_partition();
     SUBCASE("the end of a motion") {
         Run run;
         run.events = {{4.0, SetOpen{p, true}}};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/events/event_loop.h"
+#include "physics/gas.h"
 #include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "physics/surfaces/surface_error.h"

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "support/blocks.h"
 #include "support/goodness_of_fit.h"
@@ -93,10 +94,10 @@ TEST_CASE("through a gap effuse n a sqrt(T / 2 pi m), of energy 1.5 T, at angles
         constexpr double time = 1500.0;
         double energy = 0.0, hits = 0.0;
         for (const Collision& hit : simulation.advance_to(time * block).collisions) {
-            if (hit.second.surface() != Surfaces::first_partition + 1) continue;
-            const Eigen::Array2d& v = hit.first_before;
-            energy += 0.5 * mass * v.square().sum();
-            sines.push_back(v[1] / std::sqrt(v.square().sum()));
+            if (hit.second.surface() != Surfaces{}.first_partition() + 1) continue;
+            const Vec& v = hit.first_before;
+            energy += 0.5 * mass * square(v);
+            sines.push_back(v[1] / length(v));
             hits += 1.0;
         }
         rates.push_back(hits / time);
@@ -193,7 +194,7 @@ TEST_CASE("the entropy of a free expansion grows by N ln(V1 / V0), and the tempe
     gas.box.surfaces.partitions = {{.name = "divider", .axis = 0, .at = 10.0}};
     gas.species = {points("points", count, 1.0, {{0.0, 0.0}, {10.0, 10.0}})};
     Run run;
-    run.events = {{1.0, SetOpen{Surfaces::first_partition, true}}};
+    run.events = {{1.0, SetOpen{Surfaces{}.first_partition(), true}}};
     Simulation simulation(gas, run);
     const auto entropy = [&] {
         Eigen::ArrayXd numbers = Eigen::ArrayXd::Zero(parts);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "physics/surface.h"
@@ -28,7 +29,7 @@ namespace {
 struct Start {
     Box box;
     double radius = 0.0;
-    std::vector<Eigen::Array2d> places = {}, velocities = {};
+    std::vector<Vec> places = {}, velocities = {};
     double mass = 1.0;
 
     Simulation simulation(const Run& run = {}) const {
@@ -38,8 +39,8 @@ struct Start {
                             Eigen::ArrayXi::Zero(count)};
         Sample start{0.0, Eigen::ArrayXXd(count, 2), Eigen::ArrayXXd(count, 2)};
         for (Eigen::Index i = 0; i < count; ++i) {
-            start.position.row(i) = places[static_cast<std::size_t>(i)];
-            start.velocity.row(i) = velocities[static_cast<std::size_t>(i)];
+            put(places[static_cast<std::size_t>(i)], start.position, i);
+            put(velocities[static_cast<std::size_t>(i)], start.velocity, i);
         }
         return {box, particles, start, run};
     }

@@ -1,11 +1,12 @@
 // Disks that advance in time steps: what that gets right, and what it gets wrong.
-#include "physics/time_step.h"
+#include "physics/events/time_step.h"
 
 #include <doctest/doctest.h>
 
 #include <cstdint>
 #include <optional>
 
+#include "physics/gas.h"
 #include "physics/placement/overlap.h"
 #include "physics/simulation.h"
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "physics/theory/equation_of_state.h"

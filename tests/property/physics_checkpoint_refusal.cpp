@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "physics/box.h"
+#include "physics/gas.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/simulation.h"
 #include "support/checkpoint.h"

@@ -32,7 +32,7 @@ double deepest_overlap(const Box& box, const Particles& particles, const Sample&
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         for (Eigen::Index j = 0; j < i; ++j) {
             if (particles.inverse_mass[i] + particles.inverse_mass[j] == 0.0) continue;
-            Eigen::Array2d r = (sample.position.row(i) - sample.position.row(j)).transpose();
+            Vec r = vec_in(sample.position, i) - vec_in(sample.position, j);
             for (int a = 0; a < 2; ++a)
                 if (box.is_periodic(a)) r[a] = std::remainder(r[a], box.size[a]);
             const double sigma = particles.radius[i] + particles.radius[j];
@@ -63,7 +63,8 @@ std::uint64_t hash_of(const Sample& sample) {
 // is taken at a rounded time, when the fastest disk is off by its speed times the rounding.
 double overlap_bound(const Box& box, const Sample& sample) {
     const double epsilon = std::numeric_limits<double>::epsilon();
-    return epsilon * (4.0 * box.size.sum() + 2.0 * speeds(sample).maxCoeff() * sample.time);
+    return epsilon *
+           (4.0 * (box.size[0] + box.size[1]) + 2.0 * speeds(sample).maxCoeff() * sample.time);
 }
 
 // In contact at each of so many collisions, no overlap at those that are looked at, the first and
@@ -80,8 +81,7 @@ void require_hard_disks(const Gas& gas, int collisions, int each) {
         if (collision.second.is_particle()) {
             const double sigma =
                 particles.radius[collision.first] + particles.radius[collision.second.particle()];
-            const double distance =
-                std::sqrt((collision.second_position - collision.first_position).square().sum());
+            const double distance = length(collision.second_position - collision.first_position);
             apart = std::max(apart, std::abs(distance - sigma));
         }
         if (k % each != 0) continue;
@@ -159,9 +159,9 @@ TEST_CASE("disks crowded in one cell are all found") {
         const auto expected = slow.next(1e3L);
         Collision found{};
         REQUIRE(fast.advance_one(1e3, found));
-        REQUIRE(
-            std::min(found.first, found.second.is_side() ? found.first : found.second.particle()) ==
-            expected->first);
+        REQUIRE(std::min(found.first,
+                         found.second.is_surface() ? found.first : found.second.particle()) ==
+                expected->first);
         REQUIRE(std::abs(found.time - static_cast<double>(expected->time)) < 1e-6);
     }
 }
@@ -281,13 +281,12 @@ TEST_CASE("a giant ploughs through dust at rest, which looks for nothing itself"
         disks.advance(20.0, &collisions);
         CHECK(disks.counts().particle > 1000);
         for (const Collision& c : collisions) {
-            if (c.second.is_side()) continue;
+            if (c.second.is_surface()) continue;
             const double sigma = particles.radius[c.first] + particles.radius[c.second.particle()];
-            const double distance =
-                std::sqrt((c.second_position - c.first_position).square().sum());
+            const double distance = length(c.second_position - c.first_position);
             // Places in a box of 60, and times up to 20 at which dust that is crushed against a
             // wall may fly a thousand times as fast as the giant: an ulp of each.
-            const double speeds = std::sqrt((c.second_before - c.first_before).square().sum());
+            const double speeds = length(c.second_before - c.first_before);
             REQUIRE(std::abs(distance - sigma) < ulp(60.0) * 8.0 + ulp(20.0) * speeds);
         }
     }
@@ -344,9 +343,8 @@ TEST_CASE("particles keep their numbers when they are sorted in memory") {
         const AdvanceResult advanced = simulation.advance_to(time);
         pairs = advanced.counts.particle;
         for (const Collision& c : advanced.collisions) {
-            if (c.second.is_side()) continue;
-            const double distance =
-                std::sqrt((c.second_position - c.first_position).square().sum());
+            if (c.second.is_surface()) continue;
+            const double distance = length(c.second_position - c.first_position);
             REQUIRE(std::abs(distance - particles.radius[c.first] -
                              particles.radius[c.second.particle()]) < 1e-12);
         }

@@ -31,7 +31,7 @@ test::SurfaceScene grazing_scene(std::uint64_t seed) {
     Box& box = scene.gas.box;
     box.size = {40.0, 40.0};
     const double turn = random.uniform(0.0, 6.3), radius = random.uniform(0.05, 1.0);
-    const Eigen::Array2d center{20.0, 20.0}, away{std::cos(turn), std::sin(turn)};
+    const Vec center{20.0, 20.0}, away{std::cos(turn), std::sin(turn)};
     double distance = radius;
     if (random.uniform() < 0.5) {
         box.surfaces.obstacles = {{"end", Obstacle::Lines{{center, center - away}, false}}};
@@ -43,10 +43,10 @@ test::SurfaceScene grazing_scene(std::uint64_t seed) {
     box.surfaces.gravity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
     const double miss =
         std::pow(10.0, random.uniform(-15.0, -2.0)) * (random.uniform() < 0.5 ? 1.0 : -1.0);
-    const Eigen::Array2d nearest = center + (distance + miss) * away;
-    const Eigen::Array2d velocity = random.uniform(1.0, 3.0) * Eigen::Array2d{-away[1], away[0]};
+    const Vec nearest = center + (distance + miss) * away;
+    const Vec velocity = random.uniform(1.0, 3.0) * Vec{-away[1], away[0]};
     const double time = random.uniform(0.5, 3.0);
-    const Eigen::Array2d& gravity = box.surfaces.gravity;
+    const Vec& gravity = box.surfaces.gravity;
     scene.gas.species = {
         {.name = "disk",
          .count = 1,

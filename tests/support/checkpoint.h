@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "util/archive.h"
 
@@ -75,9 +76,8 @@ class Trace {
         count(its.first);
         count(its.second.is_particle() ? its.second.particle() : -1 - its.second.surface());
         numbers({its.time});
-        for (const Eigen::Array2d& vector :
-             {its.first_position, its.second_position, its.first_before, its.second_before,
-              its.first_after, its.second_after})
+        for (const Vec& vector : {its.first_position, its.second_position, its.first_before,
+                                  its.second_before, its.first_after, its.second_after})
             numbers({vector[0], vector[1]});
     }
     void add(const AdvanceResult& its) {

@@ -31,7 +31,7 @@ Condition on_side(const std::string& name, const Behaviour& behaviour, std::size
 Condition with_partition(const std::string& name, const Partition& partition) {
     return {name, [=](GasState& s) {
                 s.gas.box.surfaces.partitions = {partition};
-                s.asked.surface = Surfaces::first_partition;
+                s.asked.surface = Surfaces{}.first_partition();
             }};
 }
 
@@ -114,14 +114,14 @@ std::vector<Condition> conditions() {
         {"opened",
          [middle](GasState& s) {
              s.gas.box.surfaces.partitions = {middle};
-             s.asked.surface = Surfaces::first_partition;
-             s.events = {{1.0, SetOpen{Surfaces::first_partition, true}}};
+             s.asked.surface = Surfaces{}.first_partition();
+             s.events = {{1.0, SetOpen{Surfaces{}.first_partition(), true}}};
          }},
         {"shut",
          [middle](GasState& s) {
              s.gas.box.surfaces.partitions = {middle};
-             s.asked.surface = Surfaces::first_partition;
-             s.events = {{1.0, SetOpen{Surfaces::first_partition, false}}};
+             s.asked.surface = Surfaces{}.first_partition();
+             s.events = {{1.0, SetOpen{Surfaces{}.first_partition(), false}}};
          }},
         {"reversed",
          [](GasState& s) {

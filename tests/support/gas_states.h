@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/theory/law.h"
 
 namespace carom::test {

@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "physics/box.h"
 #include "physics/events/event_loop.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 
 namespace carom::test {
@@ -34,8 +34,8 @@ int require_same_events(const Box& box, const Particles& particles, const Sample
         REQUIRE(fast.advance_one(end, found) == expected.has_value());
         if (!expected) break;
         std::int32_t first = found.first;
-        std::int32_t second = found.second.is_side() ? -1 - static_cast<int>(found.second.side())
-                                                     : found.second.particle();
+        std::int32_t second =
+            found.second.is_surface() ? -1 - found.second.surface() : found.second.particle();
         if (second >= 0 && second < first) std::swap(first, second);
         REQUIRE(first == expected->first);
         REQUIRE(second == expected->second);

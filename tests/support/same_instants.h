@@ -8,9 +8,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "physics/box.h"
 #include "physics/collision_error.h"
 #include "physics/events/event_loop.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 #include "support/slow_rounds.h"
 

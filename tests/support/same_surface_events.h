@@ -150,15 +150,15 @@ class SurfaceComparison {
     // the end.
     void check_bath(const Collision& found) {
         const auto& mover = slow_.movers()[static_cast<std::size_t>(found.second.surface())];
-        Eigen::Array2d normal = found.first_position - found.second_position;
+        Vec normal = found.first_position - found.second_position;
         if (particles_.radius[found.first] == 0.0) {  // on the wall; it came from the other side
-            normal = 0.0;
+            normal = {};
             normal[mover.axis] = found.first_before[mover.axis] > 0.0 ? -1.0 : 1.0;
         }
-        normal /= std::sqrt(normal.square().sum());
+        normal /= length(normal);
         const double temperature = std::get<Bath>(mover.behaviour).temperature;
         const double unit = std::sqrt(temperature * particles_.inverse_mass[found.first]);
-        const double away = (normal * found.first_after).sum() / unit;
+        const double away = dot(normal, found.first_after) / unit;
         REQUIRE(away > 0.0);
         tally_.flux.push_back(away);
         if (dimension == 2)

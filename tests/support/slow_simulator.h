@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "support/slow_rounds.h"
 

@@ -213,7 +213,7 @@ void SlowSurfaces::adopt(const Sample& state, const std::vector<SurfaceState>& s
 
 // Round-off of positions and, because of the round-off of time, of the distances travelled.
 void SlowSurfaces::find_slack() {
-    long double furthest = box_.size.maxCoeff(), fastest = 0.0L;
+    long double furthest = box_.longest_side(), fastest = 0.0L;
     for (const Disk& disk : disks_) {
         furthest = std::max(furthest, size(disk.x));
         fastest = std::max(fastest, size(disk.v));

@@ -17,7 +17,7 @@
 #include <set>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/run.h"
 #include "support/slow_numbers.h"

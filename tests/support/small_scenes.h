@@ -21,7 +21,7 @@ inline Gas small_scene(std::uint64_t seed) {
     gas.seed = seed;
     gas.box.size = {random.uniform(2.5, 9.0), random.uniform(2.5, 9.0)};
     gas.box.walls = {any_wall(random), any_wall(random)};
-    const double r = 0.5 * std::sqrt(gas.box.size.prod()) * random.uniform(0.08, 0.2);
+    const double r = 0.5 * std::sqrt(gas.box.content()) * random.uniform(0.08, 0.2);
     gas.species.push_back({.name = "small",
                            .count = 1 + static_cast<int>(random.below(5)),
                            .radius = UniformDistribution{0.3 * r, r},

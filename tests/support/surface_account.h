@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "physics/events/event_loop.h"
+#include "physics/gas.h"
 #include "physics/placement/placement.h"
 
 namespace carom::test {

@@ -57,21 +57,19 @@ inline Partition any_partition(Random& random, const Box& box, bool may_move, st
 }
 
 inline Obstacle any_obstacle(Random& random, const Box& box, std::string name) {
-    const Eigen::Array2d at{box.size[0] * random.uniform(0.15, 0.85),
-                            box.size[1] * random.uniform(0.15, 0.85)};
+    const Vec at{box.size[0] * random.uniform(0.15, 0.85),
+                 box.size[1] * random.uniform(0.15, 0.85)};
     const auto near = [&](double far) {
-        return Eigen::Array2d(at + Eigen::Array2d{random.uniform(-far, far),  //
-                                                  random.uniform(-far, far)});
+        return at + Vec{random.uniform(-far, far), random.uniform(-far, far)};
     };
     switch (random.below(5)) {
         case 0:
             return {std::move(name), Obstacle::Disk{at, random.uniform(0.05, 1.0)}};
         case 1: {
             const double x = random.uniform(0.1, 1.0), y = random.uniform(0.1, 1.0);
-            return {std::move(name),
-                    Obstacle::Lines{{at, at + Eigen::Array2d{x, 0.0}, at + Eigen::Array2d{x, y},
-                                     at + Eigen::Array2d{0.0, y}},
-                                    true}};
+            return {
+                std::move(name),
+                Obstacle::Lines{{at, at + Vec{x, 0.0}, at + Vec{x, y}, at + Vec{0.0, y}}, true}};
         }
         case 2:
             return {std::move(name),
@@ -82,8 +80,7 @@ inline Obstacle any_obstacle(Random& random, const Box& box, std::string name) {
             const double turn = random.uniform(0.0, 6.3), length = random.uniform(1.0, 2.5);
             const double angle = std::pow(10.0, random.uniform(-2.0, 0.0));
             const auto end = [&](double angle_of_it) {
-                return Eigen::Array2d(
-                    at + length * Eigen::Array2d{std::cos(angle_of_it), std::sin(angle_of_it)});
+                return at + length * Vec{std::cos(angle_of_it), std::sin(angle_of_it)};
             };
             return {std::move(name), Obstacle::Lines{{end(turn), at, end(turn + angle)}, false}};
         }
@@ -119,7 +116,7 @@ inline std::vector<RunEvent> any_events(Random& random, const Box& box, bool sur
     for (int k = 0; k < 4; ++k) {
         time += random.uniform(0.1, 2.0);
         const bool of_partition = has_partition && random.uniform() < 0.7;
-        const std::int32_t which = of_partition ? Surfaces::first_partition : side;
+        const std::int32_t which = of_partition ? Surfaces{}.first_partition() : side;
         const int axis = of_partition ? box.surfaces.partitions[0].axis : side / 2;
         if (!of_partition && box.is_periodic(axis)) continue;
         const bool may_move = !box.is_periodic(axis) && surfaces_move;

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "util/random.h"
 

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "validation/study.h"
@@ -129,10 +130,10 @@ Study effusion() {
         double energy = 0.0, sines = 0.0, hits = 0.0;
         for (int part = 1; part <= 20; ++part)
             for (const Collision& hit : simulation.advance_to(time * part / 20.0).collisions) {
-                if (hit.second.surface() != Surfaces::first_partition + 1) continue;
-                const Eigen::Array2d& v = hit.first_before;
-                energy += 0.5 * mass * v.square().sum();
-                sines += v[1] * v[1] / v.square().sum();
+                if (hit.second.surface() != Surfaces{}.first_partition() + 1) continue;
+                const Vec& v = hit.first_before;
+                energy += 0.5 * mass * square(v);
+                sines += v[1] * v[1] / square(v);
                 hits += 1.0;
             }
         return std::vector<double>{hits / time, energy / hits, sines / hits};

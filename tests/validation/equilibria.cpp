@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "support/csv.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "validation/hard_disks.h"

@@ -3,6 +3,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"

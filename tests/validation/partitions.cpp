@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "validation/study.h"
@@ -111,7 +112,7 @@ Study free_expansion() {
         gas.box.surfaces.partitions = {{.name = "divider", .axis = 0, .at = 10.0}};
         gas.species = {points("points", count, 1.0, {{0.0, 0.0}, {10.0, 10.0}})};
         Run how;
-        how.events = {{1.0, SetOpen{Surfaces::first_partition, true}}};
+        how.events = {{1.0, SetOpen{Surfaces{}.first_partition(), true}}};
         Simulation simulation(gas, how);
         simulation.advance_to(1.0);
         const double before = entropy(simulation.sample(), 20.0, parts);
@@ -141,7 +142,8 @@ Study and_back() {
                         .position = WithinRegion{{{0.0, 0.0}, {10.0, 10.0}}}}};
         Run how;
         how.bits = 2048;
-        how.events = {{1.0, SetOpen{Surfaces::first_partition, true}}, {60.0, ReverseVelocities{}}};
+        how.events = {{1.0, SetOpen{Surfaces{}.first_partition(), true}},
+                      {60.0, ReverseVelocities{}}};
         Simulation simulation(gas, how);
         simulation.advance_to(119.5);  // reversed in time, the divider is back since 119
         return std::vector<double>{

@@ -61,8 +61,9 @@ struct GreyLook {
 // slot.
 double pixels_of_length(const Scene& scene) {
     const Rect place = Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas);
-    const Eigen::ArrayXd& box = scene.gas.box.size;
-    return std::min(place.width / box[0], box.size() == 2 ? place.height / box[1] : INFINITY);
+    const Vec& box = scene.gas.box.size;
+    return std::min(place.width / box[0],
+                    scene.gas.box.dimension == 1 ? INFINITY : place.height / box[1]);
 }
 
 std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles) {
@@ -173,7 +174,7 @@ std::optional<Diagnostic> flashing(const Scene& scene, const Particles& particle
                                    const Sample& sample) {
     const Box& box = scene.gas.box;
     if (box.dimension != 2 || particles.count() == 0) return std::nullopt;
-    const double area = box.size.prod();
+    const double area = box.content();
     const double covered = std::numbers::pi * particles.radius.square().sum() / area;
     if (covered <= share_that_flashes) return std::nullopt;
     const Eigen::ArrayXd energy = kinetic_energies(particles, sample);

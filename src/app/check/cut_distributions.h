@@ -5,10 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "physics/gas.h"
 #include "runs/json.h"
 
 namespace carom {
+
+struct Gas;
 
 /// A normal distribution of which more than 1 % is below 0.
 struct CutDistribution {

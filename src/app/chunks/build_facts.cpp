@@ -10,6 +10,7 @@
 #include "draw/canvas.h"
 #include "draw/disks/disks.h"
 #include "draw/text.h"
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "util/archive.h"
 #include "util/fingerprint.h"

@@ -22,7 +22,7 @@ constexpr double of_neighbours = 0.25e-6;  // of a particle whose neighbours are
 
 double largest_distance(const Scene& scene, const PanelSpec& panel, const Particles& gas) {
     constexpr double usual_diameters = 5.0;
-    const double most = 0.5 * scene.gas.box.size.maxCoeff();
+    const double most = 0.5 * scene.gas.box.longest_side();
     const double diameter = gas.count() > 0 ? 2.0 * gas.radius.maxCoeff() : 0.0;
     return panel.to.value_or(diameter > 0.0 ? std::min(most, usual_diameters * diameter) : most);
 }

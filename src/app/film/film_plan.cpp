@@ -163,7 +163,7 @@ double memory_of_ways(const Scene& scene, double particles) {
         if (panel.all_origins || panel.kind == "velocity-autocorrelation")
             bytes += of_lags * particles;
         else if (panel.kind == "run-distance")  // places of both runs
-            bytes += sizeof(Eigen::Array2d) * std::min(particles, 2.0 * most_in_both_runs.value) *
+            bytes += sizeof(Vec) * std::min(particles, 2.0 * most_in_both_runs.value) *
                      (frame_count(film) + static_cast<double>(sample_count(scene.run)));
     return bytes;
 }

@@ -35,7 +35,7 @@ CollisionsCsv::CollisionsCsv(const Box& box, Output& output)
     output.write(header(dimension_));
 }
 
-void CollisionsCsv::add(const Eigen::Array2d& value) {
+void CollisionsCsv::add(const Vec& value) {
     auto out = rows_.end();
     for (Eigen::Index axis = 0; axis < dimension_; ++axis)
         if (std::isnan(value[axis]))
@@ -53,7 +53,7 @@ void CollisionsCsv::add(const Particles& particles, std::span<const Collision> c
         else
             fmt::format_to(out, "{},{},,{}", csv_number(its.time), its.first,
                            surfaces_[static_cast<std::size_t>(its.second.surface())]);
-        for (const Eigen::Array2d& value :
+        for (const Vec& value :
              {its.first_position, its.second_position, its.first_before, its.second_before,
               its.first_after, its.second_after, impulse_of(particles, its)})
             add(value);

@@ -8,7 +8,7 @@
 #include "app/output.h"
 #include "app/report/row_buffer.h"
 #include "physics/advance_result.h"
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 
 namespace carom {
@@ -31,7 +31,7 @@ class CollisionsCsv {
     void finish() { rows_.finish(); }
 
   private:
-    void add(const Eigen::Array2d& value);
+    void add(const Vec& value);
 
     int dimension_;
     std::vector<std::string> surfaces_;  ///< names as fields

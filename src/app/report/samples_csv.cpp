@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "util/csv.h"
 

@@ -6,10 +6,11 @@
 
 #include "app/output.h"
 #include "app/report/row_buffer.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 
 namespace carom {
+
+struct Gas;
 
 /// A header, then a row for each sample and particle: time,particle,species,mass,radius,x,y,vx,vy
 /// (in 1-D x,vx). Numbers are formatted by csv_number(); an infinite mass is `inf`.

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "util/csv.h"
 

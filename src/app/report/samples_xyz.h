@@ -6,10 +6,11 @@
 
 #include "app/output.h"
 #include "app/report/row_buffer.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 
 namespace carom {
+
+struct Gas;
 
 /// Two lines for each sample, then one for each particle. The first is the number of particles, the
 /// second describes what follows: Lattice (the box; missing dimensions have length 1), Properties,

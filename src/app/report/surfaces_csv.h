@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/output.h"
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/surface.h"
 
 namespace carom {

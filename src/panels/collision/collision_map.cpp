@@ -33,7 +33,9 @@ void CollisionMapPanel::survey(const FrameInput& input) {
 
 void CollisionMapPanel::find_motion() {
     if (spec_.given) {
-        motion_ = {.inverse_mass = spec_.given->inverse_mass, .before = spec_.given->velocity};
+        const auto& [inverse_mass, velocity] = *spec_.given;
+        motion_ = {.inverse_mass = {inverse_mass[0], inverse_mass[1]},
+                   .before = {velocity[0], velocity[1]}};
         motion_.after = (collision_matrix(motion_.inverse_mass) * motion_.before.matrix()).array();
         return;
     }

@@ -44,7 +44,7 @@ std::vector<Binding<PanelSpec>> collision_map_keys() {
     const auto fill_masses = [](PanelSpec& panel, const std::vector<double>& masses) {
         given_pair(panel).inverse_mass = {1.0 / masses.at(0), 1.0 / masses.at(1)};
     };
-    const auto fill_velocities = [](PanelSpec& panel, const Eigen::Array2d& velocity) {
+    const auto fill_velocities = [](PanelSpec& panel, const TwoNumbers& velocity) {
         given_pair(panel).velocity = velocity;
     };
     return {bind_with<PanelSpec>("masses", fill_masses, list_of(mass, 2, {2}, "[mass, mass]"),
@@ -72,7 +72,7 @@ void check_collision_map(PanelSpec& panel, const Node& node, Reading& reading) {
         panel.given.reset();
         return;
     }
-    if (!(panel.given->inverse_mass.sum() > 0.0))
+    if (!(panel.given->inverse_mass[0] + panel.given->inverse_mass[1] > 0.0))
         reading.errors.add(*masses, "two infinite masses do not collide",
                            "give at least one finite mass");
     if (panel.given->velocity[0] == panel.given->velocity[1])

@@ -20,20 +20,20 @@ constexpr double lift_of_arrows = 0.75;  // units, from one row of arrows to the
 
 // The time from contact until the centres have the distance that is shown; at most `longest`, the
 // duration of the flight.
-double time_apart(const Eigen::Array2d& between, const Eigen::Array2d& moving, double longest) {
-    const double a = moving.square().sum(), b = std::abs((between * moving).sum());
-    const double c = between.square().sum() * (1.0 - apart * apart);
+double time_apart(const Vec& between, const Vec& moving, double longest) {
+    const double a = square(moving), b = std::abs(dot(between, moving));
+    const double c = square(between) * (1.0 - apart * apart);
     return std::clamp((-b + std::sqrt(b * b - a * c)) / a, 0.0, longest);
 }
 
 // Half of the extent of the stages along each axis, in units of the scene.
-Eigen::Array2d half_extent(const std::array<CollisionPose, 3>& all, const CollisionCause& cause,
-                           double time) {
-    Eigen::Array2d half = (time * cause.drift).abs();
+Vec half_extent(const std::array<CollisionPose, 3>& all, const CollisionCause& cause, double time) {
+    Vec half = abs(time * cause.drift);
     for (const CollisionPose& pose : all)
         for (std::size_t k = 0; k < 2; ++k) {
-            half = half.max(pose.center[k].abs() + cause.radius[k]);
-            half = half.max((pose.center[k] + time * pose.arrow[k]).abs());
+            const double radius = cause.radius[k];
+            half = upper(half, abs(pose.center[k]) + Vec(radius, radius));
+            half = upper(half, abs(pose.center[k] + time * pose.arrow[k]));
         }
     return half;
 }
@@ -64,18 +64,18 @@ CollisionCause cause_of(const PairCollision& met, const Particles& particles) {
         .drift = {},
         .back = 0.0,
         .on = 0.0};
-    const Eigen::Array2d moving = met.before[1] - met.before[0];
+    const Vec moving = met.before[1] - met.before[0];
     double longest_back = met.time - met.since, longest_on = met.until - met.time;
     if (cause.radius[0] + cause.radius[1] == 0.0) {  // point particles are drawn with a radius
         cause.radius = {0.5, 0.5};
-        cause.place[1] = cause.place[0] - moving / std::sqrt(moving.square().sum());
+        cause.place[1] = cause.place[0] - moving / length(moving);
         longest_back = longest_on = std::numeric_limits<double>::infinity();
     }
     const double first = particles.inverse_mass[met.particle[0]],
                  second = particles.inverse_mass[met.particle[1]];
     cause.weight = {second / (first + second), first / (first + second)};
     cause.drift = cause.weight[0] * met.before[0] + cause.weight[1] * met.before[1];
-    const Eigen::Array2d between = cause.place[1] - cause.place[0];
+    const Vec between = cause.place[1] - cause.place[0];
     cause.back = time_apart(between, moving, longest_back);
     cause.on = time_apart(between, met.after[1] - met.after[0], longest_on);
     return cause;
@@ -83,10 +83,9 @@ CollisionCause cause_of(const PairCollision& met, const Particles& particles) {
 
 std::array<CollisionPose, 3> poses(const CollisionCause& cause) {
     std::array<CollisionPose, 3> all;
-    const Eigen::Array2d middle =
-        cause.weight[0] * cause.place[0] + cause.weight[1] * cause.place[1];
+    const Vec middle = cause.weight[0] * cause.place[0] + cause.weight[1] * cause.place[1];
     for (std::size_t k = 0; k < 2; ++k) {
-        const Eigen::Array2d at_contact = cause.place[k] - middle;
+        const Vec at_contact = cause.place[k] - middle;
         all[0].center[k] = at_contact - cause.back * (cause.before[k] - cause.drift);
         all[1].center[k] = at_contact;
         all[2].center[k] = at_contact + cause.on * (cause.after[k] - cause.drift);
@@ -109,13 +108,12 @@ CollisionStages collision_stages(const PairCollision& pair, const Particles& par
                                  const Rect& area, double unit, int dimension) {
     const CollisionCause cause = cause_of(pair, particles);
     const std::array<CollisionPose, 3> all = poses(cause);
-    double fastest = length_of(cause.drift);
+    double fastest = length(cause.drift);
     for (const CollisionPose& pose : all)
-        for (const Eigen::Array2d& arrow : pose.arrow)
-            fastest = std::max(fastest, length_of(arrow));
+        for (const Vec& arrow : pose.arrow) fastest = std::max(fastest, length(arrow));
     const double sigma = cause.radius[0] + cause.radius[1];
     const double time = longest_arrow * sigma / fastest;
-    const Eigen::Array2d half = half_extent(all, cause, time);
+    const Vec half = half_extent(all, cause, time);
     const double margin = 0.15 * unit;
     const auto height_for_disks = [&](const Rect& rect) {
         return rect.height - (words_above + height_of_numbers(rect, unit)) * unit;
@@ -140,10 +138,10 @@ CollisionStages collision_stages(const PairCollision& pair, const Particles& par
         stage.area = rects[i];
         stage.mass_center = {rects[i].x + rects[i].width / 2,
                              rects[i].y + words_above * unit + high / 2};
-        const auto pixels = [&](const Eigen::Array2d& v) {
+        const auto pixels = [&](const Vec& v) {
             return Point{stage.mass_center.x + scale * v[0], stage.mass_center.y - scale * v[1]};
         };
-        const auto arrow = [&](const Eigen::Array2d& from, const Eigen::Array2d& along, int row) {
+        const auto arrow = [&](const Vec& from, const Vec& along, int row) {
             const double lift = row == 0 || dimension == 2
                                     ? 0.0
                                     : (row > 0 ? 1 : -1) * largest + row * lift_of_arrows * unit;
@@ -154,7 +152,7 @@ CollisionStages collision_stages(const PairCollision& pair, const Particles& par
             stage.center[k] = pixels(all[i].center[k]);
             stage.velocity[k] = arrow(all[i].center[k], all[i].arrow[k], k == 0 ? 1 : 2);
         }
-        stage.mass_center_velocity = arrow(Eigen::Array2d::Zero(), cause.drift, -1);
+        stage.mass_center_velocity = arrow(Vec(), cause.drift, -1);
     }
     return stages;
 }

@@ -12,9 +12,9 @@ namespace carom {
 
 /// The collision from which the stages are computed; point particles are given a radius.
 struct CollisionCause {
-    std::array<Eigen::Array2d, 2> place, before, after;
+    std::array<Vec, 2> place, before, after;
     std::array<double, 2> radius, weight;  ///< weight: share of the mass
-    Eigen::Array2d drift;                  ///< of the centre of mass
+    Vec drift;                             ///< of the centre of mass
     double back, on;  ///< times from the first stage to contact, and on to the last
 };
 
@@ -22,14 +22,12 @@ CollisionCause cause_of(const PairCollision& met, const Particles& particles);
 
 /// The content of one stage in units of the scene; positions are relative to the centre of mass.
 struct CollisionPose {
-    std::array<Eigen::Array2d, 2> center;
-    std::array<Eigen::Array2d, 2> arrow;  ///< velocities, or their changes
+    std::array<Vec, 2> center;
+    std::array<Vec, 2> arrow;  ///< velocities, or their changes
 };
 
 /// Before, at contact and after.
 std::array<CollisionPose, 3> poses(const CollisionCause& cause);
-
-inline double length_of(const Eigen::Array2d& v) { return std::sqrt(v.square().sum()); }
 
 /// An arrow from `from` to `to`; no arrow if the two points coincide.
 struct StageArrow {

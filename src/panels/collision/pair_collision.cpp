@@ -13,10 +13,8 @@
 namespace carom {
 namespace {
 
-double dot(const Eigen::Array2d& a, const Eigen::Array2d& b) { return (a * b).sum(); }
-
-double square_after(const Eigen::Array2d& apart, const Eigen::Array2d& moving, double time) {
-    return (apart + time * moving).square().sum();
+double square_after(const Vec& apart, const Vec& moving, double time) {
+    return square(apart + time * moving);
 }
 
 // The times at which an event of the run changes the velocity or the place of a particle.
@@ -41,13 +39,13 @@ double PairCollision::free_square(double at) const {
 }
 
 PairCollision::Parabola PairCollision::parabola() const {
-    const Eigen::Array2d moving = before[1] - before[0];
-    const Eigen::Array2d apart = place[1] - place[0] - (time - since) * moving;
+    const Vec moving = before[1] - before[0];
+    const Vec apart = place[1] - place[0] - (time - since) * moving;
     return {dot(apart, apart), dot(apart, moving), dot(moving, moving)};
 }
 
 double PairCollision::other_root() const {
-    const Eigen::Array2d moving = before[1] - before[0];
+    const Vec moving = before[1] - before[0];
     return time - 2.0 * dot(place[1] - place[0], moving) / dot(moving, moving);
 }
 

@@ -19,8 +19,8 @@ struct PairCollision {
     double since = 0.0;  ///< when the free flight before it begins
     double until = 0.0;  ///< when the one after it ends
     std::array<Eigen::Index, 2> particle{};
-    std::array<Eigen::Array2d, 2> place;  ///< at contact: the images that touch; y is 0 in 1-D
-    std::array<Eigen::Array2d, 2> before, after;  ///< velocities
+    std::array<Vec, 2> place;          ///< at contact: the images that touch; y is 0 in 1-D
+    std::array<Vec, 2> before, after;  ///< velocities
 
     /// The squared distance of the particles at a time, on the free flights before and after the
     /// contact.
@@ -45,7 +45,7 @@ struct PairCollision {
 };
 
 /// The change of one velocity in the collision, all of which is along the line of centres.
-inline Eigen::Array2d change(const PairCollision& pair, std::size_t k) {
+inline Vec change(const PairCollision& pair, std::size_t k) {
     return pair.after[k] - pair.before[k];
 }
 

@@ -173,20 +173,18 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
 std::array<plot::Text, 2> SingleCollisionPanel::amounts(std::size_t index) const {
     std::array<plot::Text, 2> texts;
     for (std::size_t k = 0; k < 2; ++k) {
-        const Eigen::Array2d v = index == 0   ? met_.before[k]
-                                 : index == 1 ? change(met_, k)
-                                              : met_.after[k];
-        texts[k] = plot::named(three_digits(context_.language(), length_of(v)),
-                               role_of(context_, met_, k));
+        const Vec v = index == 0 ? met_.before[k] : index == 1 ? change(met_, k) : met_.after[k];
+        texts[k] =
+            plot::named(three_digits(context_.language(), length(v)), role_of(context_, met_, k));
     }
     return texts;
 }
 
 std::string SingleCollisionPanel::account(const PanelState&) const {
     const Language language = context_.language();
-    const auto speeds = [&](const std::array<Eigen::Array2d, 2>& velocities) {
-        return listed(language, std::array{three_digits(language, length_of(velocities[0])),
-                                           three_digits(language, length_of(velocities[1]))});
+    const auto speeds = [&](const std::array<Vec, 2>& velocities) {
+        return listed(language, std::array{three_digits(language, length(velocities[0])),
+                                           three_digits(language, length(velocities[1]))});
     };
     return say(language, "{} collide at time {}: speeds {} before and {} after.",
                plain_names_of(context_, met_), three_digits(language, met_.time),
@@ -252,11 +250,11 @@ void SingleCollisionPanel::draw_key(Canvas& canvas, const DrawContext& dc) const
         x += draw_text(canvas, {x, baseline}, words, label_style(dc)).width + 0.9 * u;
     }
     if (!has_law(dc)) return;
-    const Eigen::Array2d inverse{context_.particles.inverse_mass[met_.particle[0]],
-                                 context_.particles.inverse_mass[met_.particle[1]]};
+    const Vec inverse{context_.particles.inverse_mass[met_.particle[0]],
+                      context_.particles.inverse_mass[met_.particle[1]]};
     const std::size_t movable = inverse[0] > 0.0 ? 0 : 1;
     const double momentum =
-        length_of(change(met_, movable)) / inverse[static_cast<Eigen::Index>(movable)];
+        length(change(met_, movable)) / inverse[static_cast<Eigen::Index>(movable)];
     const std::string given = three_digits(language, momentum);
     const std::array<std::string, 3> laws{
         say(language, "momentum {} is transferred along the line of centres", given),

@@ -19,16 +19,18 @@ inline constexpr std::size_t fewest_scattered = 8;
 /// slope of the velocity autocorrelation.
 class PartnerCounts {
   public:
-    PartnerCounts(const Particles& particles, double from, double until)
-        : inverse_mass_(particles.inverse_mass),
+    PartnerCounts(const Box& box, const Particles& particles, double from, double until)
+        : sides_(box.surfaces.first_partition()),
+          inverse_mass_(particles.inverse_mass),
           from_(from),
           until_(until),
           counts_(Eigen::ArrayXd::Zero(particles.count())) {}
 
     void see(const FrameInput& input) {
         for (const Collision& one : input.advanced.collisions) {
-            if (one.time < from_ || one.time > until_ || one.second.is_side()) continue;
+            if (one.time < from_ || one.time > until_) continue;
             const bool is_pair = one.second.is_particle();
+            if (!is_pair && one.second.surface() < sides_) continue;
             add(one.first, is_pair ? inverse_mass_[one.second.particle()] : 0.0);
             if (is_pair) add(one.second.particle(), inverse_mass_[one.first]);
         }
@@ -43,6 +45,7 @@ class PartnerCounts {
         if (own > 0.0) counts_[particle] += 2.0 * own / (own + others_inverse_mass);
     }
 
+    std::int32_t sides_;  ///< number of the box's sides, which count for nothing
     Eigen::ArrayXd inverse_mass_;
     double from_, until_;
     Eigen::ArrayXd counts_;

@@ -124,7 +124,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
         members_that_collide(context, chosen), Displacements(context.scene.gas.box, spec.from),
         SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
         SlopesOfParticles(middle, fit_until),
-        PartnerCounts(context.particles, spec.from, fit_from)});
+        PartnerCounts(context.scene.gas.box, context.particles, spec.from, fit_from)});
     subject.measure = [followed](const FrameInput& input) { return followed->see(input); };
     subject.numbers = [followed, dimension = context.scene.gas.box.dimension] {
         return followed->numbers(dimension);

@@ -73,7 +73,7 @@ void EchoRecord::survey(const FrameInput& input) {
 double EchoRecord::log10_law(const Step& step) const {
     const double digits = std::log10(2.0);
     double law =
-        std::log10(context_.scene.gas.box.size.maxCoeff()) - bits_of(context_.scene.run) * digits;
+        std::log10(context_.scene.gas.box.longest_side()) - bits_of(context_.scene.run) * digits;
     double collisions = 0.0, before = -1.0;
     if (!steps_.empty() && steps_.back().reversal == step.reversal) {
         law = steps_.back().log10_law;

@@ -86,7 +86,7 @@ RunDistanceRecord compare(const std::vector<RunDistanceRecord>& records,
     RunDistanceRecord both = records.at(0);
     both.at_samples = distance_of(both.samples, records.at(1).samples, both.box);
     both.at_frames = distance_of(both.frames, records.at(1).frames, both.box);
-    const double shorter = both.box.dimension == 1 ? both.box.size[0] : both.box.size.minCoeff();
+    const double shorter = both.box.dimension == 1 ? both.box.size[0] : both.box.shortest_side();
     both.growth = growth_of(both.at_samples, shorter);
     both.samples = both.frames = {};
     return both;

@@ -381,7 +381,7 @@ void FieldLayer::add_rows(Table& table, const FieldState& state, std::size_t x,
     const std::size_t columns = table.columns.size(), own = state.up.empty() ? 1 : 2;
     for (std::size_t cell = 0; cell < state.values.size(); ++cell) {
         const Region region = cells_.region(static_cast<Eigen::Index>(cell));
-        const Eigen::Array2d middle = 0.5 * (region.low + region.high);
+        const Vec middle = 0.5 * (region.low + region.high);
         std::vector<Cell>& row = table.rows.emplace_back();
         row.resize(columns);
         row[0] = "cell";

@@ -32,14 +32,14 @@ Camera::Camera(const PanelContext& context, const std::optional<View>& fixed)
     if (all_whole) moves_.clear();
 }
 
-Eigen::Array2d Camera::nearest_image(const Eigen::Array2d& of, const Eigen::Array2d& to) const {
+Vec Camera::nearest_image(const Vec& of, const Vec& to) const {
     return to + context_.scene.gas.box.nearest(of - to);
 }
 
 // The position of what a view follows: a particle, or the centre of mass of several.
-Eigen::Array2d Camera::target(const View& view, const FrameInput& input) const {
+Vec Camera::target(const View& view, const FrameInput& input) const {
     const auto* followed = std::get_if<Followed>(&view);
-    Eigen::Array2d sum{0.0, 0.0};
+    Vec sum;
     if (followed == nullptr) return sum;
     const std::vector<Eigen::Index> its = members(context_, followed->what);
     const Eigen::ArrayXd& inverse_mass = context_.particles.inverse_mass;
@@ -49,8 +49,7 @@ Eigen::Array2d Camera::target(const View& view, const FrameInput& input) const {
     double mass = 0.0;
     for (const Eigen::Index i : its) {
         const double one = weighs ? 1.0 / inverse_mass[i] : 1.0;
-        for (Eigen::Index axis = 0; axis < input.sample.position.cols(); ++axis)
-            sum[axis] += one * input.sample.position(i, axis);
+        sum += one * vec_in(input.sample.position, i);
         mass += one;
     }
     return sum / mass;
@@ -61,7 +60,7 @@ void Camera::survey(const FrameInput& input) {
     if (!moves()) return;
     Frame frame{input.tick.time, input.tick.seconds, {}};
     for (std::size_t k = 0; k < moves_.size(); ++k) {
-        const Eigen::Array2d now = target(moves_[k].view, input);
+        const Vec now = target(moves_[k].view, input);
         frame.targets.push_back(frames_.empty() ? now
                                                 : nearest_image(now, frames_.back().targets[k]));
     }
@@ -72,23 +71,23 @@ void Camera::survey(const FrameInput& input) {
 // largest extent of the box.
 CameraView Camera::view_of(std::size_t move, const Frame& frame, const Region& whole_box) const {
     const View& view = moves_[move].view;
-    const Eigen::Array2d all = whole_box.high - whole_box.low;
+    const Vec all = whole_box.high - whole_box.low;
     if (const auto* followed = std::get_if<Followed>(&view))
         return {frame.targets[move], std::min(followed->width, all[0])};
     const auto* region = std::get_if<Region>(&view);
     if (region == nullptr) return whole_of(whole_box);
-    const Eigen::Array2d size = region->high - region->low;
+    const Vec size = region->high - region->low;
     const bool is_line = context_.scene.gas.box.dimension == 1;
     const double width = is_line ? size[0] : std::max(size[0], size[1] * all[0] / all[1]);
-    const Eigen::Array2d middle = 0.5 * (region->low + region->high);
-    return {middle.max(whole_box.low).min(whole_box.high), std::min(width, all[0])};
+    const Vec middle = 0.5 * (region->low + region->high);
+    return {lower(upper(middle, whole_box.low), whole_box.high), std::min(width, all[0])};
 }
 
 // Every move starts from the current view, which may itself follow something meanwhile. In a
 // periodic box it goes to the image of its target that is nearest at its start.
 void Camera::fix_way(const Region& whole_box) {
     const CameraView whole = whole_of(whole_box);
-    std::vector<std::optional<Eigen::Array2d>> shifts(moves_.size());
+    std::vector<std::optional<Vec>> shifts(moves_.size());
     std::vector<double> begins(moves_.size(), 0.0);
     for (const Frame& frame : frames_) {
         CameraView now = whole;
@@ -103,9 +102,9 @@ void Camera::fix_way(const Region& whole_box) {
             now = between(now, next,
                           takes > 0.0 ? smooth(std::clamp(passed / takes, 0.0, 1.0)) : 1.0);
         }
-        const Eigen::Array2d off = nearest_image(now.middle, whole.middle) - whole.middle;
+        const Vec off = nearest_image(now.middle, whole.middle) - whole.middle;
         const bool is_whole =
-            now.width > (1.0 - 1e-9) * whole.width && off.abs().maxCoeff() < 1e-9 * whole.width;
+            now.width > (1.0 - 1e-9) * whole.width && longest(abs(off), 3) < 1e-9 * whole.width;
         way_.push_back(is_whole ? CameraView{} : now);
     }
     frames_ = {};

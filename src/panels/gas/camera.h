@@ -12,7 +12,7 @@ namespace carom {
 
 /// A part of the box, with the aspect ratio of the largest extent that the film shows.
 struct CameraView {
-    Eigen::Array2d middle{0.0, 0.0};
+    Vec middle = {};
     double width = 0.0;  ///< length
 
     void archive(auto& archive) { archive(middle, width); }
@@ -46,11 +46,11 @@ class Camera {
   private:
     struct Frame {
         double time, seconds;
-        std::vector<Eigen::Array2d> targets;  ///< of each move; 0 if it follows nothing
+        std::vector<Vec> targets;  ///< of each move; 0 if it follows nothing
     };
-    Eigen::Array2d target(const View& view, const FrameInput& input) const;
+    Vec target(const View& view, const FrameInput& input) const;
     CameraView view_of(std::size_t move, const Frame& frame, const Region& whole_box) const;
-    Eigen::Array2d nearest_image(const Eigen::Array2d& of, const Eigen::Array2d& to) const;
+    Vec nearest_image(const Vec& of, const Vec& to) const;
 
     PanelContext context_;
     std::vector<CameraMove> moves_;

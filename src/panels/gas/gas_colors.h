@@ -63,7 +63,7 @@ class GasColors {
     /// The motion of a particle, and the mean speed of all.
     struct Motion {
         double speed;
-        Eigen::Array2d direction;  ///< of any length; y is 0 on a line
+        Vec direction;  ///< of any length; y is 0 on a line
         double mean_speed;
     };
 

@@ -93,7 +93,7 @@ Rect GasPanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& step
     for (const Callouts::Step& step : steps) {
         const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
         const BoxMap then = view ? panel.part_of(whole, *view) : whole;
-        Eigen::Array2d at{step.x, step.y};
+        Vec at{step.x, step.y};
         if (view) at = view->middle + box.nearest(at - view->middle);
         if (scale_before != then.scale) {
             State seen;
@@ -160,7 +160,7 @@ void GasPanel::Drawing::draw_contents() const {
 void GasPanel::Drawing::draw_field() const {
     for_each_turn([&](Point shift) {
         panel.field_.draw(canvas, dc, *gas.field, [&](const Region& region) {
-            const Eigen::Array2d by{shift.x, shift.y};
+            const Vec by{shift.x, shift.y};
             return map.rect({region.low + by, region.high + by});
         });
     });

@@ -15,7 +15,7 @@ namespace {
 constexpr double default_trail_seconds = 1.0;
 
 // The point of contact.
-Eigen::Array2d contact_of(const Collision& collision, const Particles& particles) {
+Vec contact_of(const Collision& collision, const Particles& particles) {
     if (collision.second.is_surface()) return collision.second_position;
     const double first = particles.radius[collision.first];
     const double share = first / (first + particles.radius[collision.second.particle()]);
@@ -45,7 +45,7 @@ void GasPanel::survey(const FrameInput& input) {
     callouts_.survey(input, input.sample.position);
     field_.survey(input);
     flashes_.survey(input, [this](const Collision& collision) {
-        const Eigen::Array2d at = contact_of(collision, context_.particles);
+        const Vec at = contact_of(collision, context_.particles);
         const Box& box = context_.scene.gas.box;
         return Point{box.wrapped(0, at[0]), box.wrapped(1, at[1])};
     });
@@ -57,7 +57,7 @@ void GasPanel::fix_axes() {
     flashes_.fix_scale();
     field_.fix_scale();
     camera_.fix_way(surfaces_.extent());
-    const double side = context_.scene.gas.box.size.minCoeff();
+    const double side = context_.scene.gas.box.shortest_side();
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
     std::vector<Eigen::Index> particles;
     for (const Followed& one : followed_) particles.push_back(one.particle);
@@ -87,7 +87,7 @@ void GasPanel::extend_trails(const FrameInput& input) {
     const bool moves = input.tick.time > last_time_;
     if (moves) moving_seconds_ += elapsed;
     const double pace = moves ? elapsed / (input.tick.time - last_time_) : 0.0;
-    const auto visit = [&](std::int64_t particle, double time, const Eigen::Array2d& at) {
+    const auto visit = [&](std::int64_t particle, double time, const Vec& at) {
         const std::ptrdiff_t k = trail_of_[static_cast<std::size_t>(particle)];
         if (k < 0) return;
         trails_[static_cast<std::size_t>(k)].push_back(
@@ -102,7 +102,7 @@ void GasPanel::extend_trails(const FrameInput& input) {
     for (std::size_t k = 0; k < followed_.size(); ++k) {
         const auto [particle, seconds] = followed_[k];
         std::deque<TrailPoint>& trail = trails_[k];
-        visit(particle, input.tick.time, input.sample.position.row(particle));
+        visit(particle, input.tick.time, vec_in(input.sample.position, particle));
         while (trail.front().film_time < moving_seconds_ - seconds) trail.pop_front();
     }
     last_time_ = input.tick.time;
@@ -210,7 +210,9 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
                      hex_of(theme.muted), gas.ghosts->words});
     for (std::size_t k = 0; k < gas.surfaces.size(); ++k) {
         const SurfaceState& surface = gas.surfaces[k];
-        if (Surfaces::is_side(k) && !surface.motion && only_reflects(surface.behaviour)) continue;
+        if (context_.scene.gas.box.surfaces.is_side(k) && !surface.motion &&
+            only_reflects(surface.behaviour))
+            continue;
         const Gas& its = context_.scene.gas;
         const bool is_x = its.box.surfaces.axis_of(k) == 0;
         const Cell at = place_of_surface(its.box, gas.surfaces, k), none;

@@ -18,15 +18,15 @@ constexpr double least_seen = 0.5;  // pixels: shorter streaks lie under their d
 template <class Draw>
 void GasPanel::Drawing::for_each_streak(Eigen::Index i, const Draw& draw) const {
     const Point place = place_of(gas.place, i);
-    Eigen::Array2d low{place.x, place.y}, high = low;
+    Vec low{place.x, place.y}, high = low;
     for (const StreakState::Corner& corner : gas.streaks->of(static_cast<std::size_t>(i))) {
-        const Eigen::Array2d at{place.x + static_cast<double>(corner.x),
-                                place.y + static_cast<double>(corner.y)};
-        low = low.min(at), high = high.max(at);
+        const Vec at{place.x + static_cast<double>(corner.x),
+                     place.y + static_cast<double>(corner.y)};
+        low = lower(low, at), high = upper(high, at);
     }
-    if (((high - low) * scale < least_seen).all()) return;
-    Eigen::Array2d from{0.0, 0.0}, to = box.size;
-    if (gas.view) from = map.low, to = map.low + Eigen::Array2d{frame.width, frame.height} / scale;
+    if (longest(high - low, 2) * scale < least_seen) return;
+    Vec from, to = box.size;
+    if (gas.view) from = map.low, to = map.low + Vec{frame.width, frame.height} / scale;
     const double around = shown_radius(i) / scale;
     Eigen::Array2i first{0, 0}, last{0, 0};
     constexpr double most_turns = 4.0;

@@ -50,7 +50,7 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     state.place = places.cast<float>();
     if (arrows_.shown()) state.velocity = input.sample.velocity.cast<float>();
     const Eigen::ArrayXXd& velocity = input.sample.velocity;
-    const auto direction = [&](Eigen::Index i) -> Eigen::Array2d {
+    const auto direction = [&](Eigen::Index i) -> Vec {
         return {velocity(i, 0), velocity.cols() == 2 ? velocity(i, 1) : 0.0};
     };
     state.shades.reserve(static_cast<std::size_t>(places.rows()));

@@ -1,7 +1,7 @@
 // The parts of the energy against time, stacked: the kinetic energy of the gas, above it the
 // potential energy of gravity and of forces on pistons, and at the top the kinetic energy of
 // pistons.
-#include "physics/energy_account.h"
+#include "physics/events/energy_account.h"
 
 #include <algorithm>
 #include <array>

@@ -69,7 +69,7 @@ double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32
     const auto k = static_cast<std::size_t>(surface);
     if (advanced.surfaces.empty()) return advanced.impulses.wall.at(k);
     const double push = advanced.surfaces[k].impulse[box.surfaces.axis_of(surface)];
-    return Surfaces::is_side(surface) && !Surfaces::is_far_side(surface) ? -push : push;
+    return box.surfaces.is_side(surface) && !box.surfaces.is_far_side(surface) ? -push : push;
 }
 
 double enclosed_area(const Box& box, const std::vector<SurfaceState>& states) {

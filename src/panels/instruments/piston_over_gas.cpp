@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "panels/surfaces/surface_words.h"
-#include "physics/energy_account.h"
+#include "physics/events/energy_account.h"
 #include "physics/mechanics.h"
 #include "physics/theory/collision_rate.h"
 
@@ -13,8 +13,8 @@ namespace carom {
 
 namespace {
 
-double force_to_gas(const Piston& piston, std::int32_t surface) {
-    return Surfaces::is_far_side(surface) ? -piston.force : piston.force;
+double force_to_gas(const Piston& piston, bool is_far_side) {
+    return is_far_side ? -piston.force : piston.force;
 }
 
 }  // namespace
@@ -25,8 +25,9 @@ std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::i
     const Box& box = context.scene.gas.box;
     const auto side = static_cast<std::size_t>(surface);
     const Piston& piston = *piston_of(box.surfaces.sides[side]);
-    const double force = force_to_gas(piston, surface);
-    const double direction = Surfaces::is_far_side(surface) ? 1.0 : -1.0;
+    const bool is_far_side = box.surfaces.is_far_side(surface);
+    const double force = force_to_gas(piston, is_far_side);
+    const double direction = is_far_side ? 1.0 : -1.0;
     const double taken = box.dimension == 1 ? 2.0 * context.particles.radius.sum() : 0.0;
     const double zero = box.place_of(surface ^ 1) + direction * taken;
     const std::vector<SurfaceState>& states = start.advanced.surfaces;

@@ -47,7 +47,7 @@ struct Compression {
 Compression compression_of(const PanelContext& context, std::int32_t surface) {
     constexpr int steps = 150;  // in either direction
     const Box& box = context.scene.gas.box;
-    if (!Surfaces::is_side(surface)) return {};
+    if (!box.surfaces.is_side(surface)) return {};
     const int axis = box.surfaces.axis_of(surface);
     const double width = box.dimension == 1 ? 1.0 : box.length(1 - axis);
     Compression found;

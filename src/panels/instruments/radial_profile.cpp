@@ -67,7 +67,7 @@ RadialRecord compare(const std::vector<RadialRecord>& records,
 // Rings of equal width around a point, up to the side of the box that is nearest to it.
 class RingsAround {
   public:
-    RingsAround(const Box& box, const Eigen::Array2d& middle, int count)
+    RingsAround(const Box& box, const Vec& middle, int count)
         : box_(box), middle_(middle), count_(count) {
         double reach = INFINITY;
         for (const int axis : {0, 1}) {
@@ -87,8 +87,8 @@ class RingsAround {
                                   const std::vector<Eigen::Index>& of) const {
         std::vector<double> found(static_cast<std::size_t>(count_));
         for (const Eigen::Index i : of) {
-            const Eigen::Array2d apart = box_.nearest(position.row(i).transpose() - middle_);
-            const double ring = std::floor(std::sqrt(apart.square().sum()) / width_);
+            const Vec apart = box_.nearest(vec_in(position, i) - middle_);
+            const double ring = std::floor(length(apart) / width_);
             if (ring < count_) found[static_cast<std::size_t>(ring)] += 1.0;
         }
         for (int ring = 0; ring < count_; ++ring)
@@ -128,7 +128,7 @@ class RingsAround {
     double area_of_three(std::size_t middle) const { return 3.0 * area(static_cast<int>(middle)); }
 
     Box box_;
-    Eigen::Array2d middle_;
+    Vec middle_;
     int count_;
     double width_ = 1.0;
 };

@@ -61,7 +61,7 @@ std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const 
     subject.measure = SurfacePressures(box, spec.surfaces, over);
     name_surfaces(subject, language, box, spec.surfaces, say(language, "Pressure"));
     subject.is_signed = !std::ranges::all_of(
-        spec.surfaces, [](std::int32_t surface) { return Surfaces::is_side(surface); });
+        spec.surfaces, [&](std::int32_t surface) { return box.surfaces.is_side(surface); });
     subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }

@@ -41,7 +41,7 @@ std::vector<std::vector<Eigen::Index>> BoxParts::members(const FrameInput& input
     std::vector<std::vector<Eigen::Index>> all(parts.size());
     const Eigen::ArrayXXd& position = input.sample.position;
     for (Eigen::Index i = 0; i < position.rows(); ++i) {
-        const Eigen::Array2d place{position(i, 0), position.cols() > 1 ? position(i, 1) : 0.0};
+        const Vec place = vec_in(position, i);
         for (std::size_t k = 0; k < parts.size(); ++k)
             if (is_in(box_, parts[k], place)) all[k].push_back(i);
     }

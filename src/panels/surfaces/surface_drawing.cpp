@@ -107,14 +107,15 @@ void SurfaceView::draw_obstacles(Canvas& canvas, const DrawContext& dc, const Bo
 void SurfaceView::draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                   const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
-    for (std::size_t k = Surfaces::first_partition; k < states.size(); ++k) brush.draw_partition(k);
+    for (std::size_t k = scene_.gas.box.surfaces.numbered_sides().size(); k < states.size(); ++k)
+        brush.draw_partition(k);
 }
 
 void SurfaceView::draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                               const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
     for (std::size_t k = 0; k < states.size(); ++k)
-        Surfaces::is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
+        scene_.gas.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
     if (!states.empty()) brush.draw_marks();
 }
 
@@ -169,7 +170,7 @@ void SurfaceView::Brush::draw_obstacle(const Obstacle& obstacle, Point shift) co
         return;
     }
     const auto& lines = std::get<Obstacle::Lines>(obstacle.shape);
-    for (const Eigen::Array2d& corner : lines.corners) add(corner[0], corner[1]);
+    for (const Vec& corner : lines.corners) add(corner[0], corner[1]);
     if (lines.is_closed) {
         canvas.fill_polygon(corners, fill);
         hatch_polygon(canvas, corners, hatch_apart * u, 0.09 * u, theme.wall);
@@ -415,11 +416,11 @@ void SurfaceView::Brush::draw_marks() const {
         const int axis = box.surfaces.axis_of(k);
         const std::string words =
             mark_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(k), axis);
-        if (words.empty() || states[k].is_open || (axis == 1 && Surfaces::is_side(k))) continue;
+        if (words.empty() || states[k].is_open || (axis == 1 && box.surfaces.is_side(k))) continue;
         const double at = place_of_surface(box, states, k);
         const Point foot = map.pixel({at, at});
         if (axis == 0) {
-            marks.push_back({foot.x, escape_markup(words), Surfaces::is_side(k), mark_color(k)});
+            marks.push_back({foot.x, escape_markup(words), box.surfaces.is_side(k), mark_color(k)});
             continue;
         }
         TextStyle within = style;
@@ -459,7 +460,7 @@ void SurfaceView::Brush::draw_marks() const {
 }
 
 void SurfaceView::Brush::draw_gravity() const {
-    const Eigen::Array2d& g = box.surfaces.gravity;
+    const Vec& g = box.surfaces.gravity;
     const double size = std::hypot(g[0], g[1]);
     if (!(size > 0.0)) return;
     const double length = 2.0 * u;

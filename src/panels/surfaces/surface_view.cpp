@@ -53,7 +53,7 @@ SurfaceView::SurfaceView(const PanelContext& context)
       plain_(context.scene.gas.box.surfaces.are_plain() &&
              !change_behaviours(context.scene.run.events)),
       behaviours_(behaviours_in_time(context.scene.gas.box.surfaces, context.scene.run)),
-      extent_{Eigen::Array2d::Zero(), context.scene.gas.box.size} {
+      extent_{Vec(), context.scene.gas.box.size} {
     for (std::size_t side = 0; side < 4; ++side) still_ = still_ && !may_move(side);
     constexpr double infinite = std::numeric_limits<double>::infinity();
     temperatures_ = {infinite, -infinite};
@@ -98,7 +98,7 @@ SurfaceView::Margins SurfaceView::margins_of() const {
         for (const Behaviour& behaviour : behaviours_[k]) {
             if (axis == 0 && !mark_of_surface(Language::english, gas, behaviour, axis).empty())
                 names = SurfaceSize::mark;
-            if (Surfaces::is_side(k) || !has_ends(behaviour)) continue;
+            if (gas.box.surfaces.is_side(k) || !has_ends(behaviour)) continue;
             const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);
             for (const std::size_t end : {first, first + 1}) blocks[end] = SurfaceSize::block;
         }
@@ -112,7 +112,7 @@ SurfaceView::Margins SurfaceView::margins_of() const {
 
 void SurfaceView::survey(const FrameInput& input) {
     const Region now = room(input.advanced.surfaces);
-    extent_ = {extent_.low.min(now.low), extent_.high.max(now.high)};
+    extent_ = {lower(extent_.low, now.low), upper(extent_.high, now.high)};
 }
 
 std::vector<SurfaceState> SurfaceView::states(const FrameInput& input) const {
@@ -129,7 +129,7 @@ Region SurfaceView::room(const std::vector<SurfaceState>& states) const {
 }
 
 BoxMap SurfaceView::map_in(const Rect& area, double unit, bool centered) const {
-    const Eigen::Array2d size = extent_.high - extent_.low;
+    const Vec size = extent_.high - extent_.low;
     const double left = margins_.left * unit, top = margins_.top * unit;
     const double around = left + margins_.right * unit, above = top + margins_.bottom * unit;
     const double scale = std::min((area.width - around) / size[0], (area.height - above) / size[1]);

@@ -15,7 +15,7 @@ namespace carom {
 /// Maps positions of the scene (y up) to pixels (y down).
 struct BoxMap {
     Rect frame;  ///< of the box at its largest extent
-    Eigen::Array2d low{0.0, 0.0};
+    Vec low = {};
     double scale = 1.0;  ///< pixels per unit length
 
     Point pixel(const Point& place) const {

@@ -105,10 +105,10 @@ std::string words_at_present(Language language, const Gas& gas,
     const std::size_t count = states.empty() ? 0 : surfaces.first_obstacle();
     for (std::size_t k = 0; k < count; ++k) {
         const SurfaceState& state = states[k];
-        const bool is_wall = Surfaces::is_side(k) && only_reflects(state.behaviour);
+        const bool is_wall = surfaces.is_side(k) && only_reflects(state.behaviour);
         if (!state.motion && (is_wall || (only_changes && !state.is_open))) continue;
         const int axis = gas.box.surfaces.axis_of(k);
-        const bool has_place = !state.is_open && (!Surfaces::is_side(k) || state.motion);
+        const bool has_place = !state.is_open && (!surfaces.is_side(k) || state.motion);
         const std::string doing =
             say(language, "{} {}", name_of_surface(language, static_cast<std::int32_t>(k), gas),
                 doing_of(language, gas, state, axis));

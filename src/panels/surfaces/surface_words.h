@@ -5,11 +5,13 @@
 #include <span>
 #include <string>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/surface.h"
 #include "util/language.h"
 
 namespace carom {
+
+struct Gas;
 
 /// The present position along its normal of surface number k, a side or a partition.
 double place_of_surface(const Box& box, std::span<const SurfaceState> states, std::size_t k);

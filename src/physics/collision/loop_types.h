@@ -11,7 +11,6 @@
 
 #include "physics/collision/flight.h"
 #include "physics/collision/pair_collision.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 #include "util/memory/large_pages.h"
 
@@ -54,8 +53,8 @@ struct Prediction {
                                           ///< doubles it may be the time of a contact after the
                                           ///< border is reached
     std::int32_t partner = 0;             ///< the other particle of that contact
-    std::uint32_t partner_collisions : 29 = 0;
-    std::uint32_t border : 3 = 0;
+    std::uint32_t partner_collisions : 28 = 0;
+    std::uint32_t border : 4 = 0;
 
     template <class Archive>
     void archive(Archive& archive) {
@@ -67,8 +66,8 @@ struct Prediction {
   private:
     // Outside the template, because GCC 14 would warn there that the masked values are too large.
     void set(std::uint32_t collisions, std::uint32_t side) {
-        partner_collisions = collisions & ((1U << 29) - 1U);
-        border = side & 7U;
+        partner_collisions = collisions & ((1U << 28) - 1U);
+        border = side & 15U;
     }
 };
 
@@ -85,12 +84,12 @@ struct Event : Prediction {
     }
 };
 
-/// Values of Prediction::border: 0 to 3 are the sides of the box (left, right, bottom, top), 4 to 7
-/// those of a cell or of a periodic box.
-inline constexpr unsigned first_cell_side = 4;
+/// Values of Prediction::border: first the sides of the box, of which there are at most six, in the
+/// order of Side; then those of a cell or of a periodic box.
+inline constexpr unsigned first_cell_side = 6;
 
-/// Collision counts are compared modulo 2^29, because a prediction stores only 29 bits of them.
-inline constexpr std::uint32_t most_collisions = (1U << 29) - 1U;
+/// Collision counts are compared modulo 2^28, because a prediction stores only 28 bits of them.
+inline constexpr std::uint32_t most_collisions = (1U << 28) - 1U;
 
 /// The constant properties of a particle.
 struct Properties {

@@ -20,11 +20,10 @@ namespace {
 constexpr int cycles_between_sorts = 2;
 
 template <typename Scalar, std::size_t Dimension>
-Eigen::Array2d in_plane(const std::array<Scalar, Dimension>& x) {
-    if constexpr (Dimension == 1)
-        return {static_cast<double>(x[0]), 0.0};
-    else
-        return {static_cast<double>(x[0]), static_cast<double>(x[1])};
+Vec in_plane(const std::array<Scalar, Dimension>& x) {
+    Vec vec;
+    for (std::size_t axis = 0; axis < Dimension; ++axis) vec[axis] = static_cast<double>(x[axis]);
+    return vec;
 }
 
 // Sets a pointer for the lifetime of this object.
@@ -426,7 +425,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
         note_velocity(second, in_two(second_before));
     }
     if (collision) {
-        const Eigen::Array2d position = in_plane(a.x);
+        const Vec position = in_plane(a.x);
         *collision = {clock_.absolute(now_),
                       number_of(first),
                       number_of(second),
@@ -463,18 +462,11 @@ void EventLoop<Dimension, Scalar, has_surfaces>::bounce(std::int32_t i, int side
     ++counts_.wall;
     if (velocities_) note_velocity(i, in_two(before));
     if (!collision) return;
-    const Eigen::Array2d position = in_plane(b.x);
-    Eigen::Array2d contact = position;
+    const Vec position = in_plane(b.x);
+    Vec contact = position;
     contact[side / 2] = side % 2 == 0 ? 0.0 : box_.size[side / 2];
-    *collision = {clock_.absolute(now_),
-                  number_of(i),
-                  static_cast<Side>(side),
-                  position,
-                  contact,
-                  in_plane(before),
-                  Eigen::Array2d::Zero(),
-                  in_plane(b.v),
-                  Eigen::Array2d::Zero()};
+    *collision = {clock_.absolute(now_), number_of(i), static_cast<Side>(side), position, contact,
+                  in_plane(before),      Vec(),        in_plane(b.v),           Vec()};
 }
 
 template class EventLoop<1>;

@@ -23,12 +23,12 @@
 #include <vector>
 
 #include "physics/advance_result.h"
+#include "physics/box.h"
 #include "physics/collision/velocity_changes.h"
 #include "physics/events/contact_rounds.h"
 #include "physics/events/event_queue.h"
 #include "physics/events/fetch_ahead.h"
 #include "physics/events/local_clock.h"
-#include "physics/gas.h"
 #include "physics/line/line.h"
 #include "physics/multiprecision/mp_event_queue.h"
 #include "physics/multiprecision/mp_plane.h"

@@ -20,7 +20,7 @@ double EventLoop<Dimension, Scalar, has_surfaces>::margin_of_instants() const {
     double fastest = 0.0;
     for (const Body& b : bodies_)
         for (const Scalar& v : b.v) fastest = std::max(fastest, std::abs(static_cast<double>(v)));
-    const double size = box_.size.maxCoeff();
+    const double size = box_.longest_side();
     for (int axis = 0; axis < Dimension; ++axis)
         fastest = std::max(fastest, std::sqrt(std::abs(box_.surfaces.gravity[axis]) * size));
     const double round_off =
@@ -63,7 +63,7 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::closed_pair(std::int32_t i, std
     using std::sqrt;
     const auto first = geometry_.properties(bodies_, static_cast<std::size_t>(i)),
                second = geometry_.properties(bodies_, static_cast<std::size_t>(j));
-    const double sigma = first.radius + second.radius, size = box_.size.maxCoeff();
+    const double sigma = first.radius + second.radius, size = box_.longest_side();
     double square = 0.0;
     for (std::size_t k = 0; k < Dimension; ++k) {
         const auto apart = static_cast<double>(position_at(body(j), k, now_)) + shift[k] -

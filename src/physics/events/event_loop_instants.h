@@ -160,7 +160,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(
     const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit) {
     set_velocity(contact.first, hit.before[0], hit.after[0]);
     if (contact.is_pair) set_velocity(contact.second, hit.before[1], hit.after[1]);
-    const Eigen::Array2d place = in_plane(body(contact.first).x);
+    const Vec place = in_plane(body(contact.first).x);
     at_once_.push_back({clock_.absolute(now_),
                         number_of(contact.first),
                         {},
@@ -193,7 +193,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::count_hit(
     const std::int32_t surface = surface_touched(contact);
     at_once_.back().second = Partner::of_surface(surface);
     ++counts_.wall;
-    if (const auto side = static_cast<std::size_t>(surface); Surfaces::is_side(side))
+    if (const auto side = static_cast<std::size_t>(surface); box_.surfaces.is_side(side))
         impulses_.wall[side] += static_cast<double>(hit.impulse);
     if constexpr (has_surfaces) {
         auto& surfaces = geometry_.surfaces();

@@ -102,7 +102,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
                 ++b.collisions;
                 ++counts_.wall;
                 const auto side = static_cast<std::size_t>(barrier.surface);
-                if (Surfaces::is_side(side))
+                if (box_.surfaces.is_side(side))
                     impulses_.wall[side] +=
                         std::abs(static_cast<double>(b.v[side / 2] - before[side / 2])) /
                         b.inverse_mass;

@@ -72,17 +72,17 @@ void FixedStepLoop::reflect(std::vector<Collision>* record) {
             double& v = now_.velocity(i, axis);
             const bool is_low = x < radius && v < 0.0;
             if (!is_low && !(x > box_.size[axis] - radius && v > 0.0)) continue;
-            const Eigen::Array2d before = velocity(i);
+            const Vec before = velocity(i);
             ContactRule::reflect(v);
             ++counts_.wall;
             const int side = 2 * axis + (is_low ? 0 : 1);
             impulses_.wall[static_cast<std::size_t>(side)] +=
                 ContactRule::change(std::abs(v)) / particles_.inverse_mass[i];
             if (record == nullptr) continue;
-            Eigen::Array2d contact = place(i);
+            Vec contact = place(i);
             contact[axis] = is_low ? 0.0 : box_.size[axis];
             record->push_back({now_.time, i, static_cast<Side>(side), place(i), contact, before,
-                               Eigen::Array2d::Zero(), velocity(i), Eigen::Array2d::Zero()});
+                               Vec(), velocity(i), Vec()});
         }
 }
 
@@ -104,20 +104,20 @@ void FixedStepLoop::collide_overlapping(std::vector<Collision>* record) {
 
 void FixedStepLoop::collide(std::int32_t first, std::int32_t second,
                             std::vector<Collision>* record) {
-    const Eigen::Array2d apart = box_.nearest(place(second) - place(first));
+    const Vec apart = box_.nearest(place(second) - place(first));
     const double sigma = particles_.radius[first] + particles_.radius[second];
-    const double distance = std::sqrt(apart.square().sum());
+    const double distance = length(apart);
     if (distance >= sigma || distance == 0.0) return;
-    const Eigen::Array2d first_before = velocity(first), second_before = velocity(second);
-    const Eigen::Array2d relative = second_before - first_before;
+    const Vec first_before = velocity(first), second_before = velocity(second);
+    const Vec relative = second_before - first_before;
     const RelativeMotion<double> motion{apart[0], apart[1], relative[0], relative[1]};
     const double first_w = particles_.inverse_mass[first],
                  second_w = particles_.inverse_mass[second];
-    if ((apart * relative).sum() >= 0.0 || first_w + second_w == 0.0) return;
+    if (dot(apart, relative) >= 0.0 || first_w + second_w == 0.0) return;
     static_assert(ContactRule::keeps_species);
     const Unrounded<double> factor = ContactRule::impulse(motion, first_w, second_w);
-    now_.velocity.row(first) += (product_of(first_w, factor) * apart).transpose();
-    now_.velocity.row(second) -= (product_of(second_w, factor) * apart).transpose();
+    put(first_before + product_of(first_w, factor) * apart, now_.velocity, first);
+    put(second_before - product_of(second_w, factor) * apart, now_.velocity, second);
     ++counts_.particle;
     impulses_.virial -= factor.value * distance * distance;
     impulses_.largest_overlap = std::max(impulses_.largest_overlap, 1.0 - distance / sigma);

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "physics/advance_result.h"
+#include "physics/box.h"
 #include "physics/collision/velocity_changes.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/surfaces/surface_error.h"
 
@@ -57,8 +57,8 @@ class FixedStepLoop {
     void collide_overlapping(std::vector<Collision>* record);
     void collide(std::int32_t first, std::int32_t second, std::vector<Collision>* record);
     void count_collisions(std::int64_t in_step);
-    Eigen::Array2d place(std::int32_t i) const { return now_.position.row(i).transpose(); }
-    Eigen::Array2d velocity(std::int32_t i) const { return now_.velocity.row(i).transpose(); }
+    Vec place(std::int32_t i) const { return vec_in(now_.position, i); }
+    Vec velocity(std::int32_t i) const { return vec_in(now_.velocity, i); }
 
     Box box_;
     Particles particles_;

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/multiprecision/multiprecision.h"
 
 namespace carom {

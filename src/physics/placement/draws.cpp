@@ -141,9 +141,7 @@ Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
         assert(fixed->values.size() == 1 ||
                fixed->values.size() == static_cast<std::size_t>(count));
         for (Eigen::Index i = 0; i < count; ++i)
-            velocities.row(i) = fixed->values[fixed->values.size() == 1 ? 0 : std::size_t(i)]
-                                    .head(gas.box.dimension)
-                                    .transpose();
+            put(fixed->values[fixed->values.size() == 1 ? 0 : std::size_t(i)], velocities, i);
         return velocities;
     }
     if (const auto* speed = std::get_if<Speed>(&rule))
@@ -306,9 +304,8 @@ void set_listed_places(const Gas& gas, Sample& start) {
                (has_position<Places>(species) && fitting_rules(species).position);
     });
     if (!are_listed) return;
-    for_each_listed(gas, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) {
-        start.position.row(i) = place.head(gas.box.dimension).transpose();
-    });
+    for_each_listed(
+        gas, [&](std::size_t, Eigen::Index i, const Vec& place) { put(place, start.position, i); });
 }
 
 }  // namespace

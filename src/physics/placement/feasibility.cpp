@@ -19,8 +19,9 @@ namespace {
 using Eigen::Index;
 using Kind = Problem::Kind;
 
-double least_side(const Gas& gas, const Eigen::Array2d& sides) {
-    return gas.box.dimension == 1 ? sides[0] * (1.0 + touching_tolerance) : sides.minCoeff();
+double least_side(const Gas& gas, const Vec& sides) {
+    return gas.box.dimension == 1 ? sides[0] * (1.0 + touching_tolerance)
+                                  : shortest(sides, gas.box.dimension);
 }
 
 double most_covered(const Gas& gas) {
@@ -52,12 +53,12 @@ class PlacementCheck {
         const auto* within = std::get_if<WithinRegion>(&gas_.species[s].position);
         if (within == nullptr) return;
         const auto [low, high] = within->region;
-        const Eigen::Array2d sides = high - low;
-        const double covered = sum_of_sizes(box_, radii) / size_of(box_, sides);
-        if ((low < 0.0).any() || (high > box_.size).any())
+        const Vec sides = high - low;
+        const double covered = sum_of_sizes(box_, radii) / content_of(sides, box_.dimension);
+        if (!box_.contains({low, high}))
             found_.push_back({.kind = Kind::region_outside, .species = s});
         else if (box_.dimension == 2 &&
-                 2.0 * largest > sides.minCoeff() * (1.0 + touching_tolerance))
+                 2.0 * largest > shortest(sides, box_.dimension) * (1.0 + touching_tolerance))
             found_.push_back({.kind = Kind::region_too_narrow, .species = s, .value = largest});
         else if (covered > most_covered(gas_))
             found_.push_back({.kind = Kind::region_too_dense, .species = s, .value = covered});
@@ -65,7 +66,7 @@ class PlacementCheck {
 
     // If all positions in a plane are listed, the overlap test decides instead.
     bool check_density() {
-        const double covered = sum_of_sizes(box_, particles_.radius) / size_of(box_, box_.size);
+        const double covered = sum_of_sizes(box_, particles_.radius) / box_.content();
         const bool listed = std::ranges::all_of(gas_.species, has_position<Places>);
         if (covered <= most_covered(gas_) || (listed && box_.dimension == 2)) return true;
         std::size_t largest = 0;
@@ -102,7 +103,7 @@ class PlacementCheck {
     }
 
     // Whether a particle is inside the box at its place; reported if it is not.
-    bool is_inside(std::size_t s, Index i, const Eigen::Array2d& place, double tolerance_of_radius,
+    bool is_inside(std::size_t s, Index i, const Vec& place, double tolerance_of_radius,
                    double tolerance_of_size) {
         const double radius = particles_.radius[i];
         const double margin = radius * (1.0 - tolerance_of_radius);
@@ -119,8 +120,8 @@ class PlacementCheck {
 
     void check_listed_disks() {
         PlacedDisks placed(box_, particles_.radius);
-        std::vector<Eigen::Array2d> places(static_cast<std::size_t>(particles_.count()));
-        for_each_listed(gas_, [&](std::size_t s, Index i, const Eigen::Array2d& place) {
+        std::vector<Vec> places(static_cast<std::size_t>(particles_.count()));
+        for_each_listed(gas_, [&](std::size_t s, Index i, const Vec& place) {
             if (!is_inside(s, i, place, touching_tolerance, 0.0)) return;
             if (placed.compared() > most_compared_) return;
             const double radius = particles_.radius[i];
@@ -128,12 +129,12 @@ class PlacementCheck {
                 found_.push_back(
                     {.kind = Kind::in_surface, .species = s, .particle = i, .other = *surface});
             if (const auto other = placed.overlapped(place, radius)) {
-                const Eigen::Array2d apart = place - places[static_cast<std::size_t>(*other)];
+                const Vec apart = place - places[static_cast<std::size_t>(*other)];
                 found_.push_back({.kind = Kind::overlap,
                                   .species = s,
                                   .particle = i,
                                   .other = *other,
-                                  .value = std::sqrt(box_.nearest(apart).square().sum()),
+                                  .value = length(box_.nearest(apart)),
                                   .bound = radius + particles_.radius[*other]});
             }
             places[static_cast<std::size_t>(i)] = place;
@@ -143,7 +144,7 @@ class PlacementCheck {
 
     void check_listed_beads() {
         Beads beads;
-        for_each_listed(gas_, [&](std::size_t s, Index i, const Eigen::Array2d& place) {
+        for_each_listed(gas_, [&](std::size_t s, Index i, const Vec& place) {
             if (is_inside(s, i, place, 0.0, touching_tolerance)) beads.emplace_back(place[0], i);
         });
         std::ranges::sort(beads);
@@ -174,9 +175,9 @@ class PlacementCheck {
 /// Particles whose positions are known before all are placed.
 struct Known {
     std::vector<Index> numbers;
-    std::vector<Eigen::Array2d> places;
+    std::vector<Vec> places;
 
-    void add(Index number, const Eigen::Array2d& place) {
+    void add(Index number, const Vec& place) {
         numbers.push_back(number);
         places.push_back(place);
     }
@@ -200,7 +201,7 @@ class MotionCheck {
         if (const auto jam = jam_among(known)) return jam;
         if (box_.dimension == 1) return jam_among(filling());
         for (Index i = 0; i < particles_.count(); ++i)
-            if (2.0 * particles_.radius[i] >= box_.size.minCoeff() * (1.0 - touching_tolerance))
+            if (2.0 * particles_.radius[i] >= box_.shortest_side() * (1.0 - touching_tolerance))
                 if (const auto jam = jam_among({{i}, {0.5 * box_.size}})) return jam;
         return jam_among(on_lattice());
     }
@@ -220,8 +221,7 @@ class MotionCheck {
         Sample start{0.0, Eigen::ArrayXXd(some.count(), box_.dimension),
                      drawn_.velocity(known.numbers, Eigen::seqN(0, drawn_.velocity.cols()))};
         for (Index k = 0; k < some.count(); ++k)
-            start.position.row(k) =
-                known.places[static_cast<std::size_t>(k)].head(box_.dimension).transpose();
+            put(known.places[static_cast<std::size_t>(k)], start.position, k);
         std::optional<Problem> problem = check(some, start);
         if (problem)
             for (Index* number : {&problem->particle, &problem->other})
@@ -237,8 +237,7 @@ class MotionCheck {
 
     Known listed() const {
         Known known;
-        for_each_listed(
-            gas_, [&](std::size_t, Index i, const Eigen::Array2d& place) { known.add(i, place); });
+        for_each_listed(gas_, [&](std::size_t, Index i, const Vec& place) { known.add(i, place); });
         return known;
     }
 
@@ -263,14 +262,14 @@ class MotionCheck {
         const auto [numbers, radius, smallest] = disks_on_lattice(gas_, particles_);
         const auto count = static_cast<double>(numbers.size());
         constexpr double roomy = 0.3;  // fraction covered by squares around the disks
-        if (others != 1 || 4.0 * radius * radius * count < roomy * box_.size.prod()) return {};
+        if (others != 1 || 4.0 * radius * radius * count < roomy * box_.content()) return {};
         const auto lattices = fitting_lattices(box_, static_cast<int>(numbers.size()), radius);
         const double touching = 2.0 * radius * (1.0 + touching_tolerance);
         if (lattices.empty()) return {};
         // The lattice consists of rows, every other one shifted.
-        const Eigen::Array2d& spacing = lattices.front().spacing;
+        const Vec& spacing = lattices.front().spacing;
         if (std::min(spacing[0], 2.0 * spacing[1]) > touching) return {};
-        const std::vector<Eigen::Array2d> sites = lattice_sites(box_, lattices.front(), radius);
+        const std::vector<Vec> sites = lattice_sites(box_, lattices.front(), radius);
         Known known;
         for (std::size_t k = 0; k < numbers.size(); ++k)
             known.add(numbers[k], sites[k * sites.size() / numbers.size()]);

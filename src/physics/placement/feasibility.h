@@ -7,12 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/placement/problem.h"
 #include "physics/run.h"
 
 namespace carom {
+
+struct Gas;
 
 /// The reasons why the particles of `gas`, with the radii drawn for them, cannot be placed: disks
 /// too large for the box; too many for its area, for a region or for a lattice; listed positions

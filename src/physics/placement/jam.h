@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/placement/problem.h"
 

@@ -25,9 +25,10 @@ HexagonalLattice make(const Box& box, int rows, int columns, bool equal_rows, do
     const double shift = equal_rows && rows > 1 ? 0.5 : 0.0;
     lattice.spacing = {spacing_along(box, 0, columns, shift, radius),
                        spacing_along(box, 1, rows, 0.0, radius)};
-    const double along = columns > 1 || box.is_periodic(0) ? lattice.spacing[0] : box.size.sum();
+    const double along =
+        columns > 1 || box.is_periodic(0) ? lattice.spacing[0] : box.size[0] + box.size[1];
     const double diagonal = std::hypot(0.5 * lattice.spacing[0], lattice.spacing[1]);
-    const double two_rows = rows > 2 ? 2.0 * lattice.spacing[1] : box.size.sum();
+    const double two_rows = rows > 2 ? 2.0 * lattice.spacing[1] : box.size[0] + box.size[1];
     lattice.nearest = std::min({along, rows > 1 ? diagonal : along, two_rows});
     if (rows == 1 && box.is_periodic(1)) lattice.nearest = std::min(along, box.size[1]);
     return lattice;
@@ -51,15 +52,14 @@ std::vector<HexagonalLattice> fitting_lattices(const Box& box, int count, double
     }
     const double apart = 2.0 * radius * (1.0 - touching_tolerance);
     std::erase_if(lattices, [&](const HexagonalLattice& l) {
-        return l.nearest < apart || l.sites() < count || l.spacing.minCoeff() < 0.0;
+        return l.nearest < apart || l.sites() < count || std::min(l.spacing[0], l.spacing[1]) < 0.0;
     });
     std::stable_sort(lattices.begin(), lattices.end(),
                      [](const auto& a, const auto& b) { return a.nearest > b.nearest; });
     return lattices;
 }
 
-std::vector<Eigen::Array2d> lattice_sites(const Box& box, const HexagonalLattice& lattice,
-                                          double radius) {
+std::vector<Vec> lattice_sites(const Box& box, const HexagonalLattice& lattice, double radius) {
     // Against a wall the outermost disks touch it; a single row or column stands in the middle.
     const auto start = [&](int axis, int count) {
         const double spacing = lattice.spacing[axis];
@@ -67,15 +67,15 @@ std::vector<Eigen::Array2d> lattice_sites(const Box& box, const HexagonalLattice
         return count > 1 ? radius : 0.5 * box.size[axis];
     };
     const bool one_column = lattice.columns == 1 && lattice.rows == 1;
-    const Eigen::Array2d origin(start(0, one_column ? 1 : 2), start(1, lattice.rows));
-    std::vector<Eigen::Array2d> sites;
+    const Vec origin(start(0, one_column ? 1 : 2), start(1, lattice.rows));
+    std::vector<Vec> sites;
     sites.reserve(static_cast<std::size_t>(lattice.sites()));
     for (int row = 0; row < lattice.rows; ++row) {
         const bool shifted = row % 2 == 1;
         const int columns = shifted ? lattice.shifted_columns : lattice.columns;
         for (int column = 0; column < columns; ++column)
-            sites.push_back(origin +
-                            lattice.spacing * Eigen::Array2d(column + (shifted ? 0.5 : 0.0), row));
+            sites.push_back({origin[0] + lattice.spacing[0] * (column + (shifted ? 0.5 : 0.0)),
+                             origin[1] + lattice.spacing[1] * row});
     }
     return sites;
 }

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 
 namespace carom {
 
@@ -13,7 +13,7 @@ struct HexagonalLattice {
     int rows = 0;
     int columns = 0;          ///< of the unshifted rows
     int shifted_columns = 0;  ///< of the others
-    Eigen::Array2d spacing;   ///< along a row, between rows; length
+    Vec spacing;              ///< along a row, between rows; length
     double nearest = 0.0;     ///< least distance of two sites, length
 
     int sites() const { return (rows + 1) / 2 * columns + rows / 2 * shifted_columns; }
@@ -24,7 +24,6 @@ struct HexagonalLattice {
 std::vector<HexagonalLattice> fitting_lattices(const Box& box, int count, double radius);
 
 /// The sites of a lattice, row by row from the bottom.
-std::vector<Eigen::Array2d> lattice_sites(const Box& box, const HexagonalLattice& lattice,
-                                          double radius);
+std::vector<Vec> lattice_sites(const Box& box, const HexagonalLattice& lattice, double radius);
 
 }  // namespace carom

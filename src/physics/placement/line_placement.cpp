@@ -49,7 +49,7 @@ class LinePlacement {
 
     void place_listed() {
         std::vector<Eigen::Index> beads;
-        for_each_listed(gas_, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) {
+        for_each_listed(gas_, [&](std::size_t, Eigen::Index i, const Vec& place) {
             beads.push_back(i);
             put(i, place[0]);
         });

@@ -3,10 +3,11 @@
 // filled completely. placement.h calls it for one-dimensional gases.
 #pragma once
 
-#include "physics/gas.h"
 #include "physics/particles.h"
 
 namespace carom {
+
+struct Gas;
 
 /// Sets the positions in `start` of the particles of a one-dimensional gas for which
 /// placement_problems() has found no problem. Random arrangements are uniformly distributed over

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "util/random.h"
 
 namespace carom {

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/placement/problem.h"
 #include "physics/run.h"

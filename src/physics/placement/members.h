@@ -28,11 +28,6 @@ double sum_of_sizes(const Box& box, const Radii& radii) {
     return box.dimension == 1 ? 2.0 * radii.sum() : std::numbers::pi * radii.square().sum();
 }
 
-/// The area of a rectangle with these sides, or on a line the length.
-inline double size_of(const Box& box, const Eigen::Array2d& sides) {
-    return box.dimension == 1 ? sides[0] : sides.prod();
-}
-
 /// Calls f(species, its first particle, how many it has) for each species.
 template <typename Function>
 void for_each_species(const Gas& gas, Function&& f) {
@@ -49,7 +44,7 @@ template <typename Function>
 void for_each_listed(const Gas& gas, Function&& f) {
     for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index) {
         if (const auto* places = std::get_if<Places>(&gas.species[s].position))
-            for (const Eigen::Array2d& place : places->values) f(s, first++, place);
+            for (const Vec& place : places->values) f(s, first++, place);
     });
 }
 

@@ -18,12 +18,12 @@ namespace {
 
 double overlap_of_two(const Box& box, const Particles& particles, const Sample& sample,
                       Eigen::Index i, Eigen::Index j) {
-    const Eigen::Array2d apart{sample.position(j, 0) - sample.position(i, 0),
-                               sample.position(j, 1) - sample.position(i, 1)};
+    const double x = sample.position(j, 0) - sample.position(i, 0),
+                 y = sample.position(j, 1) - sample.position(i, 1);
     const double contact = particles.radius[i] + particles.radius[j];
-    const bool is_nearest = (apart.abs() < 0.25 * box.size).all();
-    const double square = (is_nearest ? apart : box.nearest(apart)).square().sum();
-    return square < contact * contact ? 1.0 - std::sqrt(square) / contact : 0.0;
+    const bool is_nearest = std::abs(x) < 0.25 * box.size[0] && std::abs(y) < 0.25 * box.size[1];
+    const double squared = is_nearest ? x * x + y * y : square(box.nearest({x, y}));
+    return squared < contact * contact ? 1.0 - std::sqrt(squared) / contact : 0.0;
 }
 
 // A grid with cells at least as wide as the largest disk, for gases in which no cell has to hold
@@ -46,10 +46,11 @@ class DisksInCells {
         const double across = 2.0 * particles.radius.maxCoeff() * beyond_rounding;
         const double one_each =
             std::sqrt(box.size[0] * box.size[1] / static_cast<double>(particles.count()));
-        for (Eigen::Index axis = 0; axis < 2; ++axis)
+        for (Eigen::Index axis = 0; axis < 2; ++axis) {
             cells_[axis] = std::max(
                 1, static_cast<int>(std::floor(box.size[axis] / std::max(across, one_each))));
-        per_length_ = cells_.cast<double>() / box.size;
+            per_length_[axis] = cells_[axis] / box.size[axis];
+        }
         sort();
     }
 
@@ -134,7 +135,7 @@ class DisksInCells {
     const Particles& particles_;
     const Sample& sample_;
     Eigen::Array2i cells_;
-    Eigen::Array2d per_length_;
+    Vec per_length_;
     std::vector<std::int32_t> begins_;  ///< first index in disks_ for each cell, and the end of the
                                         ///< last cell
     std::vector<std::int32_t> disks_;   ///< sorted by cell
@@ -146,7 +147,7 @@ double overlap_of_disks(const Box& box, const Particles& particles, const Sample
     PlacedDisks placed(box, particles.radius);
     double deepest = 0.0;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        const Eigen::Array2d centre = sample.position.row(i).transpose();
+        const Vec centre = vec_in(sample.position, i);
         deepest = std::max(deepest, placed.deepest_overlap(centre, particles.radius[i]));
         placed.add(static_cast<std::int32_t>(i), centre, particles.radius[i]);
     }

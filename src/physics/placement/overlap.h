@@ -2,7 +2,7 @@
 // looks only at pairs that collide.
 #pragma once
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 
 namespace carom {

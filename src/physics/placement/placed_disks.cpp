@@ -20,16 +20,19 @@ int wrapped(int cell, int cells) { return (cell % cells + cells) % cells; }
 PlacedDisks::PlacedDisks(const Box& box, const Eigen::ArrayXd& radii) : box_(box) {
     constexpr double most_radii = 8.0, most_cells = 1e8;
     const auto count = static_cast<double>(radii.size());
-    const double lists = 2.0 * count + 8.0, least = std::sqrt(box.size.prod() / lists);
+    const double lists = 2.0 * count + 8.0, least = std::sqrt(box.content() / lists);
     const double mean = count > 0.0 ? radii.mean() : 0.0;
     const double some = count > 0.0 ? most_radii * std::sqrt(radii.square().mean()) : 0.0;
     const double cell = some > 0.0 && least > some ? some : std::max(mean, least);
-    cells_ = (box.size / cell).floor().cwiseMax(1.0).cwiseMin(most_cells).cast<int>();
-    cell_size_ = box.size / cells_.cast<double>();
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const double count_along = std::floor(box.size[axis] / cell);
+        cells_[axis] = static_cast<int>(std::min(std::max(count_along, 1.0), most_cells));
+        cell_size_[axis] = box.size[axis] / cells_[axis];
+    }
     const double all = cells_.cast<double>().prod();
     heads_.assign(static_cast<std::size_t>(std::min(all, lists)), -1);
     is_shared_ = static_cast<double>(heads_.size()) < all;
-    if (!box.surfaces.are_plain()) barriers_ = barriers_of(box, box.size.maxCoeff());
+    if (!box.surfaces.are_plain()) barriers_ = barriers_of(box, box.longest_side());
 }
 
 std::size_t PlacedDisks::list_of(int x, int y) const {
@@ -41,7 +44,7 @@ std::size_t PlacedDisks::list_of(int x, int y) const {
 }
 
 template <typename Function>
-void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Function&& f) const {
+void PlacedDisks::for_each_cell(const Vec& centre, double radius, Function&& f) const {
     std::array<int, 2> low{}, high{};
     for (int a = 0; a < 2; ++a) {
         const auto s = static_cast<std::size_t>(a);
@@ -67,14 +70,14 @@ void PlacedDisks::for_each_cell(const Eigen::Array2d& centre, double radius, Fun
 // Calls f(disk, squared distance) for the disks in the cells that a disk at `centre` touches, until
 // f returns false.
 template <typename Function>
-void PlacedDisks::for_each_near(const Eigen::Array2d& centre, double radius, Function&& f) const {
+void PlacedDisks::for_each_near(const Vec& centre, double radius, Function&& f) const {
     bool go_on = true;
     for_each_cell(centre, radius, [&](std::size_t cell) {
         for (std::int32_t e = heads_[cell]; go_on && e >= 0;) {
             ++compared_;
             const Entry& entry = entries_[static_cast<std::size_t>(e)];
             const Disk& other = disks_[static_cast<std::size_t>(entry.disk)];
-            go_on = f(other, box_.nearest(other.centre - centre).square().sum());
+            go_on = f(other, square(box_.nearest(other.centre - centre)));
             e = entry.next;
         }
     });
@@ -82,16 +85,14 @@ void PlacedDisks::for_each_near(const Eigen::Array2d& centre, double radius, Fun
 
 // Calls f(particle) until it returns false.
 template <typename Function>
-void PlacedDisks::for_each_overlapping(const Eigen::Array2d& centre, double radius,
-                                       Function&& f) const {
-    for_each_near(centre, radius, [&](const Disk& other, double square) {
+void PlacedDisks::for_each_overlapping(const Vec& centre, double radius, Function&& f) const {
+    for_each_near(centre, radius, [&](const Disk& other, double squared) {
         const double contact = (radius + other.radius) * (1.0 - touching_tolerance);
-        return square < contact * contact ? f(other.particle) : true;
+        return squared < contact * contact ? f(other.particle) : true;
     });
 }
 
-std::optional<std::int32_t> PlacedDisks::overlapped(const Eigen::Array2d& centre,
-                                                    double radius) const {
+std::optional<std::int32_t> PlacedDisks::overlapped(const Vec& centre, double radius) const {
     std::optional<std::int32_t> lowest;
     for_each_overlapping(centre, radius, [&](std::int32_t particle) {
         lowest = std::min(lowest.value_or(particle), particle);
@@ -100,25 +101,25 @@ std::optional<std::int32_t> PlacedDisks::overlapped(const Eigen::Array2d& centre
     return lowest;
 }
 
-bool PlacedDisks::is_free(const Eigen::Array2d& centre, double radius) const {
+bool PlacedDisks::is_free(const Vec& centre, double radius) const {
     if (overlapped_surface(centre, radius)) return false;
     bool is = true;
     for_each_overlapping(centre, radius, [&](std::int32_t) { return is = false; });
     return is;
 }
 
-double PlacedDisks::deepest_overlap(const Eigen::Array2d& centre, double radius) const {
+double PlacedDisks::deepest_overlap(const Vec& centre, double radius) const {
     double deepest = 0.0;
-    for_each_near(centre, radius, [&](const Disk& other, double square) {
+    for_each_near(centre, radius, [&](const Disk& other, double squared) {
         const double contact = radius + other.radius;
-        if (square < contact * contact)
-            deepest = std::max(deepest, 1.0 - std::sqrt(square) / contact);
+        if (squared < contact * contact)
+            deepest = std::max(deepest, 1.0 - std::sqrt(squared) / contact);
         return true;
     });
     return deepest;
 }
 
-void PlacedDisks::add(std::int32_t particle, const Eigen::Array2d& centre, double radius) {
+void PlacedDisks::add(std::int32_t particle, const Vec& centre, double radius) {
     const auto disk = static_cast<std::int32_t>(disks_.size());
     disks_.push_back({centre, radius, particle});
     for_each_cell(centre, radius, [&](std::size_t cell) {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/surfaces/barrier.h"
 
 namespace carom {
@@ -22,29 +22,28 @@ class PlacedDisks {
     PlacedDisks(const Box& box, const Eigen::ArrayXd& radii);
 
     /// The particle of the lowest number that overlaps a disk at `centre`, if any does.
-    std::optional<std::int32_t> overlapped(const Eigen::Array2d& centre, double radius) const;
+    std::optional<std::int32_t> overlapped(const Vec& centre, double radius) const;
 
     /// The surface of the box that a disk at `centre` overlaps, or lies in, if any.
-    std::optional<std::int32_t> overlapped_surface(const Eigen::Array2d& centre,
-                                                   double radius) const {
+    std::optional<std::int32_t> overlapped_surface(const Vec& centre, double radius) const {
         return surface_in_the_way(box_, barriers_, centre, radius);
     }
 
     /// Whether a disk at `centre` overlaps neither another disk nor a surface of the box.
-    bool is_free(const Eigen::Array2d& centre, double radius) const;
+    bool is_free(const Vec& centre, double radius) const;
 
     /// The relative depth to which a disk at `centre` would overlap others: the largest 1 -
     /// distance / (sum of radii), dimensionless; 0 if it overlaps none.
-    double deepest_overlap(const Eigen::Array2d& centre, double radius) const;
+    double deepest_overlap(const Vec& centre, double radius) const;
 
-    void add(std::int32_t particle, const Eigen::Array2d& centre, double radius);
+    void add(std::int32_t particle, const Vec& centre, double radius);
 
     /// The number of distances calculated so far.
     std::int64_t compared() const { return compared_; }
 
   private:
     struct Disk {
-        Eigen::Array2d centre;
+        Vec centre;
         double radius;
         std::int32_t particle;
     };
@@ -54,15 +53,15 @@ class PlacedDisks {
 
     std::size_t list_of(int x, int y) const;
     template <typename Function>
-    void for_each_cell(const Eigen::Array2d& centre, double radius, Function&& f) const;
+    void for_each_cell(const Vec& centre, double radius, Function&& f) const;
     template <typename Function>
-    void for_each_near(const Eigen::Array2d& centre, double radius, Function&& f) const;
+    void for_each_near(const Vec& centre, double radius, Function&& f) const;
     template <typename Function>
-    void for_each_overlapping(const Eigen::Array2d& centre, double radius, Function&& f) const;
+    void for_each_overlapping(const Vec& centre, double radius, Function&& f) const;
 
     Box box_;
     Eigen::Array2i cells_;
-    Eigen::Array2d cell_size_;
+    Vec cell_size_;
     std::vector<std::int32_t> heads_;  ///< of lists of entries
     bool is_shared_ = false;           ///< whether several cells have one list
     std::vector<Entry> entries_;

@@ -28,8 +28,8 @@ class Placement {
         : gas_(gas), particles_(particles), start_(start), placed_(gas.box, particles.radius) {}
 
     void run() {
-        for_each_listed(
-            gas_, [&](std::size_t, Eigen::Index i, const Eigen::Array2d& place) { put(i, place); });
+        for_each_listed(gas_,
+                        [&](std::size_t, Eigen::Index i, const Vec& place) { put(i, place); });
         place_on_lattice();
         place_at_random();
     }
@@ -39,8 +39,8 @@ class Placement {
         return static_cast<std::size_t>(particles_.species[i]);
     }
 
-    void put(Eigen::Index i, const Eigen::Array2d& centre) {
-        start_.position.row(i) = centre;
+    void put(Eigen::Index i, const Vec& centre) {
+        ::carom::put(centre, start_.position, i);
         placed_.add(static_cast<std::int32_t>(i), centre, particles_.radius[i]);
     }
 
@@ -48,7 +48,7 @@ class Placement {
     void place_on_lattice() {
         auto [disks, radius, smallest] = disks_on_lattice(gas_, particles_);
         if (disks.empty()) return;
-        const std::vector<Eigen::Array2d> sites = free_sites(disks, radius);
+        const std::vector<Vec> sites = free_sites(disks, radius);
         if (species_of(disks.front()) != species_of(disks.back()))
             Random(gas_.seed, "sites of the lattice").shuffle(disks);
         for (std::size_t k = 0; k < disks.size(); ++k)  // sites left over are spread evenly
@@ -57,16 +57,14 @@ class Placement {
 
     // The free sites of the most widely spaced fitting lattice that has enough sites clear of the
     // disks placed before.
-    std::vector<Eigen::Array2d> free_sites(const std::vector<Eigen::Index>& disks,
-                                           double radius) const {
+    std::vector<Vec> free_sites(const std::vector<Eigen::Index>& disks, double radius) const {
         std::size_t most = 0;
         const int wanted = static_cast<int>(disks.size());
         for (int count = wanted; count <= 4 * wanted + 64; count += std::max(1, count / 50)) {
             const auto lattices = fitting_lattices(gas_.box, count, radius);
             if (lattices.empty()) break;
-            std::vector<Eigen::Array2d> sites = lattice_sites(gas_.box, lattices.front(), radius);
-            std::erase_if(
-                sites, [&](const Eigen::Array2d& site) { return !placed_.is_free(site, radius); });
+            std::vector<Vec> sites = lattice_sites(gas_.box, lattices.front(), radius);
+            std::erase_if(sites, [&](const Vec& site) { return !placed_.is_free(site, radius); });
             if (sites.size() >= disks.size()) return sites;
             most = std::max(most, sites.size());
         }
@@ -102,7 +100,7 @@ class Placement {
     bool place_somewhere(Eigen::Index i, Random& random) {
         const Species& species = gas_.species[species_of(i)];
         const double radius = particles_.radius[i];
-        Eigen::Array2d low(0.0, 0.0), high = gas_.box.size;
+        Vec low(0.0, 0.0), high = gas_.box.size;
         const auto* within = std::get_if<WithinRegion>(&species.position);
         if (within) {
             low = within->region.low;
@@ -130,12 +128,11 @@ class Placement {
         const auto own = particles_.species == static_cast<int>(s);
         const Eigen::ArrayXd radii =
             within ? Eigen::ArrayXd(own.select(particles_.radius, 0.0)) : particles_.radius;
-        const Eigen::Array2d sides =
-            within ? Eigen::Array2d(within->region.high - within->region.low) : gas_.box.size;
+        const Vec sides = within ? within->region.high - within->region.low : gas_.box.size;
         return {.kind = Problem::Kind::no_place,
                 .species = s,
                 .fitting = found,
-                .value = sum_of_sizes(gas_.box, radii) / size_of(gas_.box, sides)};
+                .value = sum_of_sizes(gas_.box, radii) / content_of(sides, gas_.box.dimension)};
     }
 
     const Gas& gas_;

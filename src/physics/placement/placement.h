@@ -4,11 +4,12 @@
 
 #include <utility>
 
-#include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/placement/problem.h"
 
 namespace carom {
+
+struct Gas;
 
 /// The particles of `gas` and their state at time 0. Throws PlacementError.
 std::pair<Particles, Sample> place(const Gas& gas);

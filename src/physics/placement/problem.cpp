@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/gas.h"
 #include "physics/placement/line_squeeze.h"
 
 namespace carom {
@@ -44,9 +45,7 @@ std::string called(const Gas& gas, Eigen::Index particle) {
     return fmt::format("particle {}", particle);
 }
 
-std::string size_of(const Eigen::Array2d& size) {
-    return fmt::format("{} by {}", size[0], size[1]);
-}
+std::string size_of(const Vec& size) { return fmt::format("{} by {}", size[0], size[1]); }
 
 // As particles are inside it, or reach outside.
 std::string whole_box(const Gas& gas) {
@@ -54,7 +53,7 @@ std::string whole_box(const Gas& gas) {
                         : "the box of " + size_of(gas.box.size);
 }
 
-Eigen::Array2d size_of_region(const Species& species) {
+Vec size_of_region(const Species& species) {
     const Region& region = std::get<WithinRegion>(species.position).region;
     return region.high - region.low;
 }
@@ -89,7 +88,7 @@ ProblemText too_large(const Problem& p, const Gas& gas) {
 }
 
 ProblemText too_dense(const Problem& p, const Gas& gas) {
-    const Eigen::Array2d& size = gas.box.size;
+    const Vec& size = gas.box.size;
     if (on_line(gas)) {
         const double length = p.value * size[0];
         return {fmt::format("the beads are {:.6g} long together, longer than the wire of {:.6g}",
@@ -99,7 +98,7 @@ ProblemText too_dense(const Problem& p, const Gas& gas) {
     const double scale = std::sqrt(p.value / 0.5);
     return {fmt::format("the disks cover {:.4g} of the box's area {:.6g} (packing fraction "
                         "{:.4g}), more than the {:.4f} of the densest packing",
-                        p.value * size.prod(), size.prod(), p.value, densest_packing),
+                        p.value * gas.box.content(), gas.box.content(), p.value, densest_packing),
             fmt::format("fewer or smaller disks, or a box of about {:.3g} by {:.3g}",
                         size[0] * scale, size[1] * scale)};
 }
@@ -109,7 +108,7 @@ ProblemText in_region(const Problem& p, const Gas& gas, std::string_view region)
     if (p.kind == Kind::region_outside)
         return {fmt::format("{} reaches outside {}", region, whole_box(gas)),
                 "make it smaller, or the box larger"};
-    const Eigen::Array2d size = size_of_region(species);
+    const Vec size = size_of_region(species);
     if (p.kind == Kind::region_too_narrow)
         return {fmt::format("a disk of radius {:.6g} does not fit into {}, {}", p.value, region,
                             size_of(size)),
@@ -139,7 +138,7 @@ ProblemText on_lattice(const Problem& p, const Gas& gas) {
 }
 
 ProblemText outside(const Problem& p, const Gas& gas) {
-    Eigen::Array2d low{0.0, 0.0}, high = gas.box.size;
+    Vec low, high = gas.box.size;
     for (int axis = 0; axis < gas.box.dimension; ++axis)
         if (!gas.box.is_periodic(axis)) {
             low[axis] += p.value;

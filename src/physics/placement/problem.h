@@ -8,10 +8,11 @@
 #include <string>
 #include <string_view>
 
-#include "physics/gas.h"
 #include "physics/surfaces/surface_problem.h"
 
 namespace carom {
+
+struct Gas;
 
 /// A single problem. Which of its numbers are used depends on the kind. Particles are counted over
 /// all species; -1 means none.

@@ -109,7 +109,7 @@ CellGrid::Inner inner_cells(const std::vector<std::int32_t>& coarse, bool period
 }  // namespace
 
 CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
-    const double area = box.size.prod();
+    const double area = box.content();
     const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
     small_radius_ = radii.size() > 0 ? choose_small_radius(radii, area) : 0.0;
     has_large_ = small_radius_ < largest;

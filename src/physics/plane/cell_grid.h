@@ -25,7 +25,7 @@
 #include <cstring>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "util/memory/large_pages.h"
 
 namespace carom {

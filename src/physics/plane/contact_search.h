@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "physics/box.h"
 #include "physics/collision/lanes.h"
 #include "physics/collision/pair_collision.h"
-#include "physics/gas.h"
 #include "physics/plane/disk_state.h"
 #include "physics/plane/falling_disk.h"
 

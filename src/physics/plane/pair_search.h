@@ -158,7 +158,7 @@ class PairSearch {
         return (prediction.contact_time > time) & (prediction.border >= first_cell_side);
     }
     static int cell_side(const Prediction& prediction) {
-        return static_cast<int>(prediction.border & 3U);
+        return static_cast<int>(prediction.border - first_cell_side);
     }
     template <typename Scalar>
     bool separation_of_images(const Body& a, const Body& b, double sigma, Scalar& x,

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 
+#include "physics/gas.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/placement/placement.h"
 #include "physics/reversal/collision_history.h"
@@ -256,7 +257,7 @@ class PrecisionSearch {
         if (gas_.box.dimension == 1) return least_bits;
         const double lost =
             of_each_ * bits_lost_per_collision(packing_fraction(gas_.box, placed_.first));
-        return std::log2(gas_.box.size.maxCoeff() / tolerance_) + 12.0 + lost +
+        return std::log2(gas_.box.longest_side() / tolerance_) + 12.0 + lost +
                2.0 * std::sqrt(lost);
     }
 
@@ -339,7 +340,7 @@ Simulation start_run(const Gas& gas, const Run& run, const TrialCallback& on_pro
     if (!run.bits) {
         for (const RunEvent& event : run.events)
             if (const auto* perturbation = perturbation_of(event))
-                bits = std::max(bits, bits_for(*perturbation, gas.box.size.maxCoeff()));
+                bits = std::max(bits, bits_for(*perturbation, gas.box.longest_side()));
         const ReversalSchedule schedule(run);
         if (!schedule.mirror_times().empty()) {
             Simulation start = PrecisionSearch(gas, run, schedule, on_progress).start();

@@ -11,11 +11,12 @@
 #include <vector>
 
 #include "physics/exact_positions.h"
-#include "physics/gas.h"
 #include "physics/run.h"
 #include "physics/simulation.h"
 
 namespace carom {
+
+struct Gas;
 
 /// Thrown if no permitted number of bits makes the gas return.
 class PrecisionError : public std::runtime_error {

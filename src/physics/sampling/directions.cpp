@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "physics/vec.h"
 #include "util/exact_sum.h"
 
 namespace carom {
@@ -18,7 +19,7 @@ namespace {
 constexpr double sum_rounding = 1e-12;  // of sums of given numbers, relative to the sum of all
 
 // The sum of the momenta along both axes, rounded once, so that it does not depend on their order.
-Eigen::Array2d sum_of(const Eigen::ArrayXd& momenta, const Eigen::ArrayXd& angles) {
+Vec sum_of(const Eigen::ArrayXd& momenta, const Eigen::ArrayXd& angles) {
     std::array<ExactSum, 2> sums;
     for (Eigen::Index i = 0; i < angles.size(); ++i) {
         sums[0].add(momenta[i] * std::cos(angles[i]));
@@ -30,7 +31,7 @@ Eigen::Array2d sum_of(const Eigen::ArrayXd& momenta, const Eigen::ArrayXd& angle
 // The least turns, by the sum of their squares, that cancel a sum to first order; empty if there
 // are none because all momenta are parallel.
 Eigen::ArrayXd least_turns(const Eigen::ArrayXd& momenta, const Eigen::ArrayXd& angles,
-                           const std::array<bool, 2>& axes, const Eigen::Array2d& sum) {
+                           const std::array<bool, 2>& axes, const Vec& sum) {
     const Eigen::ArrayXd by_x =
         axes[0] ? Eigen::ArrayXd(-momenta * angles.sin()) : Eigen::ArrayXd::Zero(angles.size());
     const Eigen::ArrayXd by_y =
@@ -52,10 +53,10 @@ bool turn_until_balanced(const Eigen::ArrayXd& momenta, const std::array<bool, 2
     constexpr double widest_turn = 0.5;
     const double close = 4.0 * std::numeric_limits<double>::epsilon() * momenta.sum();
     for (int step = 0; step < most_steps; ++step) {
-        Eigen::Array2d sum = sum_of(momenta, angles);
+        Vec sum = sum_of(momenta, angles);
         for (int axis = 0; axis < 2; ++axis)
             if (!axes[static_cast<std::size_t>(axis)]) sum[axis] = 0.0;
-        if ((sum.abs() <= close).all()) return true;
+        if (std::abs(sum[0]) <= close && std::abs(sum[1]) <= close) return true;
         const Eigen::ArrayXd turns = least_turns(momenta, angles, axes, sum);
         if (turns.size() == 0) return false;
         angles += turns * std::min(1.0, widest_turn / turns.abs().maxCoeff());

@@ -54,7 +54,7 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     add_piece(end);
 }
 
-Barrier circle_at(const Eigen::Array2d& center, double radius, std::int32_t surface) {
+Barrier circle_at(const Vec& center, double radius, std::int32_t surface) {
     return {.kind = Barrier::Kind::circle,
             .place = {center[0], center[1]},
             .radius = radius,
@@ -71,7 +71,7 @@ void add_obstacle(const Obstacle& obstacle, std::int32_t surface, std::vector<Ba
     for (std::size_t k = 0; k < count; ++k) {
         barriers.push_back(circle_at(lines.corners[k], 0.0, surface));
         if (k + 1 == count && !lines.is_closed) break;
-        const Eigen::Array2d step = lines.corners[(k + 1) % count] - lines.corners[k];
+        const Vec step = lines.corners[(k + 1) % count] - lines.corners[k];
         const double length = std::hypot(step[0], step[1]);
         barriers.push_back({.place = {lines.corners[k][0], lines.corners[k][1]},
                             .normal = {-step[1] / length, step[0] / length},
@@ -97,11 +97,11 @@ void add_images(const Box& box, std::size_t axis, double reach, std::vector<Barr
 }
 
 // By the parity of the number of edges to the right of the point.
-bool is_inside(const Obstacle::Lines& lines, const Eigen::Array2d& point) {
+bool is_inside(const Obstacle::Lines& lines, const Vec& point) {
     bool inside = false;
     const std::size_t count = lines.corners.size();
     for (std::size_t k = 0; lines.is_closed && k < count; ++k) {
-        const Eigen::Array2d &a = lines.corners[k], &b = lines.corners[(k + 1) % count];
+        const Vec &a = lines.corners[k], &b = lines.corners[(k + 1) % count];
         if ((a[1] > point[1]) == (b[1] > point[1])) continue;
         if (point[0] < a[0] + (point[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0])) inside = !inside;
     }
@@ -110,7 +110,7 @@ bool is_inside(const Obstacle::Lines& lines, const Eigen::Array2d& point) {
 
 }  // namespace
 
-double distance_from(const Barrier& barrier, const Eigen::Array2d& point) {
+double distance_from(const Barrier& barrier, const Vec& point) {
     const double x = point[0] - barrier.place[0], y = point[1] - barrier.place[1];
     if (barrier.kind == Barrier::Kind::circle) return std::hypot(x, y) - barrier.radius;
     const double along = x * barrier.normal[1] - y * barrier.normal[0];
@@ -133,7 +133,8 @@ double Barrier::end_along(std::size_t axis, bool high) const {
 
 std::vector<Behaviour> behaviours_of(const Box& box) {
     const Surfaces& surfaces = box.surfaces;
-    std::vector<Behaviour> behaviours(surfaces.sides.begin(), surfaces.sides.end());
+    const auto sides = surfaces.numbered_sides();
+    std::vector<Behaviour> behaviours(sides.begin(), sides.end());
     for (const Partition& partition : surfaces.partitions)
         behaviours.push_back(partition.behaviour);
     behaviours.resize(behaviours.size() + surfaces.obstacles.size());
@@ -144,11 +145,12 @@ std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open) {
     const Surfaces& surfaces = box.surfaces;
     std::vector<Barrier> barriers;
     std::int32_t surface = 0;
-    for (; surface < Surfaces::first_partition; ++surface) {
+    for (; surface < surfaces.first_partition(); ++surface) {
         const int axis = surfaces.axis_of(surface);
         if (box.is_periodic(axis) || !box.has_surface(surface)) continue;
         add_partition(box, {.name = "", .axis = axis, .at = box.place_of(surface)}, surface,
                       barriers);
+        barriers.back().is_wall = true;
         for (double& along : barriers.back().normal)
             along = along == 0.0 ? 0.0 : surface % 2 == 0 ? 1.0 : -1.0;
     }
@@ -163,7 +165,7 @@ std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open) {
 }
 
 std::optional<std::int32_t> surface_in_the_way(const Box& box, const std::vector<Barrier>& barriers,
-                                               const Eigen::Array2d& center, double radius) {
+                                               const Vec& center, double radius) {
     const double slack = slack_of_places(box);
     for (const Barrier& barrier : barriers)
         if (distance_from(barrier, center) < radius - slack) return barrier.surface;

@@ -2,7 +2,6 @@
 // radius 0.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "physics/box.h"
 #include "physics/collision/pair_collision.h"
-#include "physics/gas.h"
 #include "physics/surface.h"
 
 namespace carom {
@@ -27,16 +26,15 @@ struct Barrier {
     double length = never<double>;   ///< of a line; infinite if it runs from wall to wall
     double radius = 0.0;             ///< of a circle
     std::int32_t surface = 0;        ///< number of the surface it belongs to
+    bool is_wall = false;            ///< a side of the box, which acts only inwards
 
     bool is_endless() const { return kind == Kind::line && length == never<double>; }
-    /// Whether it is a side of the box, which acts only inwards.
-    bool is_wall() const { return surface < Surfaces::first_partition; }
 
     /// The side of a line, 1 or -1, on which a point at this signed distance along the normal lies;
     /// always 1 for a wall.
     template <typename Scalar>
     double side_of(const Scalar& distance) const {
-        return is_wall() || !(distance < 0.0) ? 1.0 : -1.0;
+        return is_wall || !(distance < 0.0) ? 1.0 : -1.0;
     }
 
     /// The lower and the upper end of the barrier along an axis.
@@ -54,14 +52,14 @@ std::vector<Behaviour> behaviours_of(const Box& box);
 std::vector<Barrier> barriers_of(const Box& box, double reach, bool with_open = false);
 
 /// Overlaps of a disk up to this depth are attributed to the round-off of positions; a length.
-inline double slack_of_places(const Box& box) { return 1e-12 * box.size.maxCoeff(); }
+inline double slack_of_places(const Box& box) { return 1e-12 * box.longest_side(); }
 
 /// The distance of a point from a barrier: negative only inside a circle or beyond a wall, infinite
 /// past the ends of a line.
-double distance_from(const Barrier& barrier, const Eigen::Array2d& point);
+double distance_from(const Barrier& barrier, const Vec& point);
 
 /// The surface that a disk at `center` would overlap, or lie in, if any.
 std::optional<std::int32_t> surface_in_the_way(const Box& box, const std::vector<Barrier>& barriers,
-                                               const Eigen::Array2d& center, double radius);
+                                               const Vec& center, double radius);
 
 }  // namespace carom

@@ -100,7 +100,7 @@ Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, double let
         if (reaches_it(t)) first = t;
     }
     // From the other side, after passing around an end of the line or through it.
-    if (!line.is_wall() && (side * a > 0.0 || is_let_in)) {
+    if (!line.is_wall && (side * a > 0.0 || is_let_in)) {
         const Scalar t = fall_time<Scalar>(-side * x - m.radius, -side * v, -side * a);
         if (t > 0.0 && t < first && reaches_it(t)) first = t;
     }

@@ -21,6 +21,7 @@ struct Path {
     double place;
     Behaviour behaviour;
     bool is_open = false;
+    bool is_side = false;
 
     // Not that of a piston.
     bool is_known() const {
@@ -34,8 +35,7 @@ struct Path {
 
     // An open partition passes the others; its motion ends at the walls of the box.
     bool ends_at(const Path& other, double time) const {
-        return is_open && velocity_at(time) != 0.0 && Surfaces::is_side(other.surface) &&
-               other.is_known();
+        return is_open && velocity_at(time) != 0.0 && other.is_side && other.is_known();
     }
     double velocity_at(double time) const {
         const auto* driven = driven_of(behaviour);
@@ -52,7 +52,7 @@ class Paths {
             const int axis = box.surfaces.axis_of(k);
             if (!box.has_surface(k) || (line == nullptr && box.is_periodic(axis))) continue;
             paths_.push_back({k, axis, box.place_of(k), behaviours[static_cast<std::size_t>(k)],
-                              line != nullptr && line->is_open});
+                              line != nullptr && line->is_open, line == nullptr});
         }
     }
 
@@ -101,9 +101,7 @@ class Paths {
                 const bool first_moves = low.velocity_at(now_) != 0.0;
                 const auto &mover = first_moves ? low : high, &other = first_moves ? high : low;
                 keep({now_ + room / closing, 0.0, mover.surface, other.surface});
-                if (!Surfaces::is_side(low.surface) || !Surfaces::is_side(high.surface) ||
-                    box_.dimension == 1)
-                    continue;
+                if (!low.is_side || !high.is_side || box_.dimension == 1) continue;
                 const double least = area_ / most_that_disks_cover / height_at(1 - low.axis);
                 keep({now_ + (room - least) / closing, least, mover.surface, std::nullopt});
             }
@@ -114,10 +112,10 @@ class Paths {
     double height_at(int axis) const {
         double size = box_.length(axis);
         for (const Path& path : paths_) {
-            if (path.axis != axis || !Surfaces::is_side(path.surface)) continue;
+            if (path.axis != axis || !path.is_side) continue;
             if (!path.is_known() || path.velocity_at(now_) != 0.0) return never<double>;
             const double moved = path.place - box_.place_of(path.surface);
-            size += Surfaces::is_far_side(path.surface) ? moved : -moved;
+            size += box_.surfaces.is_far_side(path.surface) ? moved : -moved;
         }
         return size;
     }

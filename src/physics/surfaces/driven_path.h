@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/run.h"
 
 namespace carom {

@@ -26,7 +26,7 @@ template <typename Scalar>
 MovingSurfaces<Scalar>::MovingSurfaces(const Box& box, double reach,
                                        const std::array<double, 2>& registered)
     : box_(box),
-      slack_(round_off_of_places * box.size.maxCoeff()),
+      slack_(round_off_of_places * box.longest_side()),
       behaviours_(behaviours_of(box)),
       is_open_(behaviours_.size()),
       is_held_(behaviours_.size()),

@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/surface.h"
 #include "physics/surfaces/barrier.h"
 #include "physics/surfaces/mover.h"

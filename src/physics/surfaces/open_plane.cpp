@@ -182,7 +182,7 @@ void OpenPlane<Scalar>::fit_grid(const Scalar& now, std::size_t count) {
 // How far a disk in a cell may reach beyond it along an axis.
 template <typename Scalar>
 double OpenPlane<Scalar>::reach_of(std::size_t axis) const {
-    return (largest_ + grid_.overhang()[axis]) * (1.0 + 1e-9) + 1e-9 * box_.size.maxCoeff();
+    return (largest_ + grid_.overhang()[axis]) * (1.0 + 1e-9) + 1e-9 * box_.longest_side();
 }
 
 // The column or row of cells that contains a coordinate.
@@ -355,7 +355,7 @@ inline Scalar OpenPlane<Scalar>::next_event(Body& body, double radius, const Sca
         .contact_time = of_doubles || is_contact ? rounded_down(first.time) : never<double>,
         .partner = first.partner,
         .partner_collisions = first.partner_collisions & most_collisions,
-        .border = side & 7U};
+        .border = side & 15U};
     return is_contact ? std::move(first.time) : std::move(border);
 }
 

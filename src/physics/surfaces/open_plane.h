@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "physics/box.h"
 #include "physics/collision/loop_types.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/plane/falling_disk.h"
 #include "physics/plane/pair_search.h"

@@ -45,21 +45,22 @@ std::optional<Kind> lost_memory(const Behaviour& behaviour) {
 
 bool is_finite(const Obstacle& obstacle) {
     if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
-        return disk->center.isFinite().all() && disk->radius >= 0.0 && std::isfinite(disk->radius);
+        return is_finite(disk->center) && disk->radius >= 0.0 && std::isfinite(disk->radius);
     const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
     return corners.size() >= (is_closed ? 3U : 2U) &&
-           std::ranges::all_of(corners, [](const auto& one) { return one.isFinite().all(); });
+           std::ranges::all_of(corners, [](const Vec& one) { return is_finite(one); });
 }
 
 // The smallest and the largest coordinates of an obstacle.
-std::pair<Eigen::Array2d, Eigen::Array2d> extent_of(const Obstacle& obstacle) {
+std::pair<Vec, Vec> extent_of(const Obstacle& obstacle) {
     if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
-        return {disk->center - disk->radius, disk->center + disk->radius};
+        return {disk->center - Vec(disk->radius, disk->radius),
+                disk->center + Vec(disk->radius, disk->radius)};
     const auto& corners = std::get<Obstacle::Lines>(obstacle.shape).corners;
-    Eigen::Array2d low = corners.front(), high = low;
-    for (const Eigen::Array2d& corner : corners) {
-        low = low.cwiseMin(corner);
-        high = high.cwiseMax(corner);
+    Vec low = corners.front(), high = low;
+    for (const Vec& corner : corners) {
+        low = lower(low, corner);
+        high = upper(high, corner);
     }
     return {low, high};
 }
@@ -71,13 +72,13 @@ class Search {
     std::vector<SurfaceProblem> found() && { return std::move(found_); }
 
     void look_at_box() {
-        if (!surfaces_.gravity.isFinite().all()) add(Kind::not_finite, -1);
+        if (!is_finite(surfaces_.gravity)) add(Kind::not_finite, -1);
         for (std::int32_t side = 0; side < 2 * box_.dimension; ++side)
             if (const auto kind =
                     problem_of(side, surfaces_.sides[static_cast<std::size_t>(side)], true))
                 add(*kind, side);
         if (box_.dimension == 1) return look_at_line();
-        std::int32_t surface = Surfaces::first_partition;
+        std::int32_t surface = surfaces_.first_partition();
         for (const Partition& partition : surfaces_.partitions)
             look_at_partition(surface++, partition);
         for (const Obstacle& obstacle : surfaces_.obstacles) look_at_obstacle(surface++, obstacle);
@@ -143,7 +144,7 @@ class Search {
     void look_at_line() {
         const std::vector<Behaviour> behaviours = behaviours_of(box_);
         for (std::size_t k = 0; k < behaviours.size(); ++k)
-            if (!box_.has_surface(k) && (!Surfaces::is_side(k) || !only_reflects(behaviours[k])))
+            if (!box_.has_surface(k) && (!surfaces_.is_side(k) || !only_reflects(behaviours[k])))
                 add(Kind::not_on_line, static_cast<std::int32_t>(k));
     }
 
@@ -166,8 +167,10 @@ class Search {
     void look_at_obstacle(std::int32_t surface, const Obstacle& obstacle) {
         if (!is_finite(obstacle)) return add(Kind::not_finite, surface);
         const auto [low, high] = extent_of(obstacle);
-        if ((high < 0.0).any() || (low > box_.size).any())
-            return add(Kind::obstacle_outside, surface);
+        const bool is_near = on_each_axis(box_.dimension, [&](int axis) {
+            return !(high[axis] < 0.0) && !(low[axis] > box_.size[axis]);
+        });
+        if (!is_near) return add(Kind::obstacle_outside, surface);
         for (const int axis : {0, 1})
             if (box_.is_periodic(axis) && high[axis] - low[axis] > box_.length(axis))
                 return add(Kind::obstacle_too_wide, surface);
@@ -175,7 +178,7 @@ class Search {
         const std::size_t count = lines != nullptr ? lines->corners.size() : 0;
         for (std::size_t k = 0; k < count; ++k)
             if ((k + 1 < count || lines->is_closed) &&
-                (lines->corners[k] == lines->corners[(k + 1) % count]).all())
+                lines->corners[k] == lines->corners[(k + 1) % count])
                 return add(Kind::same_corner, surface, k);
     }
 

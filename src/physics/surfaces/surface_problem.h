@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/run.h"
 #include "physics/surface.h"
 

@@ -46,8 +46,8 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
                                const std::array<double, 2>& registered, int bits)
     : Base(box, reach, registered),
       bits_(bits),
-      clearance_(std::max(std::ldexp(8.0 * box.size.maxCoeff(), -bits), least_clearance)),
-      size_of_box_(box.size.maxCoeff()),
+      clearance_(std::max(std::ldexp(8.0 * box.longest_side(), -bits), least_clearance)),
+      size_of_box_(box.longest_side()),
       totals_(behaviours_.size()),
       has_gravity_(box.surfaces.has_gravity()) {
     for (std::size_t k = 0; k < barriers_.size(); ++k)
@@ -133,7 +133,7 @@ std::optional<std::int32_t> SurfaceSet<Scalar>::overlapped(const Body& body, con
 template <typename Scalar>
 void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
     if (!has_gravity_) return;
-    const Eigen::Array2d& gravity = box_.surfaces.gravity;
+    const Vec& gravity = box_.surfaces.gravity;
     if (std::exchange(body.is_at_rest, false)) --at_rest_;
     body.a = {as_precise_as(body.x[0], gravity[0]), as_precise_as(body.x[0], gravity[1])};
     if ((body.v[0] != 0.0) & (body.v[1] != 0.0)) return;  // floors lie along an axis
@@ -199,7 +199,7 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Barri
 template <typename Scalar>
 double SurfaceSet<Scalar>::side_of_origin(const Body& body, const Barrier& line,
                                           const BarrierMotion<Scalar>& m) const {
-    if (line.is_wall() || !is_point(body)) return line.side_of(dot(line.normal, m.x));
+    if (line.is_wall || !is_point(body)) return line.side_of(dot(line.normal, m.x));
     return dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
 }
 
@@ -209,7 +209,7 @@ template <typename Scalar>
 bool SurfaceSet<Scalar>::put_on_side(Body& body, const Barrier& line, double side,
                                      const BarrierMotion<Scalar>& m) const {
     if (!is_point(body)) return false;
-    const double least = line.is_wall() ? 0.0 : std::max(body.radius, clearance_);
+    const double least = line.is_wall ? 0.0 : std::max(body.radius, clearance_);
     const double distance = side * static_cast<double>(dot(line.normal, m.x));
     if (distance >= 0.5 * least) return false;
     for (std::size_t k = 0; k < 2; ++k)
@@ -345,8 +345,9 @@ void SurfaceSet<Scalar>::enter(const LargeVector<Body>& bodies, const Scalar& no
 // the box adds.
 template <typename Scalar>
 double SurfaceSet<Scalar>::energy_of(const LargeVector<Body>& bodies) const {
-    const Eigen::Array2d fall = box_.surfaces.gravity.abs() * box_.size;
-    double energy = 0.0, fastest = 0.0;
+    double fall = 0.0, energy = 0.0, fastest = 0.0;
+    for (int axis = 0; axis < box_.dimension; ++axis)
+        fall += std::abs(box_.surfaces.gravity[axis]) * box_.size[axis];
     for (const Mover<Scalar>& mover : movers_) {
         const auto v = static_cast<double>(mover.velocity);
         fastest = std::max(fastest, std::abs(v));
@@ -357,7 +358,7 @@ double SurfaceSet<Scalar>::energy_of(const LargeVector<Body>& bodies) const {
     }
     for (const Body& body : bodies)
         if (body.inverse_mass > 0.0)
-            energy += (square_of(body.v) + fastest * fastest + fall.sum()) / body.inverse_mass;
+            energy += (square_of(body.v) + fastest * fastest + fall) / body.inverse_mass;
     return energy;
 }
 

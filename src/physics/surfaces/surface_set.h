@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/plane/falling_disk.h"
 #include "physics/run.h"
 #include "physics/surface.h"

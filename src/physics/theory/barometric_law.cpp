@@ -140,7 +140,7 @@ std::vector<double> barometric_densities(const BoxedGas& gas, int axis, int slab
         for (std::size_t slab = 0; slab < densities.size(); ++slab) {
             const double low = static_cast<double>(slab) * width;
             densities[slab] += counts[kind] * share_in(law, box, axis, radius, low, low + width) /
-                               (box.size.prod() / slabs);
+                               (box.content() / slabs);
         }
     }
     return densities;

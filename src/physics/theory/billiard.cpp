@@ -20,7 +20,7 @@ bool are_apart(const Box& box, const std::vector<Obstacle::Disk>& disks, double 
             if (room < reach) return false;
         }
         for (std::size_t j = 0; j < i; ++j)
-            if (box.nearest(disks[i].center - disks[j].center).matrix().norm() <
+            if (length(box.nearest(disks[i].center - disks[j].center)) <
                 reach + disks[j].radius + radius)
                 return false;
     }

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 
 namespace carom {
 

@@ -65,11 +65,11 @@ void add_influence(const RunEvent& event, Influences& all) {
                event.action);
 }
 
-// Whether the partition with this index is open, has gaps or is opened by an event.
-bool lets_through(const Partition& partition, std::size_t index,
+// Whether the partition with this number is open, has gaps or is opened by an event.
+bool lets_through(const Surfaces& surfaces, std::int32_t number,
                   const std::vector<RunEvent>& events) {
+    const Partition& partition = *surfaces.partition(number);
     if (partition.is_open || !partition.gaps.empty()) return true;
-    const auto number = static_cast<std::int32_t>(index) + Surfaces::first_partition;
     return std::ranges::any_of(events, [&](const RunEvent& event) {
         const auto* open = opening_of(event);
         return open != nullptr && open->surface == number && open->is_open;
@@ -96,7 +96,7 @@ BathTemperature bath_temperature_of(const std::vector<std::optional<Behaviour>>&
 // Events at one instant count as one: single walls are not looked at in between.
 std::vector<double> bath_temperatures(const Box& box, const std::vector<RunEvent>& events) {
     std::vector<std::optional<Behaviour>> walls;
-    for (std::size_t k = 0; k < box.surfaces.sides.size(); ++k)
+    for (std::size_t k = 0; k < box.surfaces.numbered_sides().size(); ++k)
         walls.push_back(box.has_surface(k) && !box.is_periodic(k / 2)
                             ? std::optional(box.surfaces.sides.at(k))
                             : std::nullopt);
@@ -126,17 +126,17 @@ Influences influences_of(const Box& box, const std::vector<RunEvent>& events) {
     const std::vector<std::vector<Behaviour>> behaviours = behaviours_in_time(surfaces, run);
     for (std::size_t k = 0; k < behaviours.size(); ++k) {
         const bool is_wall =
-            !Surfaces::is_side(k) || (box.has_surface(k) && !box.is_periodic(k / 2));
+            !surfaces.is_side(k) || (box.has_surface(k) && !box.is_periodic(k / 2));
         for (const Behaviour& one : behaviours[k])
             if (is_wall) add_influence(one, all);
     }
     all.bath_temperatures = bath_temperatures(box, events);
     all.partitions = !surfaces.partitions.empty();
-    for (std::size_t k = 0; k < surfaces.partitions.size(); ++k)
-        all.divided = all.divided || !lets_through(surfaces.partitions[k], k, events);
+    for (std::int32_t k = surfaces.first_partition(); k < surfaces.first_obstacle(); ++k)
+        all.divided = all.divided || !lets_through(surfaces, k, events);
     all.obstacles = !surfaces.obstacles.empty();
-    for (const std::size_t axis : {0, 1})
-        all.gravity.at(axis) = surfaces.gravity[static_cast<Eigen::Index>(axis)] != 0.0;
+    for (std::size_t axis = 0; axis < all.gravity.size(); ++axis)
+        all.gravity[axis] = surfaces.gravity[axis] != 0.0;
     for (const RunEvent& event : events) add_influence(event, all);
     return all;
 }
@@ -172,7 +172,7 @@ std::optional<NoLaw> why_not(const BoxedGas& gas) {
     if (gas.finite == 0.0) return NoLaw{Why::no_finite_mass};
     if (gas.finite == 1.0) return NoLaw{Why::alone};
     if (gas.finite == 2.0 && gas.conserves_all()) return NoLaw{Why::pair};
-    if (gas.finite == 2.0 && gas.conserves_one()) return NoLaw{Why::few};
+    if (gas.finite == 2.0 && gas.conserves_some()) return NoLaw{Why::few};
     if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
     if (gas.drifts) return NoLaw{Why::drifts};
     if (gas.box.dimension == 1) return why_not_on_line(gas);
@@ -274,7 +274,7 @@ BoxedGas::BoxedGas(const Box& its_box, const std::vector<RunEvent>& events,
     }
     for (Eigen::Index axis = 0; axis < start.position.cols() && particles->count() > 0; ++axis)
         mean_place[axis] = start.position.col(axis).mean();
-    drifts = 0.5 * mass * drift.square().sum() > negligible_share * energy;
+    drifts = 0.5 * mass * square(drift) > negligible_share * energy;
     if (box.dimension == 1) line = start;
     no_equilibrium = why_not(*this);
     if (!no_equilibrium) equilibrium = equilibrium_of(*this);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/mechanics.h"
 #include "physics/particles.h"
 #include "physics/run.h"
@@ -24,7 +24,7 @@ struct Influences {
     bool partitions = false;                                              ///< open or closed
     bool divided = false;  ///< by a partition without gaps that no event opens
     bool obstacles = false;
-    std::array<bool, 2> gravity{};
+    std::array<bool, 3> gravity{};
     bool wall_event = false;  ///< an event opens, closes, moves or changes a wall
     bool heat_event = false;  ///< an event heats or cools
     bool velocities = false;  ///< an event reverses velocities or displaces a particle
@@ -32,7 +32,7 @@ struct Influences {
     /// baths differ at one time.
     std::vector<double> bath_temperatures = {};
 
-    bool has_gravity() const { return gravity[0] || gravity[1]; }
+    bool has_gravity() const { return gravity[0] || gravity[1] || gravity[2]; }
     bool baths_differ() const { return bath && bath_temperatures.size() != 1; }
 };
 
@@ -50,34 +50,36 @@ struct BoxedGas {
     Box box;
     const Particles* particles = nullptr;  ///< none: no gas
     Influences influences;
-    std::array<bool, 2> conserves{};   ///< momentum, along each axis
+    std::array<bool, 3> conserves{};   ///< momentum, along each axis
     double finite = 0.0, fixed = 0.0;  ///< numbers of particles of finite and of infinite mass
     std::optional<std::size_t> moving_infinite_mass;  ///< the species of one
     double mass = 0.0;                                ///< of all finite masses
     double energy = 0.0;                              ///< kinetic, of finite masses
     double falling_energy = 0.0;                      ///< of gravity, from the lowest place of each
     ThermalMotion thermal;
-    Eigen::Array2d drift{0.0, 0.0};       ///< of the centre of mass, where it is conserved
-    bool drifts = false;                  ///< more than round-off does
-    Eigen::Array2d mean_place{0.0, 0.0};  ///< of all particles, at the start
-    Sample line;                          ///< the start of beads on a line; empty in a plane
-    bool is_placed = false;               ///< whether positions are known
+    Vec drift = {};          ///< of the centre of mass, where it is conserved
+    bool drifts = false;     ///< more than round-off does
+    Vec mean_place = {};     ///< of all particles, at the start
+    Sample line;             ///< the start of beads on a line; empty in a plane
+    bool is_placed = false;  ///< whether positions are known
     std::optional<NoLaw> no_equilibrium = NoLaw{NoLaw::Why::unknown_gas};
     std::optional<EquilibriumGas> equilibrium;  ///< of all finite masses; none if no_equilibrium
 
     /// The degrees of freedom of the velocities: d for each finite mass, less the conserved
     /// momenta.
     double freedoms() const { return thermal.degrees_of_freedom; }
-    bool conserves_all() const { return conserves[0] && (box.dimension == 1 || conserves[1]); }
-    bool conserves_one() const { return box.dimension == 2 && conserves[0] != conserves[1]; }
+    bool conserves_all() const { return conserved() == box.dimension; }
+    bool conserves_some() const { return conserved() > 0.0 && !conserves_all(); }
     /// The number of axes along which momentum is conserved.
-    double conserved() const { return double(conserves[0]) + double(conserves[1]); }
+    double conserved() const {
+        return double(conserves[0]) + double(conserves[1]) + double(conserves[2]);
+    }
     /// Whether a particle has more than walls to collide with.
     bool has_partner() const { return finite + fixed > 1.0 || influences.obstacles; }
     bool are_points() const { return (particles->radius == 0.0).all(); }  ///< all of them
     bool has_points() const { return !(particles->radius > 0.0).all(); }  ///< some of them
     bool is_periodic() const {
-        return box.is_periodic(0) && (box.dimension == 1 || box.is_periodic(1));
+        return on_each_axis(box.dimension, [&](int axis) { return box.is_periodic(axis); });
     }
 };
 

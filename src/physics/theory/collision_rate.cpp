@@ -74,7 +74,7 @@ double contact_density(const Box& box, double s) {
     for (int axis = 0; axis < 2; ++axis) {
         const bool solid = !box.is_periodic(axis);
         const double room = solid ? box.size[axis] - s : box.size[axis];
-        if (room <= 0.0) return 1.0 / box.size.prod();
+        if (room <= 0.0) return 1.0 / box.content();
         density /= room;
         if (solid) lost += 2.0 * s / (pi * room);
     }
@@ -153,7 +153,7 @@ double contact_correlation(const Box& box, const Particles& particles, double ra
 }
 
 double packing_fraction(const Box& box, const Particles& particles) {
-    return sum_of_sizes(box, particles.radius) / size_of(box, box.size);
+    return sum_of_sizes(box, particles.radius) / box.content();
 }
 
 double dilute_free_path(double area, double diameters) {

@@ -2,7 +2,7 @@
 // in equilibrium, not a measurement.
 #pragma once
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/theory/boxed_gas.h"
 

@@ -47,7 +47,7 @@ struct Fluid {
 
 // The area accessible to the centres, in units of the diameter, and its walls.
 struct Room {
-    Eigen::Array2d reach{0.0, 0.0};
+    Vec reach = {};
     std::array<bool, 2> has_walls{};  // at the ends of this axis
 
     double area() const { return reach[0] * reach[1]; }
@@ -98,7 +98,7 @@ std::optional<Filled> filled(EquationOfState equation, const Box& box, const Par
         room.has_walls[a] = !box.is_periodic(axis);
         room.reach[axis] = (box.size[axis] - (room.has_walls[a] ? diameter : 0.0)) / diameter;
     }
-    if (!(room.reach > 0.0).all()) return std::nullopt;
+    if (!(room.reach[0] > 0.0) || !(room.reach[1] > 0.0)) return std::nullopt;
     const std::optional<Fluid> fluid = fluid_of(equation, room, count);
     return fluid ? std::optional(Filled{diameter, room, *fluid}) : std::nullopt;
 }
@@ -122,7 +122,7 @@ double relative_compressibility(EquationOfState equation, double packing_fractio
 }
 
 double pressure_of_points(const Box& box, double thermal_energy) {
-    return 2.0 * thermal_energy / (box.dimension * size_of(box, box.size));
+    return 2.0 * thermal_energy / (box.dimension * box.content());
 }
 
 std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/mechanics.h"
 #include "physics/particles.h"
 

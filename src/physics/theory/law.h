@@ -18,6 +18,8 @@
 
 namespace carom {
 
+struct Gas;
+
 /// The quantities. Means are over time, in the equilibrium that the gas comes to or in the steady
 /// state with its walls, and exact for any number of particles unless stated otherwise.
 enum class LawOf {

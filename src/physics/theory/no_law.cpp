@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "physics/gas.h"
+
 namespace carom {
 namespace {
 

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "util/language.h"
 
 namespace carom {
+
+struct Species;
 
 /// The reason why there is no law for a quantity of a gas.
 struct NoLaw {

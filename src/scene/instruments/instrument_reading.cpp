@@ -157,7 +157,7 @@ const char* how_to_pass(const Box& box) {
 Notation<CountingLine> counting_line_notation() {
     struct Written {
         std::optional<double> x, y;
-        std::optional<Eigen::Array2d> between;
+        std::optional<TwoNumbers> between;
     };
     const KeyTable<Written> table{
         .name = "`line`",
@@ -242,7 +242,7 @@ void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading)
     keep_suitable(
         panel, node, reading,
         [&](std::int32_t surface) {
-            return Surfaces::is_side(surface) && may_move(reading, surface);
+            return reading.gas.box.surfaces.is_side(surface) && may_move(reading, surface);
         },
         "a wall of the box that moves", "give a side in `box.walls` a `velocity` or a `mass`");
     require_one(panel, node, reading);
@@ -268,7 +268,8 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     }
     if (node.is_mapping() && find(node, "regions") != nullptr) return;  // reported
     keep_suitable(
-        panel, node, reading, [](std::int32_t surface) { return !Surfaces::is_side(surface); },
+        panel, node, reading,
+        [&](std::int32_t surface) { return !reading.gas.box.surfaces.is_side(surface); },
         "a partition of the box",
         reading.gas.box.dimension == 1
             ? "give the panel `regions: [{name: left, within: [x0, x1]}]`"
@@ -290,7 +291,7 @@ void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
     keep_suitable(
         panel, node, reading,
         [&](std::int32_t surface) {
-            return !Surfaces::is_side(surface) && !may_move(reading, surface);
+            return !reading.gas.box.surfaces.is_side(surface) && !may_move(reading, surface);
         },
         "a partition that does not move",
         reading.gas.box.dimension == 1
@@ -302,7 +303,8 @@ void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
 void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.gauge || is_written(node, "surfaces")) return;
     const std::vector<std::string> names = measurable(reading.gas.box);
-    if (std::ranges::none_of(names.begin(), names.begin() + Surfaces::first_partition,
+    if (std::ranges::none_of(names.begin(),
+                             names.begin() + reading.gas.box.surfaces.first_partition(),
                              [](const std::string& name) { return !name.empty(); }))
         reading.errors.add(*given(node, "gauge"), "a gauge needs a solid wall of the box",
                            "make a wall solid, or name a partition by `surfaces`");
@@ -331,7 +333,7 @@ void check_counter(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.counted) {
         std::vector<std::int32_t> all = panel.surfaces;
         if (!is_named)
-            for (std::int32_t k = Surfaces::first_partition;
+            for (std::int32_t k = reading.gas.box.surfaces.first_partition();
                  k < reading.gas.box.surfaces.first_obstacle(); ++k)
                 all.push_back(k);
         const bool some = std::ranges::any_of(all, can_pass);
@@ -343,7 +345,9 @@ void check_counter(PanelSpec& panel, const Node& node, Reading& reading) {
     } else {
         keep_suitable(
             panel, node, reading,
-            [&](std::int32_t surface) { return is_named || Surfaces::is_side(surface); },
+            [&](std::int32_t surface) {
+                return is_named || reading.gas.box.surfaces.is_side(surface);
+            },
             "a solid wall of the box", "make a wall solid, or count at `line: {x: PLACE}`");
     }
 }

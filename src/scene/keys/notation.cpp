@@ -48,7 +48,7 @@ struct Distribution {
 };
 
 KeyTable<Distribution> distribution(Range range) {
-    const auto ordered = [](const Eigen::Array2d& ends, const Node& list,
+    const auto ordered = [](const TwoNumbers& ends, const Node& list,
                             Reading& reading) -> std::optional<Quantity> {
         if (ends[0] <= ends[1]) return UniformDistribution{ends[0], ends[1]};
         reading.errors.add(
@@ -57,7 +57,7 @@ KeyTable<Distribution> distribution(Range range) {
             fmt::format("write `[{}, {}]`", ends[1], ends[0]));
         return std::nullopt;
     };
-    const auto positive_mean = [range](const Eigen::Array2d& parameters, const Node& list,
+    const auto positive_mean = [range](const TwoNumbers& parameters, const Node& list,
                                        Reading& reading) -> std::optional<Quantity> {
         if (parameters[0] >= range.low) return NormalDistribution{parameters[0], parameters[1]};
         reading.errors.add(list.items[0],
@@ -146,23 +146,26 @@ Notation<std::string> word(const std::vector<std::string>& words) {
     return one_of(std::move(pairs));
 }
 
-Notation<Eigen::Array2d> pair_of(Range range, std::string phrase) {
+Notation<TwoNumbers> pair_of(Range range, std::string phrase) {
     return mapped(list_of(number(range), 2, {2}, std::move(phrase)),
                   [](const std::vector<double>& values) {
-                      return Eigen::Array2d(values.at(0), values.at(1));
+                      return TwoNumbers{values.at(0), values.at(1)};
                   });
 }
 
-Notation<std::vector<Eigen::Array2d>> points(int dimension) {
+Notation<Vec> plane_vector(Range range, std::string phrase) {
+    return mapped(pair_of(range, std::move(phrase)),
+                  [](const TwoNumbers& along) { return Vec(along[0], along[1]); });
+}
+
+Notation<std::vector<Vec>> points(int dimension) {
     if (dimension == 1)
-        return one_or_list(
-            mapped(number(any_number), [](double x) { return Eigen::Array2d(x, 0.0); }),
-            most_particles, "a list of numbers");
-    const Notation<Eigen::Array2d> one = pair_of(any_number, "[x, y]");
+        return one_or_list(mapped(number(any_number), [](double x) { return Vec(x, 0.0); }),
+                           most_particles, "a list of numbers");
+    const Notation<Vec> one = plane_vector(any_number);
     const auto several = list_of(one, 1, most_particles, "a list of [x, y]");
     return {{one.forms.front(), several.forms.front()},
-            [one, several](const Node& node,
-                           Reading& reading) -> std::optional<std::vector<Eigen::Array2d>> {
+            [one, several](const Node& node, Reading& reading) -> std::optional<std::vector<Vec>> {
                 if (lists_points(node, 2)) return several.read(node, reading);
                 if (!node.is_list()) return std::nullopt;
                 return std::vector{one.read(node, reading).value()};

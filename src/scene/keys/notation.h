@@ -253,12 +253,16 @@ Notation<std::vector<V>> one_or_list(Notation<V> one, Limit most, std::string ph
     return either(as<std::vector<V>>(one), list_of(one, 1, most, std::move(phrase)));
 }
 
-/// A list of two numbers.
-Notation<Eigen::Array2d> pair_of(Range range, std::string phrase);
+/// A list of two numbers: the ends of an interval, or a width and a height.
+using TwoNumbers = std::array<double, 2>;
+Notation<TwoNumbers> pair_of(Range range, std::string phrase);
+
+/// A vector of a plane, [x, y].
+Notation<Vec> plane_vector(Range range, std::string phrase = "[x, y]");
 
 /// One place or velocity, or a list with one for each particle: [x, y] in two dimensions, a number
 /// in one.
-Notation<std::vector<Eigen::Array2d>> points(int dimension);
+Notation<std::vector<Vec>> points(int dimension);
 
 /// Returns whether a checked node is a list of several points rather than a single point.
 bool lists_points(const Node& node, int dimension);

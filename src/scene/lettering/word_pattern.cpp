@@ -80,7 +80,7 @@ const Letter* letter_of(std::string_view name) {
 const char* const letters_with_shape = "A to Z, 0 to 9, spaces and . ! ? - + = ♥ ☺";
 
 double WordShape::cell_in(const Region& region) const {
-    const Eigen::Array2d size = region.high - region.low;
+    const Vec size = region.high - region.low;
     return std::min(size[0] / columns, size[1] / rows);
 }
 
@@ -111,11 +111,10 @@ std::vector<std::string> letters_without_shape(const std::string& words) {
     return without;
 }
 
-std::vector<Eigen::Array2d> places_of(const WordShape& shape, const Region& region, int across,
-                                      std::int64_t count) {
+std::vector<Vec> places_of(const WordShape& shape, const Region& region, int across,
+                           std::int64_t count) {
     const double cell = shape.cell_in(region), step = cell / across;
-    const Eigen::Array2d corner =
-        0.5 * (region.low + region.high - cell * Eigen::Array2d(shape.columns, shape.rows));
+    const Vec corner = 0.5 * (region.low + region.high - cell * Vec(shape.columns, shape.rows));
     std::vector<Eigen::Array2i> dots;  // on the grid of dots
     for (const Eigen::Array2i& at : shape.cells)
         for (int i = 0; i < across; ++i)
@@ -123,12 +122,14 @@ std::vector<Eigen::Array2d> places_of(const WordShape& shape, const Region& regi
     std::ranges::sort(dots, [](const Eigen::Array2i& a, const Eigen::Array2i& b) {
         return a[1] != b[1] ? a[1] > b[1] : a[0] < b[0];
     });
-    std::vector<Eigen::Array2d> places;
+    const auto middle_of = [](const Eigen::Array2i& dot) {
+        return Vec(dot[0] + 0.5, dot[1] + 0.5);
+    };
+    std::vector<Vec> places;
     const auto all = static_cast<std::int64_t>(dots.size());
     for (std::int64_t i = 0; i < all; ++i)
         if ((i + 1) * count / all > i * count / all)
-            places.emplace_back(corner +
-                                step * (dots[static_cast<std::size_t>(i)].cast<double>() + 0.5));
+            places.push_back(corner + step * middle_of(dots[static_cast<std::size_t>(i)]));
     return places;
 }
 

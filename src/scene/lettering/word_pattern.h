@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 
 namespace carom {
 
@@ -33,7 +33,7 @@ extern const char* const letters_with_shape;
 /// Returns `count` places for a word centred in a region. Each filled cell holds `across` by
 /// `across` dots. If that gives more than `count` dots, dots are left out at regular intervals over
 /// the whole word, counted row by row from the top left. There must be at least `count` dots.
-std::vector<Eigen::Array2d> places_of(const WordShape& shape, const Region& region, int across,
-                                      std::int64_t count);
+std::vector<Vec> places_of(const WordShape& shape, const Region& region, int across,
+                           std::int64_t count);
 
 }  // namespace carom

@@ -26,7 +26,7 @@ Notation<std::array<std::string, 2>> digits(int dimension) {
             return std::optional(Digits{node.text, "0"});
         });
     return parsed(pair_of(any_number, "[dx, dy]"),
-                  [](const Eigen::Array2d&, const Node& node, Reading&) {
+                  [](const TwoNumbers&, const Node& node, Reading&) {
                       return std::optional(Digits{node.items[0].text, node.items[1].text});
                   });
 }
@@ -291,7 +291,7 @@ void resolve_names(RunDraft& run, const PlacedSurfaces& surfaces,
 
 void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
     const auto count = particles_in(gas);
-    const double size = gas.box.size.maxCoeff();
+    const double size = gas.box.longest_side();
     for (std::size_t k = 0; k < run.events.size(); ++k) {
         const auto* nudge = perturbation_of(run.events[k]);
         if (nudge == nullptr) continue;

@@ -39,10 +39,9 @@ Binding<FigureSpec> size_key() {
     const auto named = one_of<FigureSize>({{"column", {.width = column_width}},
                                            {"page", {.width = page_width}},
                                            {"slide", {slide_width, slide_height, true}}});
-    const auto in_centimetres =
-        mapped(pair_of(side, "[width, height]"), [](const Eigen::Array2d& sides) {
-            return FigureSize{.width = sides[0], .height = sides[1]};
-        });
+    const auto in_centimetres = mapped(
+        pair_of(side, "[width, height]"),
+        [](const TwoNumbers& sides) { return FigureSize{.width = sides[0], .height = sides[1]}; });
     const auto by_width =
         mapped(number(side), [](double width) { return FigureSize{.width = width}; });
     const auto fill = [](FigureSpec& figure, const FigureSize& size) {

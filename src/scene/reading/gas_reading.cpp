@@ -15,11 +15,11 @@ namespace carom {
 namespace {
 
 KeyTable<BoxDraft> box_table(int dimension) {
-    const auto of_length = [](double length) { return Eigen::Array2d(length, 0.0); };
+    const auto of_length = [](double length) { return Vec(length, 0.0); };
     return {
         .name = "`box`",
         .keys = {bind_key("size", &Box::size,
-                          pair_of(positive, "[width, height]")
+                          plane_vector(positive, "[width, height]")
                               .with_list_hint(
                                   "a box is a plane, with two lengths: its width and its height"),
                           "Width and height of the box; x goes from 0 to the width, y from 0 to "
@@ -347,7 +347,8 @@ Notation<BoxDraft> box_notation(int dimension) {
     return parsed(mapping(box_table(dimension)),
                   [dimension](BoxDraft box, const Node& node, Reading&) -> std::optional<BoxDraft> {
                       // Not known; or a length where a plane is asked for.
-                      if (!(box.size.head(dimension) > 0.0).all()) return std::nullopt;
+                      if (!on_each_axis(dimension, [&](int axis) { return box.size[axis] > 0.0; }))
+                          return std::nullopt;
                       box.dimension = dimension;
                       const auto both = [&](std::size_t first) {
                           return box.sides[first].wall == box.sides[first + 1].wall

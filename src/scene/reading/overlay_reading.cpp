@@ -202,9 +202,9 @@ Region reach_of(const Box& box, const Run& run) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     Region reach{{0.0, 0.0}, box.size};
     const auto all = behaviours_in_time(box.surfaces, run);
-    for (std::size_t side = 0; side < 4; ++side)
+    for (std::size_t side = 0; side < box.surfaces.numbered_sides().size(); ++side)
         for (const Behaviour& behaviour : all[side]) {
-            const bool is_far = Surfaces::is_far_side(side);
+            const bool is_far = box.surfaces.is_far_side(side);
             const int axis = box.surfaces.axis_of(side);
             const double outward = std::visit(
                 Overloaded{[](const Reflecting&) { return 0.0; }, [](const Bath&) { return 0.0; },
@@ -239,7 +239,7 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
         const Box& box = reading.gas.box;
         const bool is_view = key == "view";
         const Region whole = is_view ? reach_of(box, reading.run) : Region{{0.0, 0.0}, box.size};
-        const bool can_widen = (whole.low < 0.0).any() || (whole.high > box.size).any();
+        const bool can_widen = !box.contains(whole);
         const auto axes = static_cast<std::size_t>(box.dimension);
         const char* form =
             axes == 1 ? "[x0, x1] with x0 < x1" : "[x0, y0, x1, y1] with x0 < x1 and y0 < y1";

@@ -50,19 +50,19 @@ std::optional<Chosen> chosen(const std::string&, const Node& node, Reading& read
 using Interval = std::pair<double, double>;
 
 Notation<Interval> range_notation() {
-    const auto rising = [](const Eigen::Array2d& ends, const Node& node, Reading& reading) {
+    const auto rising = [](const TwoNumbers& ends, const Node& node, Reading& reading) {
         constexpr double least_width = 1e-9;  // of the numbers: edges have sixteen digits
         if (ends[0] >= ends[1])
             reading.errors.add(node, "expected [low, high] with low < high for `range`",
                                "write the smaller one first");
-        else if (ends[1] - ends[0] < least_width * ends.abs().maxCoeff())
+        else if (ends[1] - ends[0] < least_width * std::max(std::abs(ends[0]), std::abs(ends[1])))
             reading.errors.add(node,
                                "the edges of `range` agree in nine digits: bars would be "
                                "narrower than rounding errors",
                                "take a wider range");
     };
     return mapped(checked(pair_of(any_number, "[low, high]"), rising),
-                  [](const Eigen::Array2d& ends) { return Interval(ends[0], ends[1]); });
+                  [](const TwoNumbers& ends) { return Interval(ends[0], ends[1]); });
 }
 
 std::vector<Binding<PanelSpec>> bar_keys(PanelKinds kinds) {

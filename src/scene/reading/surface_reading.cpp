@@ -117,7 +117,7 @@ void complete_partition(PartitionDraft& draft, const Node& node, Reading& readin
 }
 
 KeyTable<PartitionDraft> partition_table() {
-    const auto gap = mapped(pair_of(any_number, "[from, to]"), [](const Eigen::Array2d& ends) {
+    const auto gap = mapped(pair_of(any_number, "[from, to]"), [](const TwoNumbers& ends) {
         return std::pair<double, double>(ends[0], ends[1]);
     });
     std::vector<Choice> choices = acting_choices();
@@ -179,7 +179,7 @@ void complete_obstacle(ObstacleDraft& draft, const Node& node, Reading& reading)
 }
 
 KeyTable<ObstacleDraft> obstacle_table() {
-    const auto point = pair_of(any_number, "[x, y]");
+    const auto point = plane_vector(any_number);
     const auto rectangle =
         parsed(list_of(number(any_number), 4, {4}, "[x0, y0, x1, y1]"),
                [](const std::vector<double>& ends, const Node& node,
@@ -254,9 +254,9 @@ Notation<std::vector<ObstacleDraft>> obstacles_notation() {
     return list_of(mapping(obstacle_table()), 0, most_obstacles, "a list of obstacles");
 }
 
-Notation<Eigen::Array2d> gravity_notation(int dimension) {
-    if (dimension == 2) return pair_of(any_number, "[x, y]");
-    return mapped(number(any_number), [](double g) { return Eigen::Array2d(g, 0.0); });
+Notation<Vec> gravity_notation(int dimension) {
+    if (dimension == 2) return plane_vector(any_number);
+    return mapped(number(any_number), [](double g) { return Vec(g, 0.0); });
 }
 
 std::optional<std::int32_t> species_named(const Node& name, const std::vector<std::string>& species,

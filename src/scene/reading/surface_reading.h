@@ -30,10 +30,10 @@ struct PartitionDraft : Partition, ActingDraft {
 Notation<std::vector<PartitionDraft>> partitions_notation();
 
 struct ObstacleDraft : Obstacle {
-    std::optional<Eigen::Array2d> disk;
+    std::optional<Vec> disk;
     std::optional<double> radius;
     std::optional<std::array<double, 4>> rectangle;  ///< x0, y0, x1, y1
-    std::vector<Eigen::Array2d> polygon, segment;
+    std::vector<Vec> polygon, segment;
     const Node* node = nullptr;
     bool is_known = true;
 };
@@ -41,11 +41,11 @@ struct ObstacleDraft : Obstacle {
 Notation<std::vector<ObstacleDraft>> obstacles_notation();
 
 /// The acceleration of everything that can move: [x, y], or a number on a wire.
-Notation<Eigen::Array2d> gravity_notation(int dimension);
+Notation<Vec> gravity_notation(int dimension);
 
 /// Gravity and the surfaces of a scene as read from the file, without the sides of the box.
 struct SurfacesDraft {
-    Placed<Eigen::Array2d> gravity{{0.0, 0.0}, nullptr};
+    Placed<Vec> gravity{{0.0, 0.0}, nullptr};
     std::vector<PartitionDraft> partitions;
     std::vector<ObstacleDraft> obstacles;
 };

@@ -91,7 +91,7 @@ struct NamedPlace {
 
 /// A layout with the nodes of its places.
 struct LayoutDraft : LayoutSpec {
-    std::optional<Eigen::Array2d> grid;
+    std::optional<TwoNumbers> grid;
     std::vector<NamedPlace> places;
 };
 

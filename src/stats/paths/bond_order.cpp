@@ -12,10 +12,9 @@ Eigen::ArrayXcd bond_order(const Box& box, const Particles& particles,
     const double farthest =
         count > 0 ? 2.0 * neighbour_distance * particles.radius.maxCoeff() : 0.0;
     NearPairs(box, positions, farthest).for_each([&](Eigen::Index i, Eigen::Index j) {
-        const Eigen::Array2d apart =
-            box.nearest({positions(j, 0) - positions(i, 0), positions(j, 1) - positions(i, 1)});
+        const Vec apart = box.nearest(vec_in(positions, j) - vec_in(positions, i));
         const double contact = particles.radius[i] + particles.radius[j];
-        const double distance = apart.matrix().norm();
+        const double distance = length(apart);
         if (!(distance < neighbour_distance * contact)) return;
         // The sixth power is the same for the opposite direction, seen from the other disk.
         const std::complex<double> direction(apart[0] / distance, apart[1] / distance);

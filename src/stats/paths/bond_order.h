@@ -6,7 +6,7 @@
 #include <complex>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 
 namespace carom {

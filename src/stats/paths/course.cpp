@@ -24,8 +24,8 @@ double Course::value(double since) const {
 }
 
 Course square_of_speed(const PathPiece& piece, double factor) {
-    const auto of = [&](const Eigen::Array2d& a, const Eigen::Array2d& b) {
-        const double product = (a * b).sum();
+    const auto of = [&](const Vec& a, const Vec& b) {
+        const double product = dot(a, b);
         return product == 0.0 ? 0.0 : factor * product;
     };
     return {piece.from,

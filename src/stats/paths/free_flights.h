@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
 

@@ -96,9 +96,8 @@ void LagAverages::add_lag(const Track& track, int k, std::size_t& older, Sums& t
 
 double LagAverages::value(const PathPiece& early, double early_time, const PathPiece& late,
                           double late_time) const {
-    if (of_ == Of::velocities)
-        return (velocity(early, early_time) * velocity(late, late_time)).sum();
-    return (place(late, late_time) - place(early, early_time)).square().sum();
+    if (of_ == Of::velocities) return dot(velocity(early, early_time), velocity(late, late_time));
+    return square(place(late, late_time) - place(early, early_time));
 }
 
 // With the flights that are still going on. If velocities change on the way, a flight has several

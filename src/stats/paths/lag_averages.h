@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
 
@@ -61,10 +61,10 @@ class LagAverages {
     void add_lag(const Track& track, int k, std::size_t& older, Sums& to) const;
     double value(const PathPiece& early, double early_time, const PathPiece& late,
                  double late_time) const;
-    Eigen::Array2d place(const PathPiece& piece, double time) const {
+    Vec place(const PathPiece& piece, double time) const {
         return piece.place_after(time - piece.from);
     }
-    Eigen::Array2d velocity(const PathPiece& piece, double time) const {
+    Vec velocity(const PathPiece& piece, double time) const {
         return piece.velocity_after(time - piece.from);
     }
 

@@ -66,9 +66,9 @@ double LineCrossings::add_monotone(const PathPiece& piece, double begin, const P
         }
         ++totals_.count.at(direction);
         const double inverse_mass = particles_.inverse_mass[piece.particle];
-        const Eigen::Array2d velocity = piece.velocity_after(time);
+        const Vec velocity = piece.velocity_after(time);
         if (inverse_mass > 0.0)
-            totals_.energy.at(direction) += 0.5 * velocity.square().sum() / inverse_mass;
+            totals_.energy.at(direction) += 0.5 * carom::square(velocity) / inverse_mass;
     }
     return last;
 }

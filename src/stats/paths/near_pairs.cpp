@@ -9,7 +9,7 @@ namespace carom {
 // moving sides, are in the cells at its ends.
 NearPairs::NearPairs(const Box& box, const Eigen::ArrayXXd& positions, double distance) {
     const Eigen::Index particles = positions.rows();
-    Eigen::Array2d low{0.0, 0.0}, size{1.0, 1.0};
+    Vec low, size{1.0, 1.0};
     for (Eigen::Index axis = 0; axis < positions.cols(); ++axis) {
         is_periodic_[static_cast<std::size_t>(axis)] = box.is_periodic(axis);
         size[axis] = box.length(axis);

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 
 namespace carom {
 
@@ -38,7 +38,7 @@ class NearPairs {
     std::vector<int> around(int cell) const;
 
     Eigen::Array2i count_{1, 1};
-    std::array<bool, 2> is_periodic_{};
+    std::array<bool, 3> is_periodic_{};
     std::vector<std::size_t> begin_;   ///< index in `order_` of the first particle of each cell
     std::vector<Eigen::Index> order_;  ///< particles sorted by cell
 };

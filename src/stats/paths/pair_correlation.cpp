@@ -248,25 +248,22 @@ void PairCorrelation::add_moment(const Sample& sample, const BoxSides& sides) {
 // The distance of the nearest images of two particles.
 double PairCorrelation::distance(const Eigen::ArrayXXd& positions, Eigen::Index i,
                                  Eigen::Index j) const {
-    Eigen::Array2d apart{0.0, 0.0};
-    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
-        apart[axis] = positions(j, axis) - positions(i, axis);
-    return box_.nearest(apart).matrix().norm();
+    return length(box_.nearest(vec_in(positions, j) - vec_in(positions, i)));
 }
 
 // An upper bound for the distance of a path from its end. Gravity bends a piece away from the
 // straight line between its ends by no more than g t^2 / 8.
 double PairCorrelation::farthest_from_end(std::span<const PathPiece> pieces,
                                           Interval within) const {
-    Eigen::Array2d apart{0.0, 0.0};
+    Vec apart;
     double farthest = 0.0, bend = 0.0;
     for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
         const double from = std::max(piece->from, within.from), to = std::min(piece->to, within.to);
         if (!(to > from)) continue;
         apart -= piece->place_after(to - piece->from) - piece->place_after(from - piece->from);
-        farthest = std::max(farthest, apart.matrix().norm());
+        farthest = std::max(farthest, length(apart));
         const double span = to - from;
-        bend = std::max(bend, 0.125 * span * span * piece->acceleration.matrix().norm());
+        bend = std::max(bend, 0.125 * span * span * length(piece->acceleration));
     }
     return farthest + bend;
 }
@@ -310,7 +307,7 @@ void PairCorrelation::add_flights(std::span<const std::span<const PathPiece>> pi
     for (Eigen::Index i = 0; i < count; ++i) {
         const std::span<const PathPiece> own = pieces[static_cast<std::size_t>(i)];
         if (own.empty()) continue;
-        const Eigen::Array2d place = own.back().place_after(within.to - own.back().from);
+        const Vec place = own.back().place_after(within.to - own.back().from);
         for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
             positions(i, axis) = box_.wrapped(axis, place[axis]);
         reach[i] = farthest_from_end(own, within);
@@ -339,12 +336,12 @@ double PairCorrelation::add_pair(std::span<const PathPiece> first,
                      to = std::min({one.to, other.to, within.to});
         if (to > from) {
             flights += 1.0;
-            const Eigen::Array2d place =
+            const Vec place =
                 other.place_after(from - other.from) - one.place_after(from - one.from);
-            const Eigen::Array2d velocity =
+            const Vec velocity =
                 other.velocity_after(from - other.from) - one.velocity_after(from - one.from);
-            const Eigen::Array2d acceleration = other.acceleration - one.acceleration;
-            const int chords = chords_of(acceleration.matrix().norm(), to - from);
+            const Vec acceleration = other.acceleration - one.acceleration;
+            const int chords = chords_of(length(acceleration), to - from);
             const double span = (to - from) / chords;
             for (int k = 0; k < chords; ++k) {
                 const double after = k * span;
@@ -365,12 +362,9 @@ int PairCorrelation::chords_of(double acceleration, double span) const {
 }
 
 // Adds all images that come near during the flight; in most boxes only the nearest one.
-void PairCorrelation::add_images(const Eigen::Array2d& place, const Eigen::Array2d& velocity,
-                                 double span, Eigen::ArrayXd& time) const {
-    const Eigen::Array2d nearest =
-        box_.dimension == 2
-            ? box_.nearest(place)
-            : Eigen::Array2d{place[0] - box_.size[0] * box_.turns(0, place[0]), 0.0};
+void PairCorrelation::add_images(const Vec& place, const Vec& velocity, double span,
+                                 Eigen::ArrayXd& time) const {
+    const Vec nearest = box_.nearest(place);
     std::array<int, 2> others{0, 0};
     for (int axis = 0; axis < box_.dimension; ++axis)
         if (box_.is_periodic(axis) &&
@@ -384,19 +378,19 @@ void PairCorrelation::add_images(const Eigen::Array2d& place, const Eigen::Array
 }
 
 // The distance decreases until the closest approach and increases from there on.
-void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array2d& velocity,
-                                 double span, Eigen::ArrayXd& time) const {
-    const double square = velocity.square().sum(), along = (place * velocity).sum();
-    const double speed = std::sqrt(square), from = std::sqrt(place.square().sum());
+void PairCorrelation::add_flight(const Vec& place, const Vec& velocity, double span,
+                                 Eigen::ArrayXd& time) const {
+    const double squared = square(velocity), along = dot(place, velocity);
+    const double speed = std::sqrt(squared), from = length(place);
     if (from - speed * span >= wanted_.to) return;
     if (!(speed * span > 1e-12 * wanted_.to)) {
         add_at(from, span, time);
         return;
     }
-    const double to = std::sqrt((place + span * velocity).square().sum());
+    const double to = length(place + span * velocity);
     // The usual case: the flight stays in one ring and does not pass its closest approach.
     const auto ring = static_cast<Eigen::Index>(from / width_ + edge_rounding);
-    const bool is_one_way = along >= 0.0 || along + square * span <= 0.0;
+    const bool is_one_way = along >= 0.0 || along + squared * span <= 0.0;
     if (is_one_way && ring == static_cast<Eigen::Index>(to / width_ + edge_rounding)) {
         if (ring < wanted_.rings) time[ring] += span;
         return;
@@ -404,7 +398,7 @@ void PairCorrelation::add_flight(const Eigen::Array2d& place, const Eigen::Array
     // The distance of closest approach, from the cross product, which avoids cancellation.
     const double least = std::abs(place[0] * velocity[1] - place[1] * velocity[0]) / speed;
     if (least >= wanted_.to) return;
-    const double closest = -along / square;
+    const double closest = -along / squared;
     if (closest <= 0.0 || closest >= span) {
         add_between(std::min(from, to), std::max(from, to), least, speed, time);
         return;

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
 #include "stats/paths/sliding_sum.h"
@@ -90,10 +90,8 @@ class PairCorrelation {
     double add_pair(std::span<const PathPiece> first, std::span<const PathPiece> second,
                     Interval within, Eigen::ArrayXd& time) const;
     int chords_of(double acceleration, double span) const;
-    void add_images(const Eigen::Array2d& place, const Eigen::Array2d& velocity, double span,
-                    Eigen::ArrayXd& time) const;
-    void add_flight(const Eigen::Array2d& place, const Eigen::Array2d& velocity, double span,
-                    Eigen::ArrayXd& time) const;
+    void add_images(const Vec& place, const Vec& velocity, double span, Eigen::ArrayXd& time) const;
+    void add_flight(const Vec& place, const Vec& velocity, double span, Eigen::ArrayXd& time) const;
     void add_moment(const Sample& sample, const BoxSides& sides);
     void add_at(double distance, double time, Eigen::ArrayXd& sums) const;
     void add_between(double from, double to, double least, double speed,

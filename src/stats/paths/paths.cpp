@@ -18,11 +18,11 @@ std::vector<double> velocity_changes(const Run& run) {
     return times;
 }
 
-double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity, double span) {
-    const double speed = middle.matrix().norm(), pull = gravity.matrix().norm();
+double length_of_way(const Vec& middle, const Vec& gravity, double span) {
+    const double speed = length(middle), pull = length(gravity);
     const double change = pull * span;
     if (change < 1e-3 * speed || change == 0.0) return span * speed;  // accurate to six digits
-    const double along = (middle * gravity).sum() / pull;
+    const double along = dot(middle, gravity) / pull;
     const double across = std::sqrt(std::max(0.0, speed * speed - along * along));
     const auto primitive = [&](double w) {
         const double bent = across > 0.0 ? across * across * std::asinh(w / across) : 0.0;
@@ -36,15 +36,13 @@ Paths::Paths(const Box& box, std::vector<double> changes) : changes_(std::move(c
         gravity_[axis] = box.surfaces.gravity[axis];
         if (box.is_periodic(axis)) period_[axis] = box.length(axis);
     }
-    is_straight_ = changes_.empty() && (gravity_ == 0.0).all();
+    is_straight_ = changes_.empty() && gravity_ == Vec();
 }
 
 Paths::Point Paths::at(const Sample& sample, Eigen::Index particle) {
     Point point{.time = sample.time};
-    for (Eigen::Index axis = 0; axis < sample.position.cols(); ++axis) {
-        point.place[axis] = sample.position(particle, axis);
-        point.velocity[axis] = sample.velocity(particle, axis);
-    }
+    point.place = vec_in(sample.position, particle);
+    point.velocity = vec_in(sample.velocity, particle);
     return point;
 }
 
@@ -63,8 +61,7 @@ bool Paths::changes_in(double after, double until) const {
 // zero velocity, and its final velocity tells for how long it has been falling. `is_changed`:
 // velocities change without a collision on the way or at the end, so that the final velocity does
 // not tell this.
-double Paths::rest_of(const Point& from, const Point& to, Eigen::Index axis,
-                      bool is_changed) const {
+double Paths::rest_of(const Point& from, const Point& to, std::size_t axis, bool is_changed) const {
     const double gravity = gravity_[axis], span = to.time - from.time;
     if (gravity == 0.0 || from.velocity[axis] != 0.0) return 0.0;
     if (is_changed)
@@ -84,15 +81,16 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to,
     const auto behind = std::lower_bound(first, changes_.end(), to.time);
     const bool is_changed = first != behind;
     const bool ends_changed = behind != changes_.end() && *behind == to.time;
-    Eigen::Array2d rest{0.0, 0.0};
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
+    std::array<double, 3> rest{};
+    for (std::size_t axis = 0; axis < rest.size(); ++axis)
         rest[axis] = rest_of(from, to, axis, is_changed || ends_changed);
     // Forward from the last point to the first change.
     PathPiece piece{
         .particle = particle, .from = from.time, .place = from.place, .velocity = from.velocity};
     double since = 0.0;
     const auto fall = [&](double after, double until) {
-        piece.acceleration = (rest > since).select(0.0, gravity_);
+        for (std::size_t axis = 0; axis < rest.size(); ++axis)
+            piece.acceleration[axis] = rest[axis] > since ? 0.0 : gravity_[axis];
         piece.to = until;
         pieces.push_back(piece);
         piece.place = pieces.back().place_after(piece.span());
@@ -101,7 +99,9 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to,
         since = after;
     };
     const double forward = is_changed ? *first : to.time;
-    for (const double after : {rest.minCoeff(), rest.maxCoeff()})
+    std::array<double, 3> ends = rest;
+    std::ranges::sort(ends);
+    for (const double after : ends)
         if (after > since && from.time + after < forward) fall(after, from.time + after);
     fall(forward - from.time, forward);
     if (!is_changed) return;
@@ -112,8 +112,10 @@ void Paths::part(Eigen::Index particle, const Point& from, const Point& to,
     last.place = to.place - span * (to.velocity - 0.5 * span * last.acceleration);
     if (change > forward) {
         const double between = change - forward;
-        Eigen::Array2d way = last.place - piece.place;
-        way -= (period_ > 0.0).select(period_ * (way / period_).round(), 0.0);
+        Vec way = last.place - piece.place;
+        for (std::size_t axis = 0; axis < rest.size(); ++axis)
+            if (period_[axis] > 0.0)
+                way[axis] -= period_[axis] * std::round(way[axis] / period_[axis]);
         piece.to = change;
         piece.velocity = way / between - 0.5 * between * piece.acceleration;
         pieces.push_back(piece);

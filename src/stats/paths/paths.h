@@ -15,17 +15,17 @@ namespace carom {
 /// A piece of a particle's path. In one dimension all y components are 0.
 struct PathPiece {
     Eigen::Index particle = 0;
-    double from = 0.0, to = 0.0;            ///< times
-    Eigen::Array2d place{0.0, 0.0};         ///< at `from`
-    Eigen::Array2d velocity{0.0, 0.0};      ///< at `from`
-    Eigen::Array2d acceleration{0.0, 0.0};  ///< gravity; 0 along an axis while it lies on a floor
-    const Collision* ended_by = nullptr;    ///< null: ended by the sample or an event of the run
+    double from = 0.0, to = 0.0;          ///< times
+    Vec place = {};                       ///< at `from`
+    Vec velocity = {};                    ///< at `from`
+    Vec acceleration = {};                ///< gravity; 0 along an axis while it lies on a floor
+    const Collision* ended_by = nullptr;  ///< null: ended by the sample or an event of the run
 
     double span() const { return to - from; }
-    Eigen::Array2d place_after(double time) const {
+    Vec place_after(double time) const {
         return place + time * (velocity + 0.5 * time * acceleration);
     }
-    Eigen::Array2d velocity_after(double time) const { return velocity + time * acceleration; }
+    Vec velocity_after(double time) const { return velocity + time * acceleration; }
 
     /// The part between two times since its start; ended_by is left out.
     PathPiece part(double since, double until) const {
@@ -51,7 +51,7 @@ std::vector<double> velocity_changes(const Run& run);
 
 /// The length of a path, i.e. the integral of the speed over a time `span`, for constant
 /// acceleration `gravity` and the velocity `middle` halfway through the time.
-double length_of_way(const Eigen::Array2d& middle, const Eigen::Array2d& gravity, double span);
+double length_of_way(const Vec& middle, const Vec& gravity, double span);
 
 class Paths {
   public:
@@ -109,7 +109,7 @@ class Paths {
   private:
     struct Point {
         double time = 0.0;
-        Eigen::Array2d place{0.0, 0.0}, velocity{0.0, 0.0};
+        Vec place = {}, velocity = {};
         void archive(auto& archive) { archive(time, place, velocity); }
     };
     static Point at(const Sample& sample, Eigen::Index particle);
@@ -117,7 +117,7 @@ class Paths {
     bool changes_in(double after, double until) const;
     void part(Eigen::Index particle, const Point& from, const Point& to,
               std::vector<PathPiece>& pieces) const;
-    double rest_of(const Point& from, const Point& to, Eigen::Index axis, bool is_changed) const;
+    double rest_of(const Point& from, const Point& to, std::size_t axis, bool is_changed) const;
 
     static PathPiece straight(Eigen::Index particle, const Point& from, double to) {
         return {.particle = particle,
@@ -160,8 +160,8 @@ class Paths {
         from = to;
     }
 
-    Eigen::Array2d gravity_{0.0, 0.0};
-    Eigen::Array2d period_{0.0, 0.0};  ///< 0 between walls
+    Vec gravity_ = {};
+    Vec period_ = {};  ///< 0 between walls
     std::vector<double> changes_;
     bool is_straight_ = true;        ///< no gravity and no changes
     std::vector<PathPiece> pieces_;  ///< scratch: between two points of a path

@@ -38,7 +38,7 @@ void add_passages(const Box& box, const PathPiece& piece, int axis, double edge,
 
 }  // namespace
 
-bool is_in(const Box& box, const Region& region, const Eigen::Array2d& place) {
+bool is_in(const Box& box, const Region& region, const Vec& place) {
     for (Eigen::Index axis = 0; axis < box.dimension; ++axis) {
         const double inside = box.wrapped(axis, place[axis]);
         if (inside < region.low[axis] || inside >= region.high[axis]) return false;

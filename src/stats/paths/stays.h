@@ -4,14 +4,14 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "stats/paths/paths.h"
 
 namespace carom {
 
 /// Whether a place, or its image in the box, is in a region; regions are closed at their lower
 /// sides and open at the upper ones, which may be infinite.
-bool is_in(const Box& box, const Region& region, const Eigen::Array2d& place);
+bool is_in(const Box& box, const Region& region, const Vec& place);
 
 /// A part of a piece, by times since its start, in which the particle is in the region or not.
 struct Stay {

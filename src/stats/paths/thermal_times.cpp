@@ -34,13 +34,10 @@ std::vector<ThermalIntegrals> ThermalTimes::moment(const Sample& sample) {
     for (std::size_t k = 0; k < parts_.size(); ++k)
         for (const Eigen::Index i : parts_[k].members) {
             if (particles_.inverse_mass[i] == 0.0) continue;
-            Eigen::Array2d place{0.0, 0.0}, velocity{0.0, 0.0};
-            for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
-                place[axis] = sample.position(i, axis);
-                velocity[axis] = sample.velocity(i, axis);
-            }
-            if (parts_[k].region && !is_in(box_, *parts_[k].region, place)) continue;
-            now[k].energy += 0.5 * (velocity - drift_).square().sum() / particles_.inverse_mass[i];
+            if (parts_[k].region && !is_in(box_, *parts_[k].region, vec_in(sample.position, i)))
+                continue;
+            const Vec velocity = vec_in(sample.velocity, i) - drift_;
+            now[k].energy += 0.5 * square(velocity) / particles_.inverse_mass[i];
             now[k].half_freedom += half_freedom(i);
         }
     return now;
@@ -72,10 +69,9 @@ void ThermalTimes::fly(const PathPiece& piece) {
 void ThermalTimes::add_stay(const PathPiece& piece, double from, double to,
                             ThermalIntegrals& into) const {
     const double inverse_mass = particles_.inverse_mass[piece.particle], span = to - from;
-    const Eigen::Array2d velocity = piece.velocity_after(0.5 * (from + to)) - drift_;
-    const Eigen::Array2d bent = piece.acceleration * span;
-    into.energy +=
-        0.5 * span * (velocity.square().sum() + bent.square().sum() / 12.0) / inverse_mass;
+    const Vec velocity = piece.velocity_after(0.5 * (from + to)) - drift_;
+    const Vec bent = piece.acceleration * span;
+    into.energy += 0.5 * span * (square(velocity) + square(bent) / 12.0) / inverse_mass;
     into.half_freedom += span * half_freedom(piece.particle);
 }
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
 #include "stats/paths/stays.h"
@@ -55,8 +55,8 @@ class ThermalTimes {
     std::vector<ThermalPart> parts_;
     std::vector<std::vector<bool>> is_member_;  ///< for each part, one flag for each particle
     Paths paths_;
-    std::array<bool, 2> is_conserved_{};  ///< momentum along an axis
-    Eigen::Array2d drift_{0.0, 0.0};      ///< of the centre of mass, along conserved axes
+    std::array<bool, 3> is_conserved_{};  ///< momentum along an axis
+    Vec drift_ = {};                      ///< of the centre of mass, along conserved axes
     double mass_ = 0.0;                   ///< of the whole gas; 0 if it has infinite masses
     std::vector<ThermalIntegrals> integrals_;
     std::vector<Stay> stays_;  ///< scratch

@@ -32,26 +32,24 @@ TimeAverages::TimeAverages(const Box& box, const Particles& particles, int speci
 
 void TimeAverages::add(const PathPiece& piece, Integrals& to) const {
     const double span = piece.span();
-    const Eigen::Array2d middle = piece.velocity_after(0.5 * span);
+    const Vec middle = piece.velocity_after(0.5 * span);
     const auto species = static_cast<std::size_t>(species_[piece.particle]);
     to.speed[species] +=
         length_of_way(middle, piece.acceleration, span) - span * first_speed_[piece.particle];
     const double inverse = inverse_mass_[piece.particle];
     if (inverse == 0.0) return;
     // The mean of v^2 is that halfway, and what the acceleration adds.
-    const double square =
-        middle.square().sum() + piece.acceleration.square().sum() * span * span / 12.0;
-    to.energy[species] += span * (0.5 * square / inverse - first_energy_[piece.particle]);
+    const double squared = square(middle) + square(piece.acceleration) * span * span / 12.0;
+    to.energy[species] += span * (0.5 * squared / inverse - first_energy_[piece.particle]);
 }
 
 void TimeAverages::begin(const Sample& sample) {
     start_ = time_ = sample.time;
     first_energy_ = first_speed_ = Eigen::ArrayXd::Zero(inverse_mass_.size());
     for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
-        Eigen::Array2d v(0.0, 0.0);
-        for (int axis = 0; axis < dimension_; ++axis) v[axis] = sample.velocity(i, axis);
-        first_speed_[i] = v.matrix().norm();
-        if (inverse_mass_[i] > 0.0) first_energy_[i] = 0.5 * v.square().sum() / inverse_mass_[i];
+        const Vec v = vec_in(sample.velocity, i);
+        first_speed_[i] = length(v);
+        if (inverse_mass_[i] > 0.0) first_energy_[i] = 0.5 * square(v) / inverse_mass_[i];
     }
     is_first_ = false;
 }

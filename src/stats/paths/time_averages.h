@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
 
@@ -50,7 +50,7 @@ class TimeAverages {
     Eigen::ArrayXi species_;
     bool needs_samples_;
     Paths paths_;
-    std::array<bool, 2> is_conserved_{};         ///< momentum along an axis
+    std::array<bool, 3> is_conserved_{};         ///< momentum along an axis
     double mass_ = 0.0;                          ///< of all, if momentum is conserved
     double freedom_ = 0.0;                       ///< degrees of freedom
     std::vector<double> counts_;                 ///< of particles, by species

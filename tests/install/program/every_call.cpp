@@ -1,4 +1,5 @@
 // A user's program that calls all that the installed headers offer, rightly and wrongly.
+#include <carom/physics/gas.h>
 #include <carom/physics/placement/placement.h>
 #include <carom/physics/reversal/precision.h>
 #include <carom/physics/simulation.h>
@@ -61,7 +62,7 @@ void advance_rightly() {
     int walls = 0;
     for (const carom::Collision& collision : simulation.advance_to(2.0).collisions) {
         const carom::Partner partner = collision.second;
-        if (partner.is_side() && partner.side() <= carom::Side::top) ++walls;
+        if (partner.is_surface() && partner.surface() < 4) ++walls;
         if (partner.is_particle()) check(partner.particle() != collision.first, "another partner");
     }
     check(walls > 0, "some collide with a side");

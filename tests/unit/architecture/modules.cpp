@@ -50,8 +50,9 @@ const std::map<std::string, Parts> parts_of_module{
     {"physics",
      {{"collision", "plane", "multiprecision", "line", "surfaces", "sampling", "placement",
        "theory", "events", "physics", "reversal"},
-      {"advance_result.h", "collision_error.h", "exact_positions.h", "gas.h", "mechanics.h",
-       "particles.h", "run.h", "surface.h", "ways_back.h"}}},
+      {"advance_result.h", "box.h", "collision_error.h", "exact_positions.h", "gas.h",
+       "mechanics.h", "particles.h", "run.h", "surface.h", "temperature.h", "vec.h",
+       "ways_back.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "lettering", "reading", "sets", "instruments", "feasibility",
        "scene", "manual"},
@@ -70,7 +71,8 @@ const std::map<std::string, Parts> parts_of_module{
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a
 // simulation.
-const std::set<std::string> plain_physics{"physics/gas.h",
+const std::set<std::string> plain_physics{"physics/box.h",
+                                          "physics/gas.h",
                                           "physics/placement/draws.h",
                                           "physics/placement/feasibility.h",
                                           "physics/placement/problem.h",
@@ -81,7 +83,7 @@ const std::set<std::string> plain_physics{"physics/gas.h",
                                           "physics/surfaces/behaviours.h",
                                           "physics/surfaces/surface_problem.h",
                                           "physics/theory/law.h",
-                                          "physics/time_step.h",
+                                          "physics/events/time_step.h",
                                           "physics/ways_back.h"};
 
 struct ThirdParty {

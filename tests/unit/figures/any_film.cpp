@@ -112,9 +112,8 @@ std::vector<double> slowly(const Scene& scene, const Bins& bins, double from, do
     };
     for (const Collision& one : all.collisions) {
         last_until(one.time);
-        velocity.row(one.first) = one.first_after.transpose();
-        if (one.second.is_particle())
-            velocity.row(one.second.particle()) = one.second_after.transpose();
+        put(one.first_after, velocity, one.first);
+        if (one.second.is_particle()) put(one.second_after, velocity, one.second.particle());
     }
     last_until(to);
     return counts;

@@ -151,7 +151,7 @@ TEST_CASE("a given pair is shown before and after, on the ellipse of its energy"
         const Eigen::Array2d before{fraction(row.at(0)), fraction(row.at(1))};
         if (w.sum() == 0.0 || before[0] == before[1]) continue;
         PanelSpec spec;
-        spec.given = GivenPair{w, before};
+        spec.given = GivenPair{{w[0], w[1]}, {before[0], before[1]}};
         const Table table = Seen(scene, spec).table();
         const std::vector<Row> points = rows(table, "point");
         REQUIRE(points.size() == 3);

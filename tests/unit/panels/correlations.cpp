@@ -109,11 +109,8 @@ TEST_CASE("g(r) of a lattice at rest has its neighbours in their rings") {
     }
     for (Eigen::Index i = 0; i < 100; ++i)
         for (Eigen::Index j = i + 1; j < 100; ++j)
-            expected += run.scene.gas.box
-                                    .nearest({sample.position(j, 0) - sample.position(i, 0),
-                                              sample.position(j, 1) - sample.position(i, 1)})
-                                    .matrix()
-                                    .norm() < 5.0
+            expected += length(run.scene.gas.box.nearest(vec_in(sample.position, j) -
+                                                         vec_in(sample.position, i))) < 5.0
                             ? 1.0
                             : 0.0;
     CHECK(pairs == doctest::Approx(expected));

@@ -94,8 +94,7 @@ std::vector<std::vector<Flash>> all_flashes(const Scene& scene, std::vector<std:
         const Sample& sample = simulation.sample();
         const Eigen::ArrayXd unused;
         flashes.survey({tick, sample, unused, unused, advanced}, [](const Collision& collision) {
-            const Eigen::Array2d middle =
-                0.5 * (collision.first_position + collision.second_position);
+            const Vec middle = 0.5 * (collision.first_position + collision.second_position);
             return Point{middle[0], middle[1]};
         });
     }

@@ -216,7 +216,7 @@ TEST_CASE("where particles pass from part to part there is no curve") {
         const Seen seen(halves(slit, panel), 10);
         CHECK(layers_of_part(seen.plot(seen.last.get()), "curve") == 0);
         const Law found =
-            law(seen.gas, LawOf::side_distribution, {.surface = Surfaces::first_partition});
+            law(seen.gas, LawOf::side_distribution, {.surface = Surfaces{}.first_partition()});
         CHECK(found.none->why == NoLaw::Why::passes);
     }
 }

@@ -52,7 +52,7 @@ TEST_CASE("beads seem to touch when they meet, and so do a bead and a wall") {
             for (const Collision& c : advanced.collisions) {
                 const double first = map.place(c.first, c.first_position[0], last[c.first]);
                 const double r = map.radius(c.first);
-                if (c.second.is_side()) {
+                if (c.second.is_surface()) {
                     CHECK(first == relative(c.second == Side::left ? r : map.length() - r, 1e-12));
                     continue;
                 }

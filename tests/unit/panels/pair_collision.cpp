@@ -60,7 +60,6 @@ double fraction(const std::string& text) {
     return std::stod(text.substr(0, slash)) / std::stod(text.substr(slash + 1));
 }
 
-double dot(const Eigen::Array2d& a, const Eigen::Array2d& b) { return (a * b).sum(); }
 double length(const Point& a, const Point& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 // A disk of radius 2 meets an equal one at rest, 2 beside its way: the line of centres makes 30
@@ -228,7 +227,7 @@ TEST_CASE("a pair that never collides is an error at the panel's place") {
 
 namespace {
 
-Eigen::Array2d along(const StageArrow& arrow) {
+Vec along(const StageArrow& arrow) {
     return {arrow.to.x - arrow.from.x, arrow.from.y - arrow.to.y};
 }
 
@@ -259,20 +258,20 @@ TEST_CASE(
         CHECK(length(before.center[0], before.center[1]) ==
               relative(1.6 * (all.radius[0] + all.radius[1]), 1e-9));
         CHECK(all.radius[0] / all.radius[1] == relative(2.0 / 1.5, 1e-12));
-        const Eigen::Array2d line{contact.center[1].x - contact.center[0].x,
-                                  contact.center[0].y - contact.center[1].y};
-        Eigen::Array2d momentum{0.0, 0.0}, energy{0.0, 0.0};
+        const Vec line{contact.center[1].x - contact.center[0].x,
+                       contact.center[0].y - contact.center[1].y};
+        Vec momentum, energy;
         for (std::size_t k = 0; k < 2; ++k) {
-            const Eigen::Array2d change = along(contact.velocity[k]);
-            CHECK((along(before.velocity[k]) + change - along(after.velocity[k])).abs().maxCoeff() <
+            const Vec change = along(contact.velocity[k]);
+            CHECK(longest(abs(along(before.velocity[k]) + change - along(after.velocity[k])), 2) <
                   tiny);
             CHECK(std::abs(change[0] * line[1] - change[1] * line[0]) < tiny * all.radius[0]);
             const double mass = k == 0 ? 2.0 : 1.0;
             momentum += mass * change;
-            energy[0] += mass * along(before.velocity[k]).square().sum();
-            energy[1] += mass * along(after.velocity[k]).square().sum();
+            energy[0] += mass * square(along(before.velocity[k]));
+            energy[1] += mass * square(along(after.velocity[k]));
         }
-        CHECK(momentum.abs().maxCoeff() < tiny);
+        CHECK(longest(abs(momentum), 2) < tiny);
         CHECK(energy[0] == relative(energy[1], 1e-9));
         // The centre of mass goes on with (2 * 1 - 1 * 1) / 3 to the right.
         CHECK(along(contact.mass_center_velocity)[0] == relative(all.reach / 3.0, 1e-9));
@@ -298,8 +297,8 @@ TEST_CASE("an infinite mass is its own centre of mass and keeps its velocity") {
         collision_stages(pair_collision_in(scene), particles, {0, 0, 900, 300}, 20.0, 2);
     for (const CollisionStage& stage : all.stage)
         CHECK(length(stage.mass_center, stage.center[1]) < 1e-9);
-    CHECK(along(all.stage[1].velocity[1]).abs().maxCoeff() < 1e-9);
-    CHECK(along(all.stage[1].velocity[0]).abs().maxCoeff() > 1.0);
+    CHECK(longest(abs(along(all.stage[1].velocity[1])), 2) < 1e-9);
+    CHECK(longest(abs(along(all.stage[1].velocity[0])), 2) > 1.0);
 }
 
 TEST_CASE("points on a wire are drawn as if they had a size, their arrows beside them") {

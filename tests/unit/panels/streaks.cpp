@@ -62,7 +62,7 @@ struct StreakFilm {
 struct SeenPlace {
     double time;
     Eigen::Index particle;
-    Eigen::Array2d place;  // not wrapped
+    Vec place;  // not wrapped
 };
 
 // The corners of all streaks, and the middles of the lines between them.
@@ -74,12 +74,12 @@ std::vector<SeenPlace> places_of(const StreakFilm& film) {
         run.advance_to(film.ticks[frame].time);
         if (!film.states[frame]) continue;
         for (Eigen::Index i = 0; i < run.particles().count(); ++i) {
-            const Eigen::Array2d now = run.sample().position.row(i).transpose();
+            const Vec now = vec_in(run.sample().position, i);
             Eigen::Array3d last{0.0, 0.0, 1.0};
             const auto add = [&](const Eigen::Array3d& at) {
                 const double back = (1.0 - at[2]) * frames;
                 all.push_back(
-                    {film.time_at(static_cast<double>(frame) - back), i, now + at.head<2>()});
+                    {film.time_at(static_cast<double>(frame) - back), i, now + Vec(at[0], at[1])});
             };
             for (const auto& [x, y, light] : film.states[frame]->of(static_cast<std::size_t>(i))) {
                 const Eigen::Array3d at{double(x), double(y), double(light)};
@@ -100,8 +100,8 @@ double farthest_off(const StreakFilm& film) {
     double farthest = 0.0;
     for (const SeenPlace& seen : places_of(film)) {
         run.advance_to(seen.time);
-        const Eigen::Array2d at = run.sample().position.row(seen.particle).transpose();
-        farthest = std::max(farthest, box.nearest(seen.place - at).matrix().norm());
+        const Vec at = vec_in(run.sample().position, seen.particle);
+        farthest = std::max(farthest, length(box.nearest(seen.place - at)));
     }
     return farthest;
 }

@@ -42,9 +42,8 @@ Scene gas_with_piston(const std::string& film = "size: [640, 360]") {
 }
 
 bool is_same(const SurfaceState& a, const SurfaceState& b) {
-    return a.hits == b.hits && (a.impulse == b.impulse).all() && a.work == b.work &&
-           a.heat == b.heat && a.is_open == b.is_open &&
-           a.behaviour.index() == b.behaviour.index() &&
+    return a.hits == b.hits && a.impulse == b.impulse && a.work == b.work && a.heat == b.heat &&
+           a.is_open == b.is_open && a.behaviour.index() == b.behaviour.index() &&
            a.motion.has_value() == b.motion.has_value() &&
            (!a.motion ||
             (a.motion->place == b.motion->place && a.motion->velocity == b.motion->velocity));

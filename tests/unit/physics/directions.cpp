@@ -15,14 +15,13 @@ using namespace carom;
 
 namespace {
 
-Gas gas_with(std::vector<Species> species, std::array<Wall, 2> walls, int dimension = 2,
-             std::uint64_t seed = 1) {
+Gas gas_with(std::vector<Species> species, Walls walls, int dimension = 2, std::uint64_t seed = 1) {
     return {.box = {dimension, {20.0, dimension == 2 ? 20.0 : 0.0}, walls},
             .species = std::move(species),
             .seed = seed};
 }
 
-constexpr std::array all_periodic{Wall::periodic, Wall::periodic};
+constexpr Walls all_periodic{Wall::periodic, Wall::periodic};
 
 // The largest component of the momentum, relative to the sum of all momenta.
 double imbalance(const Particles& particles, const Sample& start, Eigen::Index axis) {

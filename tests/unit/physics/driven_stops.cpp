@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "support/relative.h"
 

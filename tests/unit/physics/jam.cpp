@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/placement/placement.h"
 #include "support/bodies.h"
 

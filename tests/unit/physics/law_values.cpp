@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "physics/box.h"
+#include "physics/gas.h"
 #include "physics/placement/placement.h"
 #include "physics/theory/law.h"
 #include "support/gas_states.h"
@@ -166,7 +168,7 @@ TEST_CASE("the temperature is twice the energy per degree of freedom") {
         const GasState s = state_named(name);
         const BoxedGas gas = s.boxed();
         double energy = kinetic_energies(s.particles, s.start).sum();
-        energy -= 0.5 * gas.mass * gas.drift.square().sum();
+        energy -= 0.5 * gas.mass * square(gas.drift);
         CHECK(s.value_of(LawOf::temperature) == relative(2.0 * energy / count, 1e-12));
     }
     const GasState bath = state_named("bath");
@@ -215,7 +217,7 @@ double heating_at(GasState s, double length, EquationOfState equation) {
 }
 
 // Disks of radius 0.3 that begin with this packing in a box with this side along y.
-GasState dense_state(int count, double packing, double height, std::array<Wall, 2> walls) {
+GasState dense_state(int count, double packing, double height, Walls walls) {
     GasState s = state_named("closed");
     s.gas.box.size = {count * pi * 0.09 / packing / height, height};
     s.gas.box.walls = walls;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/placement/line_room.h"
 #include "physics/placement/placement.h"
 #include "support/placement_error.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"

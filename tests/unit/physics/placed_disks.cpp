@@ -14,7 +14,7 @@ using namespace carom;
 namespace {
 
 struct Disk {
-    Eigen::Array2d centre;
+    Vec centre;
     double radius;
 };
 
@@ -22,7 +22,7 @@ std::optional<std::int32_t> first_overlapped(const Box& box, const std::vector<D
                                              const Disk& asked) {
     for (std::size_t i = 0; i < disks.size(); ++i) {
         const double contact = (disks[i].radius + asked.radius) * (1.0 - touching_tolerance);
-        if (box.nearest(disks[i].centre - asked.centre).square().sum() < contact * contact)
+        if (square(box.nearest(disks[i].centre - asked.centre)) < contact * contact)
             return static_cast<std::int32_t>(i);
     }
     return {};
@@ -79,8 +79,7 @@ TEST_CASE("disks in one corner of a huge box are compared with those beside them
         box.size = {1e6, 1e6};
         PlacedDisks placed(box, Eigen::ArrayXd::Constant(count, 0.4));
         for (std::int32_t i = 0; i < count; ++i) {
-            const Eigen::Array2d place = in_a_row ? Eigen::Array2d{1.0 + i, 7.0}
-                                                  : Eigen::Array2d{1.0 + i % 140, 1.0 + i / 140};
+            const Vec place = in_a_row ? Vec{1.0 + i, 7.0} : Vec{1.0 + i % 140, 1.0 + i / 140};
             CHECK_FALSE(placed.overlapped(place, 0.4));
             placed.add(i, place, 0.4);
         }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <string>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "support/placement_error.h"
 #include "support/relative.h"
@@ -29,7 +30,7 @@ double least_clearance(const Gas& gas, const Particles& particles, const Sample&
     double least = 1e300;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         for (Eigen::Index j = 0; j < i; ++j) {
-            Eigen::Array2d r = (sample.position.row(i) - sample.position.row(j)).transpose();
+            Vec r = vec_in(sample.position, i) - vec_in(sample.position, j);
             for (int a = 0; a < 2; ++a)
                 if (gas.box.is_periodic(a)) r[a] = std::remainder(r[a], gas.box.size[a]);
             least = std::min(least,
@@ -85,7 +86,7 @@ TEST_CASE("lattices are fitted to the box, dense ones too") {
     }
     // 0.85 in a box of the lattice's own shape
     Gas gas = gas_of(40.0, 40 * std::sqrt(0.75), {{.name = "", .count = 1600}});
-    gas.species[0].radius = std::sqrt(0.85 * gas.box.size.prod() / (3.14159265 * 1600.0));
+    gas.species[0].radius = std::sqrt(0.85 * gas.box.content() / (3.14159265 * 1600.0));
     gas.species[0].position = LatticePlaces{};
     gas.box.walls = {Wall::periodic, Wall::periodic};
     const auto [particles, start] = place(gas);

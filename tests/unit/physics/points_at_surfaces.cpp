@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/box.h"
 #include "physics/events/event_loop.h"
-#include "physics/gas.h"
 #include "physics/particles.h"
 
 using namespace carom;
@@ -16,14 +16,14 @@ struct Points {
     Particles particles;
     Sample start;
 
-    Points(std::vector<Eigen::Array2d> x, std::vector<Eigen::Array2d> v, int dimension) {
+    Points(std::vector<Vec> x, std::vector<Vec> v, int dimension) {
         const auto count = std::ssize(x);
         particles = {Eigen::ArrayXd::Zero(count), Eigen::ArrayXd::Ones(count),
                      Eigen::ArrayXi::Zero(count)};
         start = {0.0, Eigen::ArrayXXd(count, dimension), Eigen::ArrayXXd(count, dimension)};
         for (Eigen::Index i = 0; i < count; ++i) {
-            start.position.row(i) = x[static_cast<std::size_t>(i)].head(dimension).transpose();
-            start.velocity.row(i) = v[static_cast<std::size_t>(i)].head(dimension).transpose();
+            put(x[static_cast<std::size_t>(i)], start.position, i);
+            put(v[static_cast<std::size_t>(i)], start.velocity, i);
         }
     }
 };
@@ -91,7 +91,7 @@ TEST_CASE("points pass a membrane once for each time they reach it") {
     loop.sample(100.0, end);
     CHECK(end.position(0, 0) == doctest::Approx(2.0));  // 102 along a box of 10, folded
     CHECK(end.velocity(0, 0) == 1.0);
-    CHECK(loop.surfaces(100.0)[Surfaces::first_partition].hits == 0);
+    CHECK(loop.surfaces(100.0)[Surfaces{}.first_partition()].hits == 0);
     CHECK(loop.counts().wall == 15);  // 10 of the sides to the left and right, 5 of the others
 }
 

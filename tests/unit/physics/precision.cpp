@@ -54,7 +54,7 @@ Gas open_scene(std::uint64_t seed) {
 
 bool same(const Collision& a, const Collision& b) {
     return a.time == b.time && a.first == b.first && a.second == b.second &&
-           (a.first_after == b.first_after).all() && (a.second_after == b.second_after).all();
+           a.first_after == b.first_after && a.second_after == b.second_after;
 }
 
 }  // namespace

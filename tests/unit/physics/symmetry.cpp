@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 
 using namespace carom;

@@ -6,6 +6,7 @@
 
 #include <limits>
 
+#include "physics/gas.h"
 #include "physics/reversal/precision.h"
 #include "physics/simulation.h"
 
@@ -13,7 +14,7 @@ using namespace carom;
 
 namespace {
 
-constexpr std::int32_t divider = Surfaces::first_partition;
+const std::int32_t divider = Surfaces{}.first_partition();
 const ReverseVelocities reverse{};
 const SetOpen open{divider, true}, shut{divider, false};
 

@@ -52,7 +52,7 @@ Taken taken(const Scene& scene, bool is_sample, bool is_collisions, bool aside) 
             all.threads.push_back(std::this_thread::get_id());
             for (const Collision& one : collisions) {
                 all.numbers.push_back(one.time);
-                all.numbers.push_back(one.first_after.x());
+                all.numbers.push_back(one.first_after[0]);
             }
         };
     all.report = run_physics(scene, take);

@@ -48,7 +48,7 @@ TEST_CASE("a lattice that does not fit, or on which rows are full, is refused, a
         gas.box = {2, {side(), side()}, {wall(), wall()}};
         const double packing = random.uniform(0.4, 0.95);
         const auto count = std::max<std::int64_t>(
-            1, static_cast<std::int64_t>(packing * gas.box.size.prod() / 0.7854));
+            1, static_cast<std::int64_t>(packing * gas.box.content() / 0.7854));
         gas.species = {{.name = "g",
                         .count = count,
                         .velocity = Temperature{1.0},

@@ -22,7 +22,7 @@ TEST_CASE("a length makes a wire, on which beads are points unless they say othe
     CHECK(scene.gas.box.dimension == 1);
     CHECK(scene.gas.box.size[0] == 9.5);
     CHECK(scene.gas.box.size[1] == 0.0);
-    CHECK(scene.gas.box.walls == std::array{Wall::solid, Wall::solid});
+    CHECK(scene.gas.box.walls == Walls{Wall::solid, Wall::solid});
     CHECK(std::get<double>(scene.gas.species[0].radius) == 0.0);
     CHECK_FALSE(scene.looks[0].drawn_radius.has_value());
     CHECK(scene_of("size: [9, 8]", "{count: 4}").gas.box.dimension == 2);
@@ -31,9 +31,9 @@ TEST_CASE("a length makes a wire, on which beads are points unless they say othe
 TEST_CASE("the ends of a wire are walls or joined; what lies across does not matter") {
     for (const std::string walls : {"periodic", "{left: periodic, right: periodic}"})
         CHECK(scene_of("length: 9, walls: " + walls, "{count: 4}").gas.box.walls ==
-              std::array{Wall::periodic, Wall::solid});
+              Walls{Wall::periodic, Wall::solid});
     CHECK(scene_of("length: 9, walls: {right: solid}", "{count: 4}").gas.box.walls ==
-          std::array{Wall::solid, Wall::solid});
+          Walls{Wall::solid, Wall::solid});
 }
 
 TEST_CASE("places and velocities on a wire are numbers") {

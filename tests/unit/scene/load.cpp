@@ -49,7 +49,7 @@ TEST_CASE("the first scene of the book") {
     CHECK(scene.title == "One fast particle among slow ones");
     CHECK(scene.seed == 1);
     CHECK(scene.gas.seed == 1);
-    CHECK((scene.gas.box.size == Eigen::Array2d(88, 40)).all());
+    CHECK(scene.gas.box.size == Vec(88, 40));
     CHECK(!scene.gas.box.is_periodic(0));
     REQUIRE(scene.gas.species.size() == 2);
     const Species& cold = scene.gas.species[0];
@@ -61,7 +61,7 @@ TEST_CASE("the first scene of the book") {
     CHECK(std::holds_alternative<RandomPlaces>(cold.position));
     const Species& hot = scene.gas.species[1];
     CHECK(std::get<double>(std::get<Speed>(hot.velocity).value) == 30.0);
-    CHECK((std::get<Places>(hot.position).values.at(0) == Eigen::Array2d(20, 22)).all());
+    CHECK(std::get<Places>(hot.position).values.at(0) == Vec(20, 22));
     CHECK(scene.run.until > 0.0);
     CHECK(scene.film.template_name == "hero");
     CHECK(scene.film.seconds == 42.0);
@@ -174,7 +174,7 @@ TEST_CASE("walls, events and panels with options") {
         "Speeds}]\n");
     CHECK(scene.title == "A gas in two lines");
     CHECK(scene.seed == 9007199254740991U);
-    CHECK(scene.gas.box.walls == std::array{Wall::periodic, Wall::solid});
+    CHECK(scene.gas.box.walls == Walls{Wall::periodic, Wall::solid});
     REQUIRE(scene.run.events.size() == 2);
     CHECK(scene.run.events[0].at == 20.0);
     CHECK(scene.film.seconds == 10.0);

@@ -128,7 +128,7 @@ TEST_CASE("obstacles are disks, rectangles, polygons and segments") {
     const auto block = std::get<Obstacle::Lines>(obstacles[1].shape);
     CHECK(block.is_closed);
     REQUIRE(block.corners.size() == 4);
-    CHECK((block.corners[2] == Eigen::Array2d(34.0, 20.0)).all());
+    CHECK(block.corners[2] == Vec(34.0, 20.0));
     CHECK(std::get<Obstacle::Lines>(obstacles[2].shape).is_closed);
     const auto segment = std::get<Obstacle::Lines>(obstacles[3].shape);
     CHECK_FALSE(segment.is_closed);
@@ -136,11 +136,11 @@ TEST_CASE("obstacles are disks, rectangles, polygons and segments") {
 }
 
 TEST_CASE("gravity is a vector, on a wire a number") {
-    CHECK((surfaces_of_scene("gravity: [0.5, -1]").gravity == Eigen::Array2d(0.5, -1.0)).all());
+    CHECK(surfaces_of_scene("gravity: [0.5, -1]").gravity == Vec(0.5, -1.0));
     const Scene wire = test::scene_from(
         "title: T\nbox: {length: 9, walls: {right: {temperature: 3}}}\ngravity: -2\n"
         "gas: [{count: 4, speed: 1}]\nrun: {until: 4}\n");
-    CHECK((wire.gas.box.surfaces.gravity == Eigen::Array2d(-2.0, 0.0)).all());
+    CHECK(wire.gas.box.surfaces.gravity == Vec(-2.0, 0.0));
     CHECK(std::get<Bath>(wire.gas.box.surfaces.sides[1]).temperature == 3.0);
 }
 

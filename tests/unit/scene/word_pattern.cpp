@@ -19,15 +19,14 @@ Gas gas_of(const std::string& item) {
         .gas;
 }
 
-const std::vector<Eigen::Array2d>& places_in(const Gas& gas) {
+const std::vector<Vec>& places_in(const Gas& gas) {
     return std::get<Places>(gas.species[0].position).values;
 }
 
-double least_distance(const std::vector<Eigen::Array2d>& places) {
+double least_distance(const std::vector<Vec>& places) {
     double least = 1e300;
     for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            least = std::min(least, (places[i] - places[j]).matrix().norm());
+        for (std::size_t j = 0; j < i; ++j) least = std::min(least, length(places[i] - places[j]));
     return least;
 }
 
@@ -74,7 +73,7 @@ TEST_CASE("every letter has a shape of its own, seven rows high") {
 TEST_CASE("a word fills its region and no more, its disks apart") {
     struct Part {
         const char* text;
-        Eigen::Array2d from, to;
+        Vec from, to;
         int filled;  // axis
     };
     for (const Part& part :
@@ -86,16 +85,18 @@ TEST_CASE("a word fills its region and no more, its disks apart") {
         const auto& places = places_in(gas);
         CHECK(gas.species[0].count == static_cast<std::int64_t>(places.size()));
         CHECK(least_distance(places) >= 0.4);
-        Eigen::Array2d low = places[0], high = places[0];
-        for (const Eigen::Array2d& place : places) {
-            low = low.min(place);
-            high = high.max(place);
+        Vec low = places[0], high = places[0];
+        for (const Vec& place : places) {
+            low = lower(low, place);
+            high = upper(high, place);
         }
-        CHECK((low >= part.from + 0.2).all());
-        CHECK((high <= part.to - 0.2).all());
+        for (const int axis : {0, 1}) {
+            CHECK(low[axis] >= part.from[axis] + 0.2);
+            CHECK(high[axis] <= part.to[axis] - 0.2);
+        }
         // Half a step is left at both ends of the side that it fills, and as much on both sides.
         CHECK(low[part.filled] - part.from[part.filled] < 1.0);
-        CHECK((low + high - part.from - part.to).abs().maxCoeff() < 1e-9);
+        CHECK(longest(abs(low + high - part.from - part.to), 2) < 1e-9);
         CHECK_NOTHROW(place(gas));
     }
 }
@@ -117,10 +118,9 @@ TEST_CASE("what is left out of a word is spread over it") {
     const auto places = places_of(shape, region, 1, all - 3);
     int holes[3] = {};
     for (const Eigen::Array2i& cell : shape.cells) {
-        const Eigen::Array2d at = cell.cast<double>() + 0.5;
-        const bool is_there = std::ranges::any_of(places, [&](const Eigen::Array2d& place) {
-            return (place - at).abs().maxCoeff() < 0.1;
-        });
+        const Vec at(cell[0] + 0.5, cell[1] + 0.5);
+        const bool is_there = std::ranges::any_of(
+            places, [&](const Vec& place) { return longest(abs(place - at), 2) < 0.1; });
         if (!is_there) ++holes[cell[1] * 3 / 7];
     }
     CHECK(holes[0] + holes[1] + holes[2] == 3);

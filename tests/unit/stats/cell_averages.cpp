@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "physics/collision_error.h"
+#include "physics/gas.h"
 
 using namespace carom;
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "physics/theory/law.h"

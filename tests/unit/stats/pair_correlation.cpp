@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 
 using namespace carom;
@@ -202,10 +203,7 @@ TEST_CASE("times at a distance are sums over a fine grid of moments") {
             for (Eigen::Index i = 0; i < 11; ++i)
                 for (Eigen::Index j = i + 1; j < 11; ++j) {
                     if (particles.species[i] != 0 && particles.species[j] != 0) continue;
-                    const double r =
-                        gas.box.nearest({place(j, 0) - place(i, 0), place(j, 1) - place(i, 1)})
-                            .matrix()
-                            .norm();
+                    const double r = length(gas.box.nearest(vec_in(place, j) - vec_in(place, i)));
                     if (r < 2.4) counts[static_cast<Eigen::Index>(r / 0.4)] += 1.0 / steps;
                 }
         }

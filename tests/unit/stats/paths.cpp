@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "physics/gas.h"
 #include "physics/theory/billiard.h"
 #include "stats/paths/bond_order.h"
 #include "stats/paths/free_flights.h"
@@ -60,9 +61,9 @@ TEST_CASE("pieces of paths follow one another without a gap, whatever the frames
             paths(sample, all, [&](const PathPiece& piece) {
                 PathPiece& before = last[static_cast<std::size_t>(piece.particle)];
                 if (before.to > 0.0) {
-                    const Eigen::Array2d end = before.place_after(before.span());
+                    const Vec end = before.place_after(before.span());
                     CHECK(piece.from == before.to);
-                    CHECK((piece.place - end).matrix().norm() < 1e-12);
+                    CHECK(length(piece.place - end) < 1e-12);
                 }
                 collisions += piece.ended_by != nullptr ? 1 : 0;
                 time += piece.span();
@@ -353,15 +354,15 @@ TEST_CASE("pairs are near neighbours, each seen once") {
             CHECK(seen.maxCoeff() <= 1);
             for (Eigen::Index i = 0; i < 40; ++i)
                 for (Eigen::Index j = i + 1; j < 40; ++j) {
-                    const Eigen::Array2d apart =
+                    const Vec apart =
                         gas.box.nearest({place(j, 0) - place(i, 0), place(j, 1) - place(i, 1)});
-                    if (apart.matrix().norm() <= distance) CHECK(seen(i, j) == 1);
+                    if (length(apart) <= distance) CHECK(seen(i, j) == 1);
                 }
         }
 }
 
 TEST_CASE("a hexagonal lattice has the order 1, a square one 0, a turned one its angle") {
-    const auto order_of = [](const Eigen::Array2d& a, const Eigen::Array2d& b, double turn) {
+    const auto order_of = [](const Vec& a, const Vec& b, double turn) {
         // A patch of a lattice in a wide box; only disks with all neighbours are looked at.
         Box box;
         box.size = {100.0, 100.0};
@@ -369,7 +370,7 @@ TEST_CASE("a hexagonal lattice has the order 1, a square one 0, a turned one its
         Eigen::Index inner = 0;
         for (int i = 0; i < 7; ++i)
             for (int k = 0; k < 7; ++k) {
-                const Eigen::Array2d at = (i - 3) * a + (k - 3) * b;
+                const Vec at = (i - 3) * a + (k - 3) * b;
                 place.row(7 * i + k) << 50.0 + at[0] * std::cos(turn) - at[1] * std::sin(turn),
                     50.0 + at[0] * std::sin(turn) + at[1] * std::cos(turn);
                 if (i == 3 && k == 3) inner = 7 * i + k;
@@ -378,7 +379,7 @@ TEST_CASE("a hexagonal lattice has the order 1, a square one 0, a turned one its
                                   Eigen::ArrayXi::Zero(49)};
         return bond_order(box, particles, place)[inner];
     };
-    const Eigen::Array2d east{1.1, 0.0}, up{0.55, 0.55 * std::sqrt(3.0)}, north{0.0, 1.1};
+    const Vec east{1.1, 0.0}, up{0.55, 0.55 * std::sqrt(3.0)}, north{0.0, 1.1};
     CHECK(std::abs(order_of(east, up, 0.0) - 1.0) < 1e-12);
     CHECK(std::abs(order_of(east, up, 0.1) - std::polar(1.0, 0.6)) < 1e-12);
     CHECK(std::abs(order_of(east, north, 0.3)) < 1e-12);  // four neighbours: 1 - 1 + 1 - 1

@@ -19,8 +19,8 @@ std::int32_t number_of(Partner partner) {
 }
 
 // Hits of reflecting outer walls do not count as contacts.
-bool is_contact(const Collision& collision, const FrameInput& input) {
-    if (!collision.second.is_side()) return true;
+bool is_contact(const Collision& collision, const FrameInput& input, const Surfaces& all) {
+    if (collision.second.is_particle() || !all.is_side(collision.second.surface())) return true;
     const std::vector<SurfaceState>& surfaces = input.advanced.surfaces;
     const auto side = static_cast<std::size_t>(collision.second.surface());
     return side < surfaces.size() && !only_reflects(surfaces[side].behaviour);
@@ -64,7 +64,7 @@ void Flashes::survey(const FrameInput& input, const std::function<Point(const Co
         high_ = leg_high_;
     }
     for (const Collision& collision : input.advanced.collisions) {
-        if (!is_contact(collision, input)) continue;
+        if (!is_contact(collision, input, scene_.gas.box.surfaces)) continue;
         ++contacts_;
         const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;
         Start start{(last_frame_ + share * (tick.frame - last_frame_)) / scene_.film.fps,

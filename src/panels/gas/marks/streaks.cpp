@@ -10,7 +10,7 @@ namespace carom {
 Streaks::Streaks(const PanelContext& context)
     : shown_(context.scene.film.streaks && context.in_film),
       fps_(context.scene.film.fps),
-      tolerance_(1e-4 * context.scene.gas.box.size.minCoeff()),
+      tolerance_(1e-4 * context.scene.gas.box.shortest_side()),
       count_(context.particles.count()),
       paths_(context.scene.gas.box, velocity_changes(context.scene.run)) {}
 
@@ -46,7 +46,7 @@ void Streaks::move(const FrameInput& input) {
 
 // Adds the corners of a path, the latest first.
 void Streaks::add_path(StreakState& state, std::span<const Part> parts, int frame) const {
-    Eigen::Array2d offset{0.0, 0.0};
+    Vec offset;
     double last = 1.0;
     const auto add = [&](const Step& step, double time) {
         last = light_at(step, time, frame);
@@ -61,12 +61,12 @@ void Streaks::add_path(StreakState& state, std::span<const Part> parts, int fram
         // The gas may have stood still since.
         if (light_at(*step, piece->to, frame) < last) add(*step, piece->to);
         constexpr double most_lines = 32.0;
-        const double bend = piece->acceleration.matrix().norm() * span * span / 8.0;
+        const double bend = length(piece->acceleration) * span * span / 8.0;
         const double lines = std::clamp(std::ceil(std::sqrt(bend / tolerance_)), 1.0, most_lines);
-        Eigen::Array2d at = piece->place_after(piece->to - piece->from);
+        Vec at = piece->place_after(piece->to - piece->from);
         for (double line = lines - 1.0; line >= 0.0; --line) {
             const double time = begin + span * line / lines;
-            const Eigen::Array2d before = piece->place_after(time - piece->from);
+            const Vec before = piece->place_after(time - piece->from);
             offset += before - at;
             at = before;
             add(*step, time);

@@ -34,9 +34,9 @@ std::optional<double> push(const BoxedGas& gas, const Asked& asked, double lengt
 }
 
 bool moves_along(const BoxedGas& gas, int axis) {
-    const auto& sides = gas.box.surfaces.sides;
-    for (std::int32_t side = 0; side < static_cast<std::int32_t>(sides.size()); ++side) {
-        const bool may_move = carom::moves(sides.at(static_cast<std::size_t>(side)));
+    const auto sides = gas.box.surfaces.numbered_sides();
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        const bool may_move = carom::moves(sides[side]);
         if (may_move && gas.box.surfaces.axis_of(side) == axis) return true;
     }
     return false;
@@ -50,7 +50,7 @@ std::optional<NoLaw> why_no_compression(const BoxedGas& gas, const Asked& asked)
         return reason;
     if (gas.influences.bath && gas.influences.bath_temperatures.empty())
         return NoLaw{Why::baths_differ};
-    if (!Surfaces::is_side(asked.surface)) return NoLaw{Why::partitions};
+    if (!gas.box.surfaces.is_side(asked.surface)) return NoLaw{Why::partitions};
     if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
     if (!(gas.freedoms() > 0.0)) return NoLaw{Why::no_freedom};
     if (gas.box.dimension == 2) {

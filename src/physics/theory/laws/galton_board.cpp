@@ -23,7 +23,7 @@ std::vector<PegRow> rows_of_pegs(const BoxedGas& gas, int along, double near) {
     const double up = gas.box.surfaces.gravity[down] < 0.0 ? 1.0 : -1.0;
     std::vector<PegRow> rows;
     for (const Obstacle& obstacle : gas.box.surfaces.obstacles) {
-        Eigen::Array2d top;
+        Vec top;
         if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
             top = disk->center;
         } else {
@@ -70,7 +70,7 @@ Law binomial(const BoxedGas& gas, const Asked& asked) {
     if (const auto reason = first_of(gas, {Why::no_finite_mass})) return none(*reason);
     if (gas.box.surfaces.gravity[1 - along] == 0.0 || gas.box.surfaces.gravity[along] != 0.0)
         return none(Why::no_board);
-    const double near = 1e-9 * gas.box.size.maxCoeff();
+    const double near = 1e-9 * gas.box.longest_side();
     const std::vector<PegRow> rows = rows_of_pegs(gas, along, near);
     const std::optional<double> distance = distance_of_pegs(rows, near);
     if (!distance || !gas.is_placed) return none(Why::no_board);

@@ -34,8 +34,14 @@ bool moves_by_itself(const Behaviour& behaviour) {
 // twice the variance of a place along each axis.
 double plateau_in_plane(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
     double sum = 0.0;
-    for (const Eigen::Index i : list)
-        sum += (gas.box.size - 2.0 * gas.particles->radius[i]).square().sum() / 6.0;
+    for (const Eigen::Index i : list) {
+        double squares = 0.0;
+        for (int axis = 0; axis < gas.box.dimension; ++axis) {
+            const double room = gas.box.size[axis] - 2.0 * gas.particles->radius[i];
+            squares += room * room;
+        }
+        sum += squares / 6.0;
+    }
     return sum / static_cast<double>(list.size());
 }
 

@@ -37,7 +37,7 @@ Law ideal_pressure(const BoxedGas& gas, const Asked& asked) {
         return none(*reason);
     if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
     if (gas.finite == 1.0 && gas.box.dimension == 2) return none(Why::keeps_axes);
-    if (gas.conserves_one() && gas.finite < few_along_axis) return none(Why::one_axis);
+    if (gas.conserves_some() && gas.finite < few_along_axis) return none(Why::one_axis);
     const ThermalMotion thermal = asked.thermal.value_or(gas.thermal);
     if (!(thermal.energy > 0.0)) return none(Why::at_rest);
     return value(pressure_of_points(gas.box, thermal.energy));

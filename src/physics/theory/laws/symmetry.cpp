@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "physics/gas.h"
 #include "physics/surfaces/behaviours.h"
 #include "physics/theory/equation_of_state.h"
 
@@ -68,7 +69,7 @@ bool may_convect(const Box& box, const std::vector<std::vector<Behaviour>>& beha
     for (std::size_t k = 0; k < behaviours.size(); ++k)
         for (const Behaviour& one : behaviours[k]) {
             const auto* bath = bath_of(one);
-            if (bath == nullptr || (Surfaces::is_side(k) && box.is_periodic(k / 2))) continue;
+            if (bath == nullptr || (box.surfaces.is_side(k) && box.is_periodic(k / 2))) continue;
             differ = differ || (temperature && *temperature != bath->temperature);
             temperature = bath->temperature;
         }
@@ -93,7 +94,7 @@ bool may_freeze(const Gas& gas) {
     for (const Species& species : gas.species)
         covered +=
             static_cast<double>(species.count) * std::numbers::pi * mean_square(species.radius);
-    return covered > largest_packing_of_fluid * gas.box.size.prod();
+    return covered > largest_packing_of_fluid * gas.box.content();
 }
 
 }  // namespace

@@ -4,10 +4,11 @@
 #include <array>
 #include <vector>
 
-#include "physics/gas.h"
 #include "physics/run.h"
 
 namespace carom {
+
+struct Gas;
 
 /// Along an even axis the mean of every quantity of a gas is the same at all places at any time of
 /// its run, but for a layer at its sides: neither the box and its events nor the start tell one

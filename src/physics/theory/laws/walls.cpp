@@ -84,7 +84,7 @@ Law gap_flux(const BoxedGas& gas, const Asked& asked) {
 // a gas whose momentum along the piston is conserved.
 Law piston(const BoxedGas& gas, const Asked& asked) {
     const Surfaces& surfaces = gas.box.surfaces;
-    if (!Surfaces::is_side(asked.surface)) return none(Why::partitions);
+    if (!surfaces.is_side(asked.surface)) return none(Why::partitions);
     const auto side = static_cast<std::size_t>(asked.surface);
     const auto* free_side = piston_of(surfaces.sides.at(side));
     if (free_side == nullptr) return none(Why::no_piston);
@@ -93,10 +93,10 @@ Law piston(const BoxedGas& gas, const Asked& asked) {
                            Why::partitions, Why::obstacles, Why::gravity}))
         return none(*reason);
     if (gas.influences.velocities) return none(Why::event);
-    for (std::size_t k = 0; k < surfaces.sides.size(); ++k)
+    for (std::size_t k = 0; k < surfaces.numbered_sides().size(); ++k)
         if (k != side && piston_of(surfaces.sides[k])) return none(Why::pistons);
     const double inward =
-        Surfaces::is_far_side(asked.surface) ? -free_side->force : free_side->force;
+        surfaces.is_far_side(asked.surface) ? -free_side->force : free_side->force;
     if (!(inward > 0.0)) return none(Why::no_force);
     if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
         return none(*reason);

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/run.h"
 #include "physics/surfaces/surface_problem.h"
 

@@ -1,4 +1,4 @@
-#include "physics/energy_account.h"
+#include "physics/events/energy_account.h"
 
 #include <variant>
 
@@ -7,7 +7,7 @@ namespace carom {
 EnergyAccount energies(const Box& box, const Particles& particles, const Sample& sample,
                        std::span<const SurfaceState> states) {
     EnergyAccount account;
-    const Eigen::Array2d& gravity = box.surfaces.gravity;
+    const Vec& gravity = box.surfaces.gravity;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         if (particles.inverse_mass[i] == 0.0) {
             if (box.surfaces.has_gravity() || (sample.velocity.row(i) != 0.0).any())

@@ -1,4 +1,4 @@
-#include "physics/echo_measurement.h"
+#include "physics/events/echo_measurement.h"
 
 #include <algorithm>
 

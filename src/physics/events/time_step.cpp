@@ -1,4 +1,4 @@
-#include "physics/time_step.h"
+#include "physics/events/time_step.h"
 
 #include <algorithm>
 #include <cmath>

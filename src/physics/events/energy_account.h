@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/surface.h"
 

@@ -71,6 +71,11 @@ inline void archive_parts(Archive& archive, Particles& its) {
     archive(its.radius, its.inverse_mass, its.species);
 }
 
+inline void archive_parts(Archive& archive, Membership& its) {
+    archive(its.species, its.is_present);
+}
+
+/// Without the membership, which the owner of the sample writes or reads.
 inline void archive_parts(Archive& archive, Sample& its) {
     archive(its.time, its.position, its.velocity);
 }

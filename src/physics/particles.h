@@ -1,8 +1,10 @@
 // The particles of a run: their constant properties (Particles) and their state at one instant
-// (Sample), both in the order in which the scene lists them.
+// (Sample), both in the order in which the scene lists them. The number of particles is constant;
+// which of them are present, and which species each belongs to, are part of the state.
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 
 #include "physics/vec.h"
 
@@ -12,7 +14,7 @@ namespace carom {
 struct Particles {
     Eigen::ArrayXd radius;        ///< N, length
     Eigen::ArrayXd inverse_mass;  ///< N, 1/mass; 0 for an infinite mass
-    Eigen::ArrayXi species;       ///< N, index into Gas::species
+    Eigen::ArrayXi species;       ///< N, index into Gas::species, at the start
 
     Eigen::Index count() const { return radius.size(); }
 
@@ -23,11 +25,27 @@ struct Particles {
     }
 };
 
-/// Positions and velocities of all particles at one time.
+/// Which particles are present at one time, and which species each belongs to.
+struct Membership {
+    Eigen::ArrayXi species;                             ///< N, index into Gas::species
+    Eigen::Array<bool, Eigen::Dynamic, 1> is_present;  ///< N
+};
+
+/// The membership at the start of a run: all particles are present.
+inline std::shared_ptr<const Membership> membership_at_start(const Particles& particles) {
+    return std::make_shared<const Membership>(Membership{
+        particles.species,
+        Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(particles.count(), true)});
+}
+
+/// Positions, velocities and membership of all particles at one time.
 struct Sample {
     double time = 0.0;
-    Eigen::ArrayXXd position;  ///< N x dimension, length
-    Eigen::ArrayXXd velocity;  ///< N x dimension, length/time
+    Eigen::ArrayXXd position = {};  ///< N x dimension, length
+    Eigen::ArrayXXd velocity = {};  ///< N x dimension, length/time
+    /// The same object for all samples of a run between which it does not change; null for a sample
+    /// that was not taken from a run, where it is that of the start.
+    std::shared_ptr<const Membership> membership = {};
 };
 
 /// The position or the velocity of one particle: a row of `values`, N x dimension.

@@ -50,6 +50,7 @@ struct Simulation::Implementation {
           bits(
               (check_surfaces(box, particles, start, run), check_run(run, particles.count(), box))),
           loop(loop_for(its_box, particles, run, bits)),
+          membership(membership_at_start(particles)),
           present(std::move(start)) {
         present.time = -run.equilibrate;
         with_loop([&](auto& its) {
@@ -72,7 +73,8 @@ struct Simulation::Implementation {
         : box(its_box),
           particles(std::move(its_particles)),
           bits((check_surfaces(box, run), check_run(run, particles.count(), box))),
-          loop(loop_for(box, particles, run, bits)) {}
+          loop(loop_for(box, particles, run, bits)),
+          membership(membership_at_start(particles)) {}
 
     template <typename Scalar, bool has_surfaces>
     static Loop loop_in(const Box& box, const Particles& particles, int bits, std::int64_t most) {
@@ -115,7 +117,9 @@ struct Simulation::Implementation {
             present.position.resize(0, 0);
             present.velocity.resize(0, 0);
         }
-        archive(events, next_event, happened, present, sampled, recording, echo, at_start);
+        Membership now = *membership;
+        archive(events, next_event, happened, now, present, sampled, recording, echo, at_start);
+        if (archive.is_reading()) membership = std::make_shared<const Membership>(std::move(now));
     }
 
     static void advance_loop(auto& its, double time, std::vector<Collision>* record,
@@ -288,6 +292,7 @@ struct Simulation::Implementation {
     std::size_t next_event = 0;
     int bits;
     Loop loop;
+    std::shared_ptr<const Membership> membership;  ///< at present
     Sample present;  ///< its time is always the present time; positions and velocities are valid
                      ///< only if `sampled`
     bool sampled = false;
@@ -381,19 +386,24 @@ const Sample& Simulation::sample() {
     if (!its.sampled)
         its.with_loop([&](const auto& loop) { loop.sample(its.present.time, its.present); });
     its.sampled = true;
+    its.present.membership = its.membership;
     return its.present;
 }
 
 Sample Simulation::sample_of_positions() const {
     const Implementation& its = *implementation_;
-    return std::visit([&](const auto& loop) { return loop.sample_of_positions(its.present.time); },
-                      its.loop);
+    Sample sample = std::visit(
+        [&](const auto& loop) { return loop.sample_of_positions(its.present.time); }, its.loop);
+    sample.membership = its.membership;
+    return sample;
 }
 
 Sample Simulation::sample_of_velocities() const {
     const Implementation& its = *implementation_;
-    return std::visit([&](const auto& loop) { return loop.sample_of_velocities(its.present.time); },
-                      its.loop);
+    Sample sample = std::visit(
+        [&](const auto& loop) { return loop.sample_of_velocities(its.present.time); }, its.loop);
+    sample.membership = its.membership;
+    return sample;
 }
 
 ExactPositions Simulation::exact_positions() const { return implementation_->exact_positions(); }

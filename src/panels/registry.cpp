@@ -170,7 +170,7 @@ bool acts_on_gas(const Gas& gas, const Run& run) {
 // them.
 bool speeds_spread(const Gas& gas, const Run& run) {
     const auto common_mass = [](const Species& species) -> std::optional<double> {
-        const auto* mass = std::get_if<Quantity>(&species.mass);
+        const auto* mass = std::get_if<ValueRule>(&species.mass);
         const double* value = mass == nullptr ? nullptr : std::get_if<double>(mass);
         return value == nullptr ? std::nullopt : std::optional(*value);
     };

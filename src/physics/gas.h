@@ -22,17 +22,18 @@ struct NormalDistribution {
     double mean, deviation;
 };
 /// One number for all, one for each particle, or a distribution to draw from.
-using Quantity = std::variant<double, std::vector<double>, UniformDistribution, NormalDistribution>;
+using ValueRule =
+    std::variant<double, std::vector<double>, UniformDistribution, NormalDistribution>;
 
 struct Infinite {};
 struct Density {
-    Quantity value;  ///< mass = density * pi r^2 in 2-D, density * 2 r in 1-D
+    ValueRule value;  ///< mass = density * pi r^2 in 2-D, density * 2 r in 1-D
 };
-using MassRule = std::variant<Quantity, Density, Infinite>;
+using MassRule = std::variant<ValueRule, Density, Infinite>;
 
 struct AtRest {};
 struct Speed {
-    Quantity value;  ///< in random directions
+    ValueRule value;  ///< in random directions
 };
 struct Velocity {
     std::vector<Vec> values;  ///< one for all, or one for each particle; y is 0 in 1-D
@@ -52,8 +53,8 @@ using PositionRule = std::variant<RandomPlaces, LatticePlaces, WithinRegion, Pla
 struct Species {
     std::string name;
     std::int64_t count = 0;
-    Quantity radius = 0.5;
-    MassRule mass = Quantity{1.0};
+    ValueRule radius = 0.5;
+    MassRule mass = ValueRule{1.0};
     VelocityRule velocity = AtRest{};
     PositionRule position = RandomPlaces{};
 };

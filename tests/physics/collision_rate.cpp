@@ -60,7 +60,7 @@ TEST_CASE("disks collide as often as Enskog's theory expects") {
         Gas gas = plane(Wall::periodic, std::sqrt(500.0 * std::numbers::pi / 4.0 / packing));
         gas.species = {{.name = "a",
                         .count = 500,
-                        .velocity = Speed{Quantity{2.0}},
+                        .velocity = Speed{ValueRule{2.0}},
                         .position = LatticePlaces{}}};
         const double time = 40000.0 / expected(gas);
         agree(gas, 0.2 * time, time, 0.02);
@@ -75,7 +75,7 @@ TEST_CASE("a mixture of sizes and masses between walls collides as often as expe
                        {.name = "large",
                         .count = 60,
                         .radius = UniformDistribution{0.8, 1.6},
-                        .mass = Density{Quantity{5.0}},
+                        .mass = Density{ValueRule{5.0}},
                         .velocity = Temperature{2.0}}};
         const double time = 40000.0 / expected(gas);
         agree(gas, 0.2 * time, time, 0.03);
@@ -103,7 +103,7 @@ TEST_CASE("beads of different masses meet as often as expected") {
                        {.name = "heavy",
                         .count = 100,
                         .radius = 0.5,
-                        .mass = Quantity{3.0},
+                        .mass = ValueRule{3.0},
                         .velocity = Temperature{1.0}}};
         agree(gas, 20.0, 400.0, 0.02);
     }
@@ -117,7 +117,7 @@ Gas beads_in_order(Wall wall, const std::vector<double>& masses) {
     Species beads{.name = "beads",
                   .count = std::ssize(masses),
                   .radius = 0.0,
-                  .mass = Quantity{masses},
+                  .mass = ValueRule{masses},
                   .velocity = Temperature{1.0}};
     Places places;
     for (std::size_t k = 0; k < masses.size(); ++k)
@@ -148,13 +148,13 @@ TEST_CASE("the rate of beads of different masses is that of their order, once it
     gas.species = {{.name = "beads",
                     .count = 3,
                     .radius = 0.1,
-                    .mass = Quantity{std::vector<double>{1.0, 4.0, 2.0}},
+                    .mass = ValueRule{std::vector<double>{1.0, 4.0, 2.0}},
                     .velocity = Temperature{1.0}}};
     const auto [particles, sample] = draw_gas(gas);
     CHECK(law(BoxedGas(gas.box, {}, particles, sample), LawOf::collision_rate).none->why ==
           NoLaw::Why::unknown_order);
     CHECK_FALSE(why_no_law(gas, {}, LawOf::collision_rate));
-    gas.species[0].mass = Quantity{2.0};
+    gas.species[0].mass = ValueRule{2.0};
     const auto [equal, start] = draw_gas(gas);
     CHECK(law(BoxedGas(gas.box, {}, equal, start), LawOf::collision_rate));
     gas = beads_in_order(Wall::solid, {1.0, 4.0, 2.0});

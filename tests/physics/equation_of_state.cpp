@@ -32,7 +32,7 @@ Gas disks(double packing, std::int64_t count, Walls walls) {
         {.name = "light", .count = count / 2, .velocity = Temperature{1.5}, .position = places},
         {.name = "heavy",
          .count = count - count / 2,
-         .mass = Quantity{3.0},
+         .mass = ValueRule{3.0},
          .velocity = Temperature{1.5},
          .position = places}};
     return gas;

@@ -85,9 +85,9 @@ TEST_CASE("energy shares between walls follow Beta(1, N - 1), whatever masses an
         gas.species = {{.name = "heavy",
                         .count = 2,
                         .radius = 0.9,
-                        .mass = Quantity{std::vector{4.0, 4.5}},
+                        .mass = ValueRule{std::vector{4.0, 4.5}},
                         .velocity = Speed{1.0}},
-                       {.name = "light", .count = light, .radius = 0.4, .mass = Quantity{0.5}}};
+                       {.name = "light", .count = light, .radius = 0.4, .mass = ValueRule{0.5}}};
         Simulation simulation(gas, Run{});
         // The laws of ten disks and of eleven are 0.039 apart: so many samples are expected to give
         // the wrong one a chance of 1e-10, where 3000 would give it just that of `level`.
@@ -116,7 +116,7 @@ TEST_CASE("energy shares in a periodic box follow (1 - m/M) Beta(1, N - 2)") {
                    {.name = "heavy",
                     .count = 2,
                     .radius = 0.8,
-                    .mass = Quantity{3.0},
+                    .mass = ValueRule{3.0},
                     .velocity = Speed{1.0}}};
     Simulation simulation(gas, Run{});
     const Series found = energy_shares(simulation, 60.0);

@@ -181,9 +181,9 @@ TEST_CASE("light and heavy disks end with the same mean energy") {
     gas.species = {{.name = "light",
                     .count = 150,
                     .radius = 0.4,
-                    .mass = Quantity{1.0},
+                    .mass = ValueRule{1.0},
                     .velocity = Speed{3.0}},
-                   {.name = "heavy", .count = 50, .radius = 0.8, .mass = Quantity{8.0}}};
+                   {.name = "heavy", .count = 50, .radius = 0.8, .mass = ValueRule{8.0}}};
     Run run;
     run.equilibrate = 100.0;
     Simulation simulation(gas, run);

@@ -161,7 +161,7 @@ TEST_CASE("heat raises the energy by what it says, or to a temperature, and no k
                 gas.species.push_back({.name = "heavy",
                                        .count = 4,
                                        .radius = 0.2,
-                                       .mass = Quantity{3.0},
+                                       .mass = ValueRule{3.0},
                                        .velocity = Velocity{{{1.0, 0.5}}}});
                 Run run;
                 run.bits = bits;

@@ -41,7 +41,7 @@ Gas disks_of_two_masses(double radius, std::uint64_t seed) {
         {.name = "heavy",
          .count = 40,
          .radius = radius,
-         .mass = Quantity{7.0},
+         .mass = ValueRule{7.0},
          .velocity = Temperature{1.0}},
     };
     return gas;

@@ -243,7 +243,7 @@ TEST_CASE("giants that meet each other") {
                    {.name = "dust",
                     .count = 300,
                     .radius = 0.2,
-                    .mass = Quantity{0.1},
+                    .mass = ValueRule{0.1},
                     .velocity = Temperature{1.0}}};
     require_hard_disks(gas, 20'000, 20);
 }
@@ -253,7 +253,7 @@ TEST_CASE("a giant that nearly fills its periodic box is met at each of its imag
     Gas gas;
     gas.box.size = {21.0, 20.0};
     gas.box.walls = {Wall::periodic, Wall::periodic};
-    const Quantity fixed{std::numeric_limits<double>::infinity()};
+    const ValueRule fixed{std::numeric_limits<double>::infinity()};
     gas.species = {
         {.name = "giant", .count = 1, .radius = 8.0, .mass = fixed},
         {.name = "obstacle", .count = 40, .radius = 0.05, .mass = fixed},
@@ -386,7 +386,7 @@ TEST_CASE("two runs of one scene are the same to the last bit") {
     gas.box.size = {40.0, 40.0};
     gas.box.walls = {Wall::periodic, Wall::solid};
     gas.species = {{.name = "a", .count = 300, .velocity = Temperature{1.0}},
-                   {.name = "b", .count = 10, .radius = 2.0, .mass = Quantity{16.0}}};
+                   {.name = "b", .count = 10, .radius = 2.0, .mass = ValueRule{16.0}}};
     std::uint64_t hash = 0;
     for (int i = 0; i < 2; ++i) {
         Simulation simulation(gas, Run{});
@@ -426,7 +426,7 @@ TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {
     Gas gas;
     gas.box.size = {20.0, 20.0};
     gas.species = {{.name = "fast", .count = 3, .velocity = Speed{1e6}},
-                   {.name = "slow", .count = 20, .mass = Quantity{1e15}, .velocity = Speed{1e-12}},
-                   {.name = "light", .count = 5, .mass = Quantity{1e-3}}};
+                   {.name = "slow", .count = 20, .mass = ValueRule{1e15}, .velocity = Speed{1e-12}},
+                   {.name = "light", .count = 5, .mass = ValueRule{1e-3}}};
     require_hard_disks(gas, 20'000, 10);
 }

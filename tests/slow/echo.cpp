@@ -78,7 +78,7 @@ TEST_CASE("mixtures of sizes and masses return, with fixed and driven disks too"
                             .radius = UniformDistribution{0.2, 0.5},
                             .mass = Density{1.0},
                             .velocity = Temperature{1.0}},
-                           {.name = "large", .count = 6, .radius = 2.0, .mass = Quantity{50.0}}};
+                           {.name = "large", .count = 6, .radius = 2.0, .mass = ValueRule{50.0}}};
             if (driven)
                 gas.species.push_back({.name = "driven",
                                        .count = 1,

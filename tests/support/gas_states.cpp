@@ -13,7 +13,7 @@ Species disks(std::int64_t count, double mass) {
     return {.name = "disks",
             .count = count,
             .radius = 0.3,
-            .mass = Quantity{mass},
+            .mass = ValueRule{mass},
             .velocity = Temperature{1.0}};
 }
 
@@ -47,7 +47,7 @@ Condition on_line(const std::string& name, Wall ends, const std::vector<double>&
             [=](GasState& s) {
                 s.gas.box = {1, {20.0, 0.0}, {ends, Wall::solid}};
                 Species beads = disks(static_cast<std::int64_t>(masses.size()));
-                beads.mass = Quantity{masses};
+                beads.mass = ValueRule{masses};
                 s.gas.species = {beads};
             },
             true};

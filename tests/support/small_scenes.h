@@ -30,7 +30,7 @@ inline Gas small_scene(std::uint64_t seed) {
     gas.species.push_back({.name = "large",
                            .count = 1 + static_cast<int>(random.below(3)),
                            .radius = random.uniform(1.0, 2.4) * r,
-                           .mass = Quantity{random.uniform(0.01, 100.0)},
+                           .mass = ValueRule{random.uniform(0.01, 100.0)},
                            .velocity = Speed{random.uniform(0.0, 2.0)}});
     if (random.uniform() < 0.3)
         gas.species.push_back({.name = "fixed", .count = 1, .radius = r, .mass = Infinite{}});
@@ -69,7 +69,7 @@ inline Gas small_line(std::uint64_t seed) {
     gas.species.push_back({.name = "rods",
                            .count = static_cast<int>(random.below(5)),
                            .radius = rod,
-                           .mass = Quantity{random.uniform(0.01, 100.0)},
+                           .mass = ValueRule{random.uniform(0.01, 100.0)},
                            .velocity = Speed{random.uniform() < 0.2 ? 0.0 : 1.0}});
     if (random.uniform() < 0.3)
         gas.species.push_back({.name = "fixed", .count = 1, .radius = rod, .mass = Infinite{}});

@@ -185,7 +185,7 @@ inline SurfaceScene small_box(std::uint64_t seed) {
         gas.species.push_back({.name = name,
                                .count = static_cast<std::int64_t>(1 + random.below(5)),
                                .radius = UniformDistribution{0.3 * radius, radius},
-                               .mass = Quantity{UniformDistribution{0.3, 3.0}},
+                               .mass = ValueRule{UniformDistribution{0.3, 3.0}},
                                .velocity = Temperature{random.uniform(0.1, 2.0)}});
     if (random.uniform() < 0.6) scene.events = any_events(random, box, may_move);
     return scene;
@@ -209,7 +209,7 @@ inline SurfaceScene small_wire(std::uint64_t seed) {
         gas.species.push_back({.name = name,
                                .count = static_cast<std::int64_t>(1 + random.below(5)),
                                .radius = radius,
-                               .mass = Quantity{UniformDistribution{0.2, 5.0}},
+                               .mass = ValueRule{UniformDistribution{0.2, 5.0}},
                                .velocity = Temperature{random.uniform(0.1, 2.0)}});
     if (random.uniform() < 0.6) scene.events = any_events(random, box);
     return scene;

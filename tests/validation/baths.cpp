@@ -38,7 +38,7 @@ Study heat_flow() {
         gas.species = {{.name = "",
                         .count = 1,
                         .radius = radius,
-                        .mass = Quantity{mass},
+                        .mass = ValueRule{mass},
                         .velocity = Temperature{2.0}}};
         Simulation simulation(gas, {});
         const double time = 200'000.0 * run.effort;
@@ -121,7 +121,7 @@ Study effusion() {
         gas.species = {{.name = "",
                         .count = count,
                         .radius = 0.0,
-                        .mass = Quantity{mass},
+                        .mass = ValueRule{mass},
                         .velocity = Temperature{temperature},
                         .position = WithinRegion{{{0.0, 0.0}, {size, size}}}}};
         Simulation simulation(gas, {});

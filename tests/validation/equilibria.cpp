@@ -109,7 +109,7 @@ Study equipartition() {
         gas.seed = run.seed;
         gas.box.size = {40.0, 30.0};
         gas.species = {{.name = "light", .count = 150, .radius = 0.4, .velocity = Speed{3.0}},
-                       {.name = "heavy", .count = 50, .radius = 0.8, .mass = Quantity{8.0}}};
+                       {.name = "heavy", .count = 50, .radius = 0.8, .mass = ValueRule{8.0}}};
         Run how;
         how.equilibrate = 150.0;
         Simulation simulation(gas, how);

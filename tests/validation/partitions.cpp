@@ -19,7 +19,7 @@ Species points(const char* name, int count, double mass, Region within) {
     return {.name = name,
             .count = count,
             .radius = 0.0,
-            .mass = Quantity{mass},
+            .mass = ValueRule{mass},
             .velocity = Temperature{1.0},
             .position = WithinRegion{within}};
 }

@@ -13,8 +13,8 @@ namespace {
 constexpr double least_share = 0.01;
 
 void add(std::vector<CutDistribution>& all, const Species& species, const char* key,
-         const Quantity& quantity, bool is_folded) {
-    const auto* normal = std::get_if<NormalDistribution>(&quantity);
+         const ValueRule& rule, bool is_folded) {
+    const auto* normal = std::get_if<NormalDistribution>(&rule);
     if (normal == nullptr) return;
     const CutNormal cut = is_folded ? folded_at_zero(*normal) : truncated_at_zero(*normal);
     if (!(cut.share > least_share)) return;
@@ -38,7 +38,7 @@ std::vector<CutDistribution> cut_distributions(const Gas& gas) {
     std::vector<CutDistribution> all;
     for (const Species& species : gas.species) {
         add(all, species, "radius", species.radius, false);
-        if (const auto* mass = std::get_if<Quantity>(&species.mass))
+        if (const auto* mass = std::get_if<ValueRule>(&species.mass))
             add(all, species, "mass", *mass, false);
         if (const auto* density = std::get_if<Density>(&species.mass))
             add(all, species, "density", density->value, false);

@@ -26,34 +26,34 @@ Random stream(const Gas& gas, std::size_t species, std::string_view what) {
     return Random(gas.seed, fmt::format("{} of species {}", what, species));
 }
 
-double draw_one(const Quantity& quantity, Eigen::Index i, Random& random) {
-    if (const auto* number = std::get_if<double>(&quantity)) return *number;
-    if (const auto* list = std::get_if<std::vector<double>>(&quantity))
+double draw_one(const ValueRule& rule, Eigen::Index i, Random& random) {
+    if (const auto* number = std::get_if<double>(&rule)) return *number;
+    if (const auto* list = std::get_if<std::vector<double>>(&rule))
         return (*list)[static_cast<std::size_t>(i)];
-    if (const auto* uniform = std::get_if<UniformDistribution>(&quantity))
+    if (const auto* uniform = std::get_if<UniformDistribution>(&rule))
         return random.uniform(uniform->low, uniform->high);
-    const auto& normal = std::get<NormalDistribution>(quantity);
+    const auto& normal = std::get<NormalDistribution>(rule);
     return normal.mean + normal.deviation * random.normal();
 }
 
 // A normal distribution is truncated at zero: other draws are repeated, up to a maximum number of
 // tries.
-Eigen::ArrayXd draw_positive(const Gas& gas, std::size_t species, const Quantity& quantity,
+Eigen::ArrayXd draw_positive(const Gas& gas, std::size_t species, const ValueRule& rule,
                              std::string_view what, bool or_zero) {
     constexpr int most_tries = 1000;
     Random random = stream(gas, species, what);
     Eigen::ArrayXd values(static_cast<Eigen::Index>(gas.species[species].count));
     const auto is_good = [&](double value) { return value > 0.0 || (or_zero && value == 0.0); };
     for (Eigen::Index i = 0; i < values.size(); ++i) {
-        values[i] = draw_one(quantity, i, random);
+        values[i] = draw_one(rule, i, random);
         for (int tries = 1; !is_good(values[i]); ++tries) {
-            if (tries == most_tries || !std::holds_alternative<NormalDistribution>(quantity))
+            if (tries == most_tries || !std::holds_alternative<NormalDistribution>(rule))
                 throw PlacementError({.kind = Problem::Kind::not_positive,
                                       .species = species,
                                       .value = values[i],
                                       .quantity = what},
                                      gas);
-            values[i] = draw_one(quantity, i, random);
+            values[i] = draw_one(rule, i, random);
         }
     }
     return values;
@@ -71,7 +71,7 @@ void remove_momentum(const Box& box, const Eigen::ArrayXd& inverse_masses,
 
 // The speeds of the particles of a species and, in a plane, the angles of their directions.
 std::pair<Eigen::ArrayXd, Eigen::ArrayXd> draw_speeds(const Gas& gas, std::size_t species,
-                                                      const Quantity& speed, Eigen::Index count) {
+                                                      const ValueRule& speed, Eigen::Index count) {
     Random random = stream(gas, species, "velocity");
     Eigen::ArrayXd speeds(count), angles = Eigen::ArrayXd::Zero(count);
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -81,7 +81,7 @@ std::pair<Eigen::ArrayXd, Eigen::ArrayXd> draw_speeds(const Gas& gas, std::size_
     return {std::move(speeds), std::move(angles)};
 }
 
-Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const Quantity& speed,
+Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const ValueRule& speed,
                                      Eigen::Index count) {
     const auto [speeds, angles] = draw_speeds(gas, species, speed, count);
     Eigen::ArrayXXd velocities(count, 2);
@@ -91,7 +91,7 @@ Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const 
 }
 
 // To the left or to the right with equal probability.
-Eigen::ArrayXXd left_or_right(const Gas& gas, std::size_t species, const Quantity& speed,
+Eigen::ArrayXXd left_or_right(const Gas& gas, std::size_t species, const ValueRule& speed,
                               Eigen::Index count) {
     Random random = stream(gas, species, "velocity");
     random.below(2);  // not used; without it the velocities that seeds give would change
@@ -129,7 +129,7 @@ Eigen::ArrayXd draw_inverse_masses(const Gas& gas, std::size_t species,
         if (gas.box.dimension == 1) return (value * 2.0 * radii).inverse();
         return (value * std::numbers::pi * radii.square()).inverse();
     }
-    return draw_positive(gas, species, std::get<Quantity>(rule), "mass", false).inverse();
+    return draw_positive(gas, species, std::get<ValueRule>(rule), "mass", false).inverse();
 }
 
 Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
@@ -317,11 +317,11 @@ std::int64_t total_count(const Gas& gas) {
 }
 
 FittingRules fitting_rules(const Species& species) {
-    const auto fits = [&](const Quantity& quantity) {
-        const auto* list = std::get_if<std::vector<double>>(&quantity);
+    const auto fits = [&](const ValueRule& rule) {
+        const auto* list = std::get_if<std::vector<double>>(&rule);
         return list == nullptr || std::ssize(*list) == species.count;
     };
-    const auto* mass = std::get_if<Quantity>(&species.mass);
+    const auto* mass = std::get_if<ValueRule>(&species.mass);
     const auto* density = std::get_if<Density>(&species.mass);
     const auto* speed = std::get_if<Speed>(&species.velocity);
     const auto* velocity = std::get_if<Velocity>(&species.velocity);

@@ -24,7 +24,7 @@ Species known_part(const SpeciesDraft& draft) {
     const bool radius_known = draft.radius_known && fits.radius;
     const bool needs_radius = std::holds_alternative<Density>(species.mass);
     if (!radius_known) species.radius = 0.0;
-    if (!fits.mass || (needs_radius && !radius_known)) species.mass = Quantity{1.0};
+    if (!fits.mass || (needs_radius && !radius_known)) species.mass = ValueRule{1.0};
     if (!fits.velocity) species.velocity = AtRest{};
     if (!fits.position) species.position = RandomPlaces{};
     return species;

@@ -44,12 +44,12 @@ std::size_t place_in_source(const Node& node, std::size_t at) {
 
 /// A distribution, as far as its keys are given.
 struct Distribution {
-    std::optional<Quantity> value;
+    std::optional<ValueRule> value;
 };
 
 KeyTable<Distribution> distribution(Range range) {
     const auto ordered = [](const TwoNumbers& ends, const Node& list,
-                            Reading& reading) -> std::optional<Quantity> {
+                            Reading& reading) -> std::optional<ValueRule> {
         if (ends[0] <= ends[1]) return UniformDistribution{ends[0], ends[1]};
         reading.errors.add(
             list,
@@ -58,7 +58,7 @@ KeyTable<Distribution> distribution(Range range) {
         return std::nullopt;
     };
     const auto positive_mean = [range](const TwoNumbers& parameters, const Node& list,
-                                       Reading& reading) -> std::optional<Quantity> {
+                                       Reading& reading) -> std::optional<ValueRule> {
         if (parameters[0] >= range.low) return NormalDistribution{parameters[0], parameters[1]};
         reading.errors.add(list.items[0],
                            fmt::format("expected a positive mean for `normal`, found {}",
@@ -176,12 +176,12 @@ bool lists_points(const Node& node, int dimension) {
     return node.is_list() && (dimension == 1 || node.items.front().is_list());
 }
 
-Notation<Quantity> quantity(Range range) {
-    const Notation<Quantity> drawn = parsed(
+Notation<ValueRule> rule_for(Range range) {
+    const Notation<ValueRule> drawn = parsed(
         mapping(distribution(range), "{uniform: [low, high]} or {normal: [mean, deviation]}"),
         [](const Distribution& one, const Node&, Reading&) { return one.value; });
     const auto each = list_of(number(range), 1, most_particles, "a list of numbers");
-    return either(as<Quantity>(number(range)), either(as<Quantity>(each), drawn));
+    return either(as<ValueRule>(number(range)), either(as<ValueRule>(each), drawn));
 }
 
 const Node* given(const Node& mapping, std::string_view key) {

@@ -269,7 +269,7 @@ bool lists_points(const Node& node, int dimension);
 
 /// NUMBER of the scene language: one number for all particles, a list with one for each, or a
 /// distribution to draw from.
-Notation<Quantity> quantity(Range range);
+Notation<ValueRule> rule_for(Range range);
 
 /// A value together with its node, for checks that come later. The nodes must outlive the reading.
 template <typename V>

@@ -13,10 +13,10 @@ namespace carom {
 namespace {
 
 // Returns nothing for a normal distribution, which has no largest value.
-std::optional<double> largest_of(const Quantity& quantity) {
-    if (const auto* number = std::get_if<double>(&quantity)) return *number;
-    if (const auto* uniform = std::get_if<UniformDistribution>(&quantity)) return uniform->high;
-    const auto* list = std::get_if<std::vector<double>>(&quantity);
+std::optional<double> largest_of(const ValueRule& rule) {
+    if (const auto* number = std::get_if<double>(&rule)) return *number;
+    if (const auto* uniform = std::get_if<UniformDistribution>(&rule)) return uniform->high;
+    const auto* list = std::get_if<std::vector<double>>(&rule);
     return list != nullptr ? std::optional(std::ranges::max(*list)) : std::nullopt;
 }
 
@@ -56,8 +56,8 @@ void report_narrow(const Node& word, double count, double radius, double cell, d
 
 }  // namespace
 
-std::optional<Places> places_of_word(const Node& word, const Region& region, const Quantity& radius,
-                                     std::int64_t count, Errors& errors) {
+std::optional<Places> places_of_word(const Node& word, const Region& region,
+                                     const ValueRule& radius, std::int64_t count, Errors& errors) {
     const WordShape shape = word_shape(word.text);
     const auto largest = largest_of(radius);
     if (!check_word(word, shape, errors)) return std::nullopt;

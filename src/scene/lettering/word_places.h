@@ -12,7 +12,7 @@ namespace carom {
 /// Returns places for `count` disks, with as many disks across a stroke of the letters as that
 /// takes. If `count` is 0, there are as many across as leave a gap of a quarter of their diameter.
 /// Reports it and returns nothing if the disks do not fit into the letters.
-std::optional<Places> places_of_word(const Node& word, const Region& region, const Quantity& radius,
-                                     std::int64_t count, Errors& errors);
+std::optional<Places> places_of_word(const Node& word, const Region& region,
+                                     const ValueRule& radius, std::int64_t count, Errors& errors);
 
 }  // namespace carom

@@ -43,7 +43,7 @@ struct PositionDraft {
 
 /// A species with the intermediate values that the rules between its keys need.
 struct SpeciesReading : SpeciesDraft {
-    std::optional<Quantity> written_radius;  ///< none: it contains a mistake
+    std::optional<ValueRule> written_radius;  ///< none: it contains a mistake
     PositionDraft written_position;
 };
 
@@ -134,7 +134,7 @@ Notation<Temperature> temperature_notation() {
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
     const bool wire = dimension == 1;
     const auto mass =
-        either(as<MassRule>(quantity(positive)),
+        either(as<MassRule>(rule_for(positive)),
                as<MassRule>(one_of<Infinite>({{"infinite", {}}})
                                 .with_elsewhere({{"inf", "did you mean `infinite`?"},
                                                  {".inf", "did you mean `infinite`?"},
@@ -147,7 +147,7 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                 .tried_as({"n", "N", "number", "num", "amount", "particles"})
                 .default_text("the number of positions listed, or of disks in a `text`"),
             bind_key(
-                "radius", &SpeciesReading::written_radius, quantity(wire ? not_negative : positive),
+                "radius", &SpeciesReading::written_radius, rule_for(wire ? not_negative : positive),
                 wire ? "Half the length of each bead: 0 is a point." : "The radius of each disk.")
                 .tried_as({"r", "R", "size"})
                 .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
@@ -155,10 +155,10 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                      "The mass of each particle. Collisions do not change the velocity of a "
                      "particle of mass `infinite`.")
                 .tried_as({"m", "M", "weight"}),
-            bind_key("density", &Species::mass, as<Density>(quantity(positive)),
+            bind_key("density", &Species::mass, as<Density>(rule_for(positive)),
                      wire ? "Instead of `mass`: mass = density * 2 radius."
                           : "Instead of `mass`: mass = density * pi * radius^2."),
-            bind_key("speed", &Species::velocity, as<Speed>(quantity(not_negative)),
+            bind_key("speed", &Species::velocity, as<Speed>(rule_for(not_negative)),
                      fmt::format("The speed of each particle, {}. Where momentum is conserved, as "
                                  "in a periodic {}, the directions are such that all momenta of "
                                  "particles with a `speed` sum to zero.",

@@ -55,7 +55,7 @@ TEST_CASE("radii, masses and speeds have the moments of the normal distributions
         gas.species = {{.name = "a",
                         .count = count,
                         .radius = normal,
-                        .mass = Quantity{normal},
+                        .mass = ValueRule{normal},
                         .velocity = Speed{normal}}};
         const auto [particles, start] = draw_gas(gas);
         check_moments(particles.radius, truncated_at_zero(normal));

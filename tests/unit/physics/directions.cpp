@@ -45,7 +45,7 @@ TEST_CASE("in a periodic box all particles keep their speed, and the momenta sum
         }
         // several species share one sum of zero
         const Gas mixed =
-            gas_with({{.name = "", .count = 1, .mass = Quantity{10.0}, .velocity = Speed{0.5}},
+            gas_with({{.name = "", .count = 1, .mass = ValueRule{10.0}, .velocity = Speed{0.5}},
                       {.name = "", .count = 4, .velocity = Speed{UniformDistribution{2.0, 4.0}}},
                       {.name = "", .count = 5, .velocity = Temperature{1.0}}},
                      all_periodic, 2, seed);
@@ -89,9 +89,10 @@ TEST_CASE("momenta at the limit of what is possible are parallel, and beyond it 
     CHECK(balance_angles(momenta, {true, false}, random, angles));
     CHECK(std::abs((momenta * angles.cos()).sum()) < 3e-14);
     try {
-        draw_gas(gas_with({{.name = "", .count = 5, .velocity = Speed{1.0}},
-                           {.name = "", .count = 1, .mass = Quantity{7.0}, .velocity = Speed{1.0}}},
-                          all_periodic));
+        draw_gas(
+            gas_with({{.name = "", .count = 5, .velocity = Speed{1.0}},
+                      {.name = "", .count = 1, .mass = ValueRule{7.0}, .velocity = Speed{1.0}}},
+                     all_periodic));
         FAIL("not refused");
     } catch (const PlacementError& error) {
         CHECK(error.problem().kind == Problem::Kind::momentum);
@@ -130,7 +131,7 @@ TEST_CASE("on a ring the directions of beads sum to zero, or none do") {
         return Species{.name = "",
                        .count = count,
                        .radius = 0.0,
-                       .mass = Quantity{mass},
+                       .mass = ValueRule{mass},
                        .velocity = Speed{speed}};
     };
     std::set<std::vector<double>> seen;

@@ -291,7 +291,7 @@ TEST_CASE("masses and velocities of beads follow their rules") {
                         {.name = "warm",
                          .count = 2000,
                          .radius = 0.0,
-                         .mass = Quantity{4.0},
+                         .mass = ValueRule{4.0},
                          .velocity = Temperature{2.0}}});
     gas.species[1].velocity = Velocity{{{1.0, 0.0}, {-2.0, 0.0}}};
     const auto [particles, start] = place(gas);

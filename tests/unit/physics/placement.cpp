@@ -177,7 +177,7 @@ TEST_CASE("an exact temperature is that of the drawn velocities, to the last dig
                 species.push_back({.name = "b",
                                    .count = 300,
                                    .radius = 0.2,
-                                   .mass = Quantity{5.0},
+                                   .mass = ValueRule{5.0},
                                    .velocity = Temperature{8.0, true}});
             Gas gas = gas_of(100.0, 100.0, species);
             gas.box.walls = {wall, wall};
@@ -219,12 +219,12 @@ TEST_CASE("masses and velocities follow their rules") {
         gas_of(100.0, 100.0,
                {{.name = "dense", .count = 1, .radius = 2.0, .mass = Density{3.0}},
                 {.name = "fixed", .count = 2, .mass = Infinite{}, .velocity = Temperature{2.0}},
-                {.name = "list", .count = 2, .mass = Quantity{std::vector{4.0, 8.0}}},
+                {.name = "list", .count = 2, .mass = ValueRule{std::vector{4.0, 8.0}}},
                 {.name = "speed", .count = 400, .velocity = Speed{3.0}},
                 {.name = "warm",
                  .count = 2000,
                  .radius = 0.1,
-                 .mass = Quantity{4.0},
+                 .mass = ValueRule{4.0},
                  .velocity = Temperature{2.0}},
                 {.name = "normal", .count = 500, .radius = NormalDistribution{0.1, 0.1}}});
     gas.species[2].velocity = Velocity{{{1.0, -2.0}}};
@@ -241,7 +241,7 @@ TEST_CASE("masses and velocities follow their rules") {
     CHECK((particles.radius > 0.0).all());
 
     gas.box.walls[0] = Wall::periodic;
-    gas.species[1].mass = Quantity{1.0};  // one of infinite mass would not let it be conserved
+    gas.species[1].mass = ValueRule{1.0};  // one of infinite mass would not let it be conserved
     const Sample drifting = place(gas).second;
     CHECK(std::abs(drifting.velocity.col(0).segment(5, 400).sum()) < 1e-12);
     CHECK((speeds(drifting).segment(5, 400) - 3.0).abs().maxCoeff() < 1e-14);

@@ -19,7 +19,7 @@ Gas beads(Wall wall) {
                    {.name = "heavy",
                     .count = 4,
                     .radius = 0.3,
-                    .mass = Quantity{5.0},
+                    .mass = ValueRule{5.0},
                     .velocity = Temperature{1.0}}};
     return gas;
 }

@@ -65,7 +65,7 @@ std::vector<Difference> differences() {
         {"one heavy among many",
          [](State& s) {
              s.gas.species.push_back(
-                 {.name = "heavy", .count = 1, .radius = 1.0, .mass = Quantity{99.0}});
+                 {.name = "heavy", .count = 1, .radius = 1.0, .mass = ValueRule{99.0}});
          },
          none},
         {"gravity", [](State& s) { s.surfaces().gravity[1] = -1.0; }, x, {false, true}},

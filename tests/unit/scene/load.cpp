@@ -56,7 +56,7 @@ TEST_CASE("the first scene of the book") {
     CHECK(cold.name == "the 200 others");
     CHECK(cold.count == 200);
     CHECK(std::get<double>(cold.radius) == 0.7);
-    CHECK(std::get<double>(std::get<Quantity>(cold.mass)) == 1.0);
+    CHECK(std::get<double>(std::get<ValueRule>(cold.mass)) == 1.0);
     CHECK(std::get<double>(std::get<Speed>(cold.velocity).value) == 0.05);
     CHECK(std::holds_alternative<RandomPlaces>(cold.position));
     const Species& hot = scene.gas.species[1];

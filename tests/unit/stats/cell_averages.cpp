@@ -46,7 +46,7 @@ Gas gas_of(std::int64_t count, double gravity) {
                    {.name = "b",
                     .count = count,
                     .radius = 0.3,
-                    .mass = Quantity{3.0},
+                    .mass = ValueRule{3.0},
                     .velocity = Temperature{2.0}}};
     return gas;
 }

@@ -32,7 +32,7 @@ Gas gas_of(Wall across, Wall up) {
                    {.name = "calm",
                     .count = 12,
                     .radius = 0.4,
-                    .mass = Quantity{2.0},
+                    .mass = ValueRule{2.0},
                     .velocity = Temperature{1.0}}};
     return gas;
 }

@@ -17,13 +17,13 @@ namespace {
 constexpr std::int64_t least_crowd = 20;  // fewer of a species are seen one by one
 
 // No particle is set apart from others of its species by what the scene gives it.
-bool is_the_same_for_all(const Quantity& quantity) {
-    const auto* each = std::get_if<std::vector<double>>(&quantity);
+bool is_the_same_for_all(const ValueRule& rule) {
+    const auto* each = std::get_if<std::vector<double>>(&rule);
     return each == nullptr || std::ranges::adjacent_find(*each, std::not_equal_to{}) == each->end();
 }
 
 bool is_the_same_for_all(const MassRule& rule) {
-    if (const auto* value = std::get_if<Quantity>(&rule)) return is_the_same_for_all(*value);
+    if (const auto* value = std::get_if<ValueRule>(&rule)) return is_the_same_for_all(*value);
     const auto* density = std::get_if<Density>(&rule);
     return density != nullptr && is_the_same_for_all(density->value);
 }
@@ -76,14 +76,14 @@ bool may_convect(const Box& box, const std::vector<std::vector<Behaviour>>& beha
     return differ && box.surfaces.has_gravity();
 }
 
-double mean_square(const Quantity& quantity) {
-    if (const auto* value = std::get_if<double>(&quantity)) return *value * *value;
-    if (const auto* range = std::get_if<UniformDistribution>(&quantity))
+double mean_square(const ValueRule& rule) {
+    if (const auto* value = std::get_if<double>(&rule)) return *value * *value;
+    if (const auto* range = std::get_if<UniformDistribution>(&rule))
         return (range->low * range->low + range->low * range->high + range->high * range->high) /
                3.0;
-    if (const auto* normal = std::get_if<NormalDistribution>(&quantity))
+    if (const auto* normal = std::get_if<NormalDistribution>(&rule))
         return normal->mean * normal->mean + normal->deviation * normal->deviation;
-    const auto& each = std::get<std::vector<double>>(quantity);
+    const auto& each = std::get<std::vector<double>>(rule);
     double sum = 0.0;
     for (const double one : each) sum += one * one;
     return each.empty() ? 0.0 : sum / static_cast<double>(each.size());

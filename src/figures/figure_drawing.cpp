@@ -183,8 +183,9 @@ Table table_of(const Figure& figure) {
             std::ranges::move(row, std::back_inserter(timed));
         }
         whole.columns = std::move(table.columns);
+        whole.units = table.units;
     }
-    whole.columns.insert(whole.columns.begin(), column_name("picture at", reduced::time));
+    whole.columns.emplace(whole.columns.begin(), "picture at", quantities::time);
     return whole;
 }
 

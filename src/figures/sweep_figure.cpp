@@ -94,8 +94,7 @@ class SweptFigure {
 
     SweptNumbers numbers() {
         const RunNumber& number = summary_.numbers[number_];
-        SweptNumbers numbers{.number = number.name,
-                             .unit = number.unit,
+        SweptNumbers numbers{.number = {number.name, number.quantity},
                              .across = words_across(),
                              .column = column_across(Language::english)};
         for (const std::vector<std::int64_t>& points : points_of_lines())

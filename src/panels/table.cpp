@@ -21,16 +21,28 @@ struct AsField {
 
 }  // namespace
 
-std::string column_name(const std::string& quantity, const std::string& unit) {
-    return quantity + " (" + unit + ")";
+Heading standard_error_of(const Heading& column) {
+    Heading error = column;
+    error.name = "standard error of " + column.name;
+    return error;
+}
+
+std::vector<std::string> column_names(const Table& table) {
+    std::vector<std::string> names;
+    for (const Heading& column : table.columns) {
+        const std::string unit = column.quantity ? unit_text(*column.quantity, table.units) : "";
+        names.push_back(unit.empty() ? column.name : column.name + " (" + unit + ")");
+    }
+    return names;
 }
 
 std::string csv(const Table& table) {
     std::string text;
     const auto end_field = [&](bool is_last) { text += is_last ? '\n' : ','; };
-    for (std::size_t k = 0; k < table.columns.size(); ++k) {
-        text += csv_field(table.columns[k]);
-        end_field(k + 1 == table.columns.size());
+    const std::vector<std::string> names = column_names(table);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        text += csv_field(names[k]);
+        end_field(k + 1 == names.size());
     }
     for (const std::vector<Cell>& row : table.rows)
         for (std::size_t k = 0; k < row.size(); ++k) {

@@ -3,30 +3,44 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
+
+#include "physics/units/quantity.h"
 
 namespace carom {
 
 /// Empty, a text, or a number; in single precision if the picture has no more.
 using Cell = std::variant<std::monostate, std::string, double, float, std::int64_t>;
 
-struct Table {
-    std::vector<std::string> columns;  ///< names, with units in parentheses: speed (length/time)
-    std::vector<std::vector<Cell>> rows = {};  ///< a cell for each column
+/// What a column is called, in English, and what its numbers are; texts, and numbers whose unit
+/// stands beside them, have no quantity.
+struct Heading {
+    std::string name;
+    std::optional<Quantity> quantity = {};
+
+    Heading() = default;
+    Heading(const char* text) : name(text) {}
+    Heading(std::string text) : name(std::move(text)) {}
+    Heading(std::string what, const Quantity& of) : name(std::move(what)), quantity(of) {}
+    Heading(const Quantity& of) : name(of.word.english), quantity(of) {}
+    bool operator==(const Heading&) const = default;
 };
 
-/// The units of a table's columns, which are reduced units with Boltzmann's constant 1.
-namespace reduced {
-inline constexpr const char* length = "length";
-inline constexpr const char* time = "time";
-inline constexpr const char* speed = "length/time";
-inline constexpr const char* energy = "mass length^2/time^2";
-}  // namespace reduced
+/// The column of the standard errors of another column's numbers.
+Heading standard_error_of(const Heading& column);
 
-/// The name of a column: "speed (length/time)".
-std::string column_name(const std::string& quantity, const std::string& unit);
+struct Table {
+    std::vector<Heading> columns;
+    std::vector<std::vector<Cell>> rows = {};  ///< a cell for each column
+    UnitSystem units = UnitSystem::reduced;    ///< of the numbers
+};
+
+/// The headings as they are written: "speed (length/time)".
+std::vector<std::string> column_names(const Table& table);
 
 /// The table as comma-separated values (RFC 4180): a header, then a line for each row. Numbers that
 /// are not finite give empty fields, as nothing is drawn for them.

@@ -23,8 +23,6 @@ struct Source {
     const Scene& scene;
     const RunReport* report;
 
-    bool is_plane() const { return scene.gas.box.dimension == 2; }
-
     template <class Value>
     std::optional<double> of_report(const Value& value) const {
         if (report == nullptr) return std::nullopt;
@@ -70,13 +68,14 @@ std::optional<double> mean_free_path(const Scene& scene, const RunReport& report
 }
 
 void add_thermal(Rows& rows, const Source& from) {
-    const std::string pressure = from.is_plane() ? "energy/area" : "force";
-    rows.push_back({{"temperature", "energy"},
+    const Quantity pressure = quantities::pressure(from.scene.gas.box.dimension);
+    rows.push_back({{"temperature", quantities::temperature},
                     from.of_summary([](const RunSummary& its) { return its.temperature; })});
-    rows.push_back({{"mean energy", "energy"}, from.of_summary([&](const RunSummary& its) {
-                        return over_species(from.scene, its, &SpeciesMeans::energy);
-                    })});
-    rows.push_back({{"mean speed", "length/time"}, from.of_summary([&](const RunSummary& its) {
+    rows.push_back(
+        {{"mean energy", quantities::energy}, from.of_summary([&](const RunSummary& its) {
+             return over_species(from.scene, its, &SpeciesMeans::energy);
+         })});
+    rows.push_back({{"mean speed", quantities::speed}, from.of_summary([&](const RunSummary& its) {
                         return over_species(from.scene, its, &SpeciesMeans::speed);
                     })});
     rows.push_back({{"wall pressure", pressure},
@@ -86,29 +85,31 @@ void add_thermal(Rows& rows, const Source& from) {
 }
 
 void add_collisions(Rows& rows, const Source& from) {
-    rows.push_back({{"particle collisions", ""}, from.of_report([](const RunReport& its) {
-                        return static_cast<double>(its.collisions.particle);
-                    })});
-    rows.push_back({{"wall collisions", ""}, from.of_report([](const RunReport& its) {
-                        return static_cast<double>(its.collisions.wall);
-                    })});
-    rows.push_back({{"collision rate", "1/time"}, from.of_report([&](const RunReport& its) {
+    rows.push_back(
+        {{"particle collisions", quantities::count}, from.of_report([](const RunReport& its) {
+             return static_cast<double>(its.collisions.particle);
+         })});
+    rows.push_back(
+        {{"wall collisions", quantities::count}, from.of_report([](const RunReport& its) {
+             return static_cast<double>(its.collisions.wall);
+         })});
+    rows.push_back({{"collision rate", quantities::rate}, from.of_report([&](const RunReport& its) {
                         return collision_rate(from.scene, its);
                     })});
-    rows.push_back({{"mean free path", "length"}, from.of_report([&](const RunReport& its) {
-                        return mean_free_path(from.scene, its);
-                    })});
+    rows.push_back(
+        {{"mean free path", quantities::length},
+         from.of_report([&](const RunReport& its) { return mean_free_path(from.scene, its); })});
 }
 
 void add_conserved(Rows& rows, const Source& from) {
-    rows.push_back({{"energy at the start", "energy"},
+    rows.push_back({{"energy at the start", quantities::energy},
                     from.of_summary([](const RunSummary& its) { return its.energy_initial; })});
-    rows.push_back({{"energy at the end", "energy"},
+    rows.push_back({{"energy at the end", quantities::energy},
                     from.of_summary([](const RunSummary& its) { return its.energy_final; })});
-    rows.push_back({{"largest energy error", ""}, from.of_summary([](const RunSummary& its) {
-                        return its.largest_energy_error;
-                    })});
-    rows.push_back({{"largest overlap", "contact distances"},
+    rows.push_back(
+        {{"largest energy error", quantities::number},
+         from.of_summary([](const RunSummary& its) { return its.largest_energy_error; })});
+    rows.push_back({{"largest overlap", quantities::overlap},
                     from.of_summary([](const RunSummary& its) { return its.largest_overlap; })});
 }
 
@@ -117,10 +118,10 @@ void add_species(Rows& rows, const Source& from) {
     const std::vector<Species>& all = from.scene.gas.species;
     for (std::size_t k = 0; all.size() > 1 && k < all.size(); ++k) {
         rows.push_back(
-            {{"mean energy of " + all[k].name, "energy"},
+            {{"mean energy of " + all[k].name, quantities::energy},
              from.of_summary([&](const RunSummary& its) { return its.species[k].energy; })});
         rows.push_back(
-            {{"mean speed of " + all[k].name, "length/time"},
+            {{"mean speed of " + all[k].name, quantities::speed},
              from.of_summary([&](const RunSummary& its) { return its.species[k].speed; })});
     }
 }
@@ -133,25 +134,27 @@ void add_surface(Rows& rows, const Source& from, const std::string& name) {
             return value(*its);
         });
     };
-    rows.push_back({{"hits on " + name, ""}, of([](const SurfaceReport& its) {
+    rows.push_back({{"hits on " + name, quantities::count}, of([](const SurfaceReport& its) {
                         return static_cast<double>(its.totals.hits);
                     })});
     const std::array axes{"x", "y"};
     for (int axis = 0; axis < from.scene.gas.box.dimension; ++axis)
         rows.push_back(
             {{fmt::format("impulse on {} along {}", name, axes[static_cast<std::size_t>(axis)]),
-              "momentum"},
+              quantities::momentum},
              of([&](const SurfaceReport& its) { return its.totals.impulse[axis]; })});
-    rows.push_back({{"work of " + name, "energy"},
+    rows.push_back({{"work of " + name, quantities::energy},
                     of([](const SurfaceReport& its) { return its.totals.work; })});
-    rows.push_back({{"heat from " + name, "energy"},
+    rows.push_back({{"heat from " + name, quantities::energy},
                     of([](const SurfaceReport& its) { return its.totals.heat; })});
-    rows.push_back({{"mean position of " + name, "length"}, of([](const SurfaceReport& its) {
-                        return its.position ? std::optional(its.position->mean) : std::nullopt;
-                    })});
-    rows.push_back({{"last position of " + name, "length"}, of([](const SurfaceReport& its) {
-                        return its.position ? std::optional(its.position->last) : std::nullopt;
-                    })});
+    rows.push_back(
+        {{"mean position of " + name, quantities::length}, of([](const SurfaceReport& its) {
+             return its.position ? std::optional(its.position->mean) : std::nullopt;
+         })});
+    rows.push_back(
+        {{"last position of " + name, quantities::length}, of([](const SurfaceReport& its) {
+             return its.position ? std::optional(its.position->last) : std::nullopt;
+         })});
 }
 
 // Whether there are surfaces to report. Walls that only reflect are covered by the pressures above.
@@ -176,9 +179,10 @@ void add_reversals(Rows& rows, const Source& from) {
                 return distance ? std::optional((*distance).*member) : std::nullopt;
             });
         };
-        rows.push_back({{"return distance" + which, "length"}, of(&ReturnDistance::largest)});
         rows.push_back(
-            {{"r.m.s. return distance" + which, "length"}, of(&ReturnDistance::root_mean_square)});
+            {{"return distance" + which, quantities::length}, of(&ReturnDistance::largest)});
+        rows.push_back({{"r.m.s. return distance" + which, quantities::length},
+                        of(&ReturnDistance::root_mean_square)});
     }
 }
 

@@ -1,10 +1,11 @@
-// The numbers that summarise a run, each with a name and a unit. The list is the same for all runs
-// of a scene, so that runs can be tabulated, averaged and plotted against a varied parameter.
+// The numbers that summarise a run, each with a name and what it is. The list is the same for all
+// runs of a scene, so that runs can be tabulated, averaged and plotted against a varied parameter.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "physics/units/quantity.h"
 #include "runs/run.h"
 
 namespace carom {
@@ -12,7 +13,7 @@ namespace carom {
 /// One of the numbers of a run.
 struct RunNumber {
     std::string name;  ///< "virial pressure"
-    std::string unit;  ///< in words: "energy/area"; empty: dimensionless
+    Quantity quantity;
     bool operator==(const RunNumber&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "runs/json.h"
+#include "runs/number_json.h"
 #include "runs/sweep_summary.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
@@ -75,8 +76,7 @@ Json to_json(const SweepSummary& summary) {
     for (const auto& [name, value] : summary.build) build[name] = value;
     for (const SweepAxis& axis : summary.sweep.axes)
         axes.push_back(Json{{"key", axis.key}, {"values", axis.values}});
-    for (const RunNumber& number : summary.numbers)
-        numbers.push_back(Json{{"name", number.name}, {"unit", number.unit}});
+    for (const RunNumber& number : summary.numbers) numbers.push_back(to_json(number));
     for (std::size_t k = 0; k < summary.points.size(); ++k)
         points.push_back(point_to_json(summary, k));
     const SeedRange& seeds = summary.sweep.seeds;
@@ -91,9 +91,7 @@ Json to_json(const SweepSummary& summary) {
             {"seeds", {{"first", seeds.first}, {"last", seeds.last}}},
             {"axes", std::move(axes)},
             {"runs", summary.sweep.runs()},
-            {"units",
-             "reduced units: a length, a mass and a time of the scene, Boltzmann's "
-             "constant is 1"},
+            {"units", words_of(UnitSystem::reduced)},
             {"quantiles", quantiles_in_words},
             {"numbers", std::move(numbers)},
             {"points", std::move(points)}};
@@ -121,7 +119,7 @@ SweepSummary summary_from(const Json& json) {
         summary.sweep.axes.push_back({axis.at("key"), axis.at("values")});
     check_sweep(summary.sweep);
     for (const Json& number : json.at("numbers"))
-        summary.numbers.push_back({number.at("name"), number.at("unit")});
+        summary.numbers.push_back(run_number_from(number));
     for (const Json& point : json.at("points"))
         summary.points.push_back(point_from(point, summary.numbers));
     return summary;

@@ -11,7 +11,7 @@
 #include "app/chunks/build_facts.h"
 #include "app/resources.h"
 #include "app/sweep/sweep_scenes.h"
-#include "runs/run_numbers.h"
+#include "runs/number_json.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
@@ -57,7 +57,7 @@ SweepSummary outcome_in(const Json& contents) {
     for (const auto& [name, value] : request.at("build").items())
         if (name != "carom") outcome.build.emplace_back(name, value.get<std::string>());
     for (const Json& number : contents.at("sweep").at("numbers"))
-        outcome.numbers.push_back({number.at("name"), number.at("unit")});
+        outcome.numbers.push_back(run_number_from(number));
     return outcome;
 }
 
@@ -148,8 +148,7 @@ std::vector<PlannedChunk> chunks_of(const Sweep& sweep, int count, const RunCost
 
 Json facts_of(const Sweep& sweep, const std::vector<RunNumber>& numbers) {
     Json names = Json::array();
-    for (const RunNumber& number : numbers)
-        names.push_back(Json{{"name", number.name}, {"unit", number.unit}});
+    for (const RunNumber& number : numbers) names.push_back(to_json(number));
     return {{"sweep",
              {{"runs", sweep.runs()},
               {"points", sweep.points()},

@@ -175,8 +175,8 @@ void CollisionMapPanel::add_matrix() {
                                    collision_matrix(motion_.inverse_mass) *
                                    factor_.inverse().matrix().asDiagonal();
     for (std::size_t k = 0; k < 2; ++k)
-        whole_.columns.push_back(
-            column_name(fmt::format("coefficient of {}", name_of(k)), "number"));
+        whole_.columns.emplace_back(fmt::format("coefficient of {}", name_of(k)),
+                                    quantities::coefficient);
     for (std::size_t row = 0; row < 2; ++row) {
         Layer numbers{.part = "matrix", .of = name_of(row)};
         for (std::size_t k = 0; k < 2; ++k)
@@ -193,8 +193,7 @@ void CollisionMapPanel::make_plot() {
               .x = axis(0),
               .y = axis(1),
               .has_equal_scales = true};
-    whole_.columns = {"step (number)", column_name("time", reduced::time), column_of(0),
-                      column_of(1)};
+    whole_.columns = {{"step", quantities::ordinal}, quantities::time, column_of(0), column_of(1)};
     whole_.notes = {key(walk_.size())};
     const Layer zero{.depth = depth_of_zero, .still = true};
     const Stroke faint{.width = 0.06, .fade = 0.6};

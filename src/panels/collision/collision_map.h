@@ -60,7 +60,7 @@ class CollisionMapPanel : public PlotPanel {
     Counts counts_of(std::size_t steps) const;
     std::string subscripted(const char* letter, std::size_t k) const;
     std::string name_of(std::size_t k) const;
-    std::string column_of(std::size_t k) const;
+    Heading column_of(std::size_t k) const;
     Axis axis(std::size_t k) const;
     std::vector<Text> titles() const;
     /// Only a walk says all without numbers of particles.

@@ -68,8 +68,9 @@ std::string CollisionMapPanel::name_of(std::size_t k) const {
                        : fmt::format("v{}", number_[k]);
 }
 
-std::string CollisionMapPanel::column_of(std::size_t k) const {
-    return column_name(name_of(k), is_scaled() ? "mass^0.5 length/time" : reduced::speed);
+Heading CollisionMapPanel::column_of(std::size_t k) const {
+    return {name_of(k),
+            is_scaled() ? quantities::mass.root() * quantities::velocity : quantities::velocity};
 }
 
 Axis CollisionMapPanel::axis(std::size_t k) const {
@@ -85,7 +86,8 @@ Axis CollisionMapPanel::axis(std::size_t k) const {
     return {.title = in_its_color(own ? own->at(k) + ": " + quantity : quantity),
             .short_title = in_its_color(quantity),
             .low = -end,
-            .high = end};
+            .high = end,
+            .quantity = column_of(k).quantity};
 }
 
 std::string CollisionMapPanel::energy_words() const {

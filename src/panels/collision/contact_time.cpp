@@ -26,10 +26,10 @@ constexpr double ahead = 1.25, beyond = 1.75;
 constexpr int curve_points = 200;
 constexpr std::string_view passing = Phrase{"if they passed through each other"}.english;
 const Stroke level_stroke{.width = 0.08};
-const std::string time_column = column_name("time", reduced::time);
-const std::string square_column = column_name("squared distance", "length^2");
-const std::string rv_column = column_name("r.v", "length^2/time");
-const std::string vv_column = column_name("v.v", "length^2/time^2");
+const Heading time_column = quantities::time;
+const Heading square_column{"squared distance", quantities::distance.squared()};
+const Heading rv_column{"r.v", quantities::distance* quantities::velocity};
+const Heading vv_column{"v.v", quantities::velocity.squared()};
 
 class ContactTimePanel : public PlotPanel {
   public:
@@ -250,8 +250,11 @@ Plot ContactTimePanel::plot(const PanelState* state) const {
               .titles = {text_of(language, Phrase{"Squared distance r² of {}"},
                                  {names_of(context_, collision_)}),
                          title},
-              .x = {.title = say(language, "time"), .low = first_, .high = last_},
-              .y = {.high = top_}};
+              .x = {.title = say(language, "time"),
+                    .low = first_,
+                    .high = last_,
+                    .quantity = time_column.quantity},
+              .y = {.high = top_, .quantity = square_column.quantity}};
     if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
     plot.columns = {time_column, square_column, rv_column, vv_column};
     add_lines(plot);

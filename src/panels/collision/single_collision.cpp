@@ -291,9 +291,15 @@ void SingleCollisionPanel::draw(Canvas& canvas, const DrawContext& dc,
 
 // Places from the centre of mass; arrows are velocities, at contact their changes.
 Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
-    Table table{{"part", "stage", "of", column_name("x", reduced::length),
-                 column_name("y", reduced::length), column_name("radius", reduced::length), "arrow",
-                 column_name("arrow x", reduced::speed), column_name("arrow y", reduced::speed)}};
+    Table table{{"part",
+                 "stage",
+                 "of",
+                 {"x", quantities::length},
+                 {"y", quantities::length},
+                 {"radius", quantities::length},
+                 "arrow",
+                 {"arrow x", quantities::velocity},
+                 {"arrow y", quantities::velocity}}};
     const CollisionCause cause = cause_of(met_, context_.particles);
     const std::array<CollisionPose, 3> all = poses(cause);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -212,23 +212,25 @@ void CurvePanel::make_plot() {
     whole_ = {};
     whole_.language = language;
     whole_.titles = subject_.titles;
-    whole_.x = {
-        .title = say(language, subject_.along), .low = record_.start(), .high = record_.reach()};
+    whole_.x = {.title = say(language, subject_.along.word),
+                .low = record_.start(),
+                .high = record_.reach(),
+                .quantity = subject_.along};
     whole_.y = axis_up();
+    whole_.y.quantity = subject_.up;
     if (subject_.height)
         whole_.y.title = subject_.height((record_.reach() - record_.start()) / subject_.points);
     else if (subject_.names_axis)
-        whole_.y.title = say(language, subject_.up);
+        whole_.y.title = say(language, subject_.up.word);
     if (subject_.names.size() > 1 && !record_.compares())
         whole_.notes.push_back({.entries = subject_.names, .wraps = true, .of_last_titles = 1});
-    const std::string along(subject_.along.english);
-    const std::string up = column_name(std::string(subject_.up.english), subject_.unit_up);
+    const std::string along(subject_.along.word.english);
     if (is_steps)
-        whole_.columns = {column_name(along + " from", subject_.unit_along),
-                          column_name(along + " to", subject_.unit_along), up};
+        whole_.columns = {
+            {along + " from", subject_.along}, {along + " to", subject_.along}, subject_.up};
     else
-        whole_.columns = {column_name(along, subject_.unit_along), up};
-    if (record_.runs_in_mean > 1) whole_.columns.push_back("standard error of " + up);
+        whole_.columns = {subject_.along, subject_.up};
+    if (record_.runs_in_mean > 1) whole_.columns.push_back(standard_error_of(subject_.up));
     std::vector<std::string> names;
     for (const CurveRun& run : record_.runs) names.push_back(run.name);
     if (record_.compares()) plot::name_runs(whole_, std::move(names));

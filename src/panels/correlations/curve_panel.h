@@ -66,9 +66,8 @@ struct CurveSubject {
     std::vector<SeriesSubject::Line> lines = {};
     std::vector<plot::Text> titles = {};     ///< from longest to shortest
     std::vector<plot::KeyEntry> names = {};  ///< key of what the last title leaves out
-    bool names_axis = false;     ///< the vertical one; else the title names the quantity
-    Phrase along = {}, up = {};  ///< the quantities of the axes
-    std::string unit_along = {}, unit_up = {};
+    bool names_axis = false;       ///< the vertical one; else the title names the quantity
+    Quantity along = {}, up = {};  ///< of the axes
     /// Title of the vertical axis for bins of this width; none: `up`.
     std::function<std::string(double width)> height = {};
     std::optional<double> reach = {};  ///< end of the horizontal axis, which begins at 0; each of

@@ -248,10 +248,9 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
     name_curves(subject, context, spec,
                 is_path ? say(language, "Free paths") : say(language, "Free-flight times"),
                 time_words(language, timed));
-    subject.along = is_path ? Phrase{"free path"} : Phrase{"free time"};
-    subject.unit_along = is_path ? reduced::length : reduced::time;
-    subject.up = Phrase{"share"};
-    subject.unit_up = "per cent";
+    subject.along = is_path ? quantities::length.named(Phrase{"free path"})
+                            : quantities::time.named(Phrase{"free time"});
+    subject.up = quantities::per_cent;
     subject.height = [language](double width) { return percent_per(language, width); };
     subject.logarithmic = spec.logarithmic;
     subject.account = [language, context, chosen, is_path](const CurveValues& values,

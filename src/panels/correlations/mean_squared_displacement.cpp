@@ -18,6 +18,9 @@
 namespace carom {
 namespace {
 
+constexpr Quantity mean_square =
+    quantities::distance.squared().named(Phrase{"mean squared displacement"});
+
 // The time of the first reversal, or infinity.
 double first_reversal(const Run& run) {
     const std::vector<double> times = reversal_times(run);
@@ -136,8 +139,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
                                            followed->collisions.mean(followed->lists[k])));
         return all;
     };
-    subject.quantity = Phrase{"mean squared displacement"};
-    subject.unit = "length^2";
+    subject.quantity = mean_square;
     subject.needs_collisions = true;
     if (!spec.theory) return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
     subject.add = [context, chosen, fit_from, from = spec.from](const SeriesRecord& record,
@@ -265,10 +267,8 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     };
     name_curves(subject, context, spec, say(language, "Mean squared displacement"), "");
     if (spec.theory && spec.of.size() == 1) subject.names.clear();  // beside its coefficient
-    subject.along = Phrase{"time lag"};
-    subject.unit_along = reduced::time;
-    subject.up = Phrase{"mean squared displacement"};
-    subject.unit_up = "length^2";
+    subject.along = quantities::time.named(Phrase{"time lag"});
+    subject.up = mean_square;
     subject.reach = lags;
     const LagTheory theory(context, spec, lags, fit_from);
     subject.laws = [context, chosen](const CurveValues& values) {

@@ -19,8 +19,7 @@ std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
                                     {"neighbours of each", {.of = plot::Role::Of::bar}}},
                           .titles = {},
                           .top = 1.0,
-                          .quantity = Phrase{"hexagonal order"},
-                          .unit = "1"};
+                          .quantity = quantities::number.named(Phrase{"hexagonal order"})};
     const std::string title = say(language, "Hexagonal order");
     subject.names = {say(language, "whole gas"), say(language, "local")};
     title_with_names(subject, language, title);

@@ -116,10 +116,8 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
             {subject.lines[0].name + " and " + subject.lines[1].name, {.of = plot::Role::Of::bar}}};
         subject.names = {{.words = {names_of(context, chosen, plot::Sample::none)}}};
     }
-    subject.along = Phrase{"distance"};
-    subject.unit_along = reduced::length;
-    subject.up = Phrase{"pair correlation"};
-    subject.unit_up = "1";
+    subject.along = quantities::distance;
+    subject.up = quantities::number.named(Phrase{"pair correlation"});
     subject.reach = rings.to;
     subject.level = 1.0;
     subject.account = [language](const CurveValues& values, std::size_t) -> std::string {

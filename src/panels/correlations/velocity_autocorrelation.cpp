@@ -141,10 +141,8 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
         return std::make_unique<AutocorrelationMeter>(context, lists, from, lags);
     };
     name_curves(subject, context, spec, say(language, "Velocity autocorrelation"), "");
-    subject.along = Phrase{"time lag"};
-    subject.unit_along = reduced::time;
-    subject.up = Phrase{"velocity autocorrelation"};
-    subject.unit_up = "1";
+    subject.along = quantities::time.named(Phrase{"time lag"});
+    subject.up = quantities::number.named(Phrase{"velocity autocorrelation"});
     subject.reach = lags;
     subject.top = 1.0;
     subject.account = [language, context, chosen](const CurveValues& values,

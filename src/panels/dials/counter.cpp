@@ -188,18 +188,17 @@ std::unique_ptr<Panel> make_counter(const PanelContext& context, const PanelSpec
     const Box& box = context.scene.gas.box;
     const bool crossings = spec.line || spec.counted == Counted::crossings;
     const std::vector<Chosen> chosen = choices(spec);
-    DialSubject subject{
-        .part = "counter", .unit = "count", .counts = true, .needs_collisions = true};
+    DialSubject subject{.part = "counter", .counts = true, .needs_collisions = true};
     add_plates(subject, context, spec, chosen, crossings);
     subject.enough = 2.0 + 6.0 * static_cast<double>((subject.lines.size() + 1) / 2);
     const bool is_one = crossings && (spec.line || spec.surfaces.size() == 1);
     if (crossings) {
-        subject.quantity = Phrase{"crossings"};
+        subject.quantity = quantities::count.named(Phrase{"crossings"});
         subject.title = is_one ? say(language, "Crossings of {}", name_of_line(box, spec))
                                : say(language, "Crossings");
         subject.measure = CrossingMeter(context, spec, chosen);
     } else {
-        subject.quantity = Phrase{"hits"};
+        subject.quantity = quantities::count.named(Phrase{"hits"});
         subject.title = say(language, "Hits");
         subject.measure = HitMeter(context, chosen, spec.surfaces);
     }

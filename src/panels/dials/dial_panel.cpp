@@ -428,7 +428,8 @@ Table DialPanel::table(const PanelState& state, const Theme&) const {
     for (std::size_t k = 0; k < now.size(); ++k) {
         Cell value = now[k].value;
         if (is_whole()) value = static_cast<std::int64_t>(std::llround(now[k].value));
-        std::vector<Cell> row{subject_.part, now[k].line.column, value, subject_.unit};
+        std::vector<Cell> row{subject_.part, now[k].line.column, value,
+                              unit_text(subject_.quantity, table.units)};
         if (compares) row.insert(row.begin() + 1, record_.runs[k / lines].name);
         if (is_mean) row.insert(row.end() - 1, now[k].error.value());
         table.rows.push_back(std::move(row));
@@ -439,7 +440,7 @@ Table DialPanel::table(const PanelState& state, const Theme&) const {
 // "pressure 1.25", "pressure: left wall 1.25 and right wall 1.3".
 std::string DialPanel::account_of(const std::vector<Reading>& readings) const {
     const Language language = context_.language();
-    const std::string quantity = say(language, subject_.quantity);
+    const std::string quantity = say(language, subject_.quantity.word);
     if (readings.size() == 1)
         return quantity + " " + number(readings.front().value, readings.front().error);
     std::vector<std::string> each;

@@ -30,9 +30,8 @@ struct DialSubject {
     std::vector<Line> lines = {};
     std::string title = {};  ///< plain words
     std::string note = {};   ///< plain words on what the numbers are
-    Phrase quantity = {};    ///< "pressure"
+    Quantity quantity = {};  ///< with its word
     std::string part = {};   ///< in a table: "reading"
-    std::string unit = {};   ///< "1"
     bool counts = false;     ///< whole numbers
     bool needs_collisions = false;
     std::optional<double> enough = {};  ///< Panel::enough_height()

@@ -57,9 +57,8 @@ std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const Pa
     DialSubject subject{
         .title = say(language, "Pressure"),
         .note = words_of_window(language, over, Phrase{"mean since the last sample"}),
-        .quantity = Phrase{"pressure"},
+        .quantity = quantities::pressure(box.dimension),
         .part = "gauge",
-        .unit = unit_of_pressure(box),
         .enough = 11.0};
     subject.measure = [meter = SurfacePressures(box, surfaces, over), is_one,
                        least = over.window * least_share](const FrameInput& o) mutable {

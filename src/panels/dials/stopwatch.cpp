@@ -60,9 +60,8 @@ std::unique_ptr<Panel> make_stopwatch(const PanelContext& context, const PanelSp
     DialSubject subject{.lines = {{"stopwatch", ""}},
                         .title = say(language, "Stopwatch"),
                         .note = words_of_start(context, spec.since),
-                        .quantity = Phrase{"time"},
+                        .quantity = quantities::time,
                         .part = "stopwatch",
-                        .unit = reduced::time,
                         .enough = 11.0};
     subject.measure = [run = context.scene.run, since = spec.since](const FrameInput& o) {
         return std::vector{time_on_watch(run, since, o.tick.time)};

@@ -178,9 +178,8 @@ std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const Panel
     const Over over = spec.over.value_or(usual_window(context.scene.run));
     DialSubject subject{.title = say(language, "Temperature"),
                         .note = words_of_moments(language, spec, over),
-                        .quantity = Phrase{"temperature"},
+                        .quantity = quantities::temperature,
                         .part = "thermometer",
-                        .unit = reduced::energy,
                         .needs_collisions = true};
     std::vector<ThermalPart> parts;
     for (const NamedRegion& one : spec.regions) {

@@ -209,11 +209,11 @@ Stroke ReturnDistancePanel::stroke(const Distance& distance, std::size_t run) co
             .shade = Shade::legible};
 }
 
-const std::string since_column = column_name("since the reversal", reduced::time);
-const std::string collisions_column = "collisions of each (count)";
-const std::string distance_column = column_name("distance", reduced::length);
-const std::string log_column = "log10 of distance";
-const std::string reversal_column = "reversal (number)";
+const Heading since_column{"since the reversal", quantities::time};
+const Heading collisions_column{"collisions of each", quantities::count};
+const Heading distance_column = quantities::distance;
+const Heading log_column{"log10 of distance", quantities::distance.logarithm()};
+const Heading reversal_column{"reversal", quantities::ordinal};
 
 // A piece of the line ends at each reversal, and where the distance is exactly 0.
 Line ReturnDistancePanel::line(const char* part, const std::string& of, const Steps& steps,
@@ -282,8 +282,8 @@ void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distan
     if (shown == present) return;
     Points head;
     head.depth = line.depth;
-    head.x = column(line.x.name, {line.x[shown - 1]});
-    head.y = column(line.y.name, {line.y[shown - 1]});
+    head.x = column(line.x.heading, {line.x[shown - 1]});
+    head.y = column(line.y.heading, {line.y[shown - 1]});
     head.mark = {.role = line.stroke.role, .radius = 0.3};
     plot.layers.emplace_back(std::move(head));
 }
@@ -409,13 +409,19 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
 
 Plot ReturnDistancePanel::plot(const PanelState* state) const {
     const Language language = context_.language();
-    Plot plot{
-        .language = language,
-        .x = {.title = say(language, "time since the reversal"), .high = last_},
-        .y = {.low = low_, .high = high_, .kind = Axis::Kind::powers, .has_zero_place = true}};
+    Plot plot{.language = language,
+              .x = {.title = say(language, "time since the reversal"),
+                    .high = last_,
+                    .quantity = since_column.quantity},
+              .y = {.low = low_,
+                    .high = high_,
+                    .kind = Axis::Kind::powers,
+                    .quantity = log_column.quantity,
+                    .has_zero_place = true}};
     if (spec_.against_collisions) {
         plot.x.title = say(language, "collisions per particle since the reversal");
         plot.x.short_title = say(language, "collisions per particle");
+        plot.x.quantity = collisions_column.quantity;
     }
     plot.columns = {reversal_column, since_column, distance_column, collisions_column, log_column};
     add_words(plot);

@@ -133,11 +133,17 @@ class RunDistancePanel : public FramesPanel<RunDistanceRecord> {
 
 void RunDistancePanel::make_axes() {
     const Language language = context_.language();
-    whole_ = {.language = language,
-              .titles = {say(language, "Distance between the runs")},
-              .x = {.title = say(language, "time"), .high = context_.scene.run.until},
-              .y = {.low = -1.0, .high = 0.0, .kind = plot::Axis::Kind::powers},
-              .columns = {column_name("time", reduced::time), "log10 of distance"}};
+    whole_ = {
+        .language = language,
+        .titles = {say(language, "Distance between the runs")},
+        .x = {.title = say(language, "time"),
+              .high = context_.scene.run.until,
+              .quantity = quantities::time},
+        .y = {.low = -1.0,
+              .high = 0.0,
+              .kind = plot::Axis::Kind::powers,
+              .quantity = quantities::distance.logarithm()},
+        .columns = {quantities::time, {"log10 of distance", quantities::distance.logarithm()}}};
     if (spec_.title) whole_.titles = {escape_markup(*spec_.title)};
     std::vector<double> known;
     for (const double value : record_.at_samples.log10)

@@ -69,34 +69,27 @@ Cells cells_of_field(const Scene& scene) {
     return cells;
 }
 
-std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
-                             std::optional<std::size_t> species) {
+Quantity quantity_of_field(const Scene& scene, FieldOf of) {
     switch (of) {
         case FieldOf::density:
-            return say(language, "density");
+            return quantities::density(scene.gas.box.dimension);
         case FieldOf::temperature:
-            return say(language, "temperature");
+            return quantities::temperature;
         case FieldOf::speed:
-            return say(language, "mean speed");
+            return quantities::speed.named(Phrase{"mean speed"});
         case FieldOf::flow:
-            return say(language, "flow");
+            return quantities::velocity.named(Phrase{"flow"});
         case FieldOf::concentration:
-            return say(language, "share of {}", scene.gas.species[species.value_or(0)].name);
+            return quantities::share;
     }
-    return "";
+    return {};
 }
 
-std::string unit_of_quantity(const Scene& scene, FieldOf of) {
-    switch (of) {
-        case FieldOf::density:
-            return scene.gas.box.dimension == 1 ? "1/length" : "1/length^2";
-        case FieldOf::temperature:
-            return reduced::energy;
-        case FieldOf::concentration:
-            return "1";
-        default:
-            return reduced::speed;
-    }
+std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
+                             std::optional<std::size_t> species) {
+    if (of == FieldOf::concentration)
+        return say(language, "share of {}", scene.gas.species[species.value_or(0)].name);
+    return say(language, quantity_of_field(scene, of).word);
 }
 
 CellQuantity::CellQuantity(const PanelContext& context, const Cells& cells, FieldOf of,
@@ -368,12 +361,13 @@ void FieldLayer::add_key(KeyRow& row, double scale) const {
 
 void FieldLayer::add_columns(Table& table) const {
     if (!shown()) return;
-    const std::string unit = unit_of_quantity(context_.scene, field_->of);
+    const Quantity quantity = quantity_of_field(context_.scene, field_->of);
     if (!is_flow() || context_.scene.gas.box.dimension == 1)
-        return table.columns.push_back(column_name(
+        table.columns.emplace_back(
             name_of_quantity(Language::english, context_.scene, field_->of, field_->species),
-            unit));
-    for (const char* name : {"flow x", "flow y"}) table.columns.push_back(column_name(name, unit));
+            quantity);
+    else
+        for (const char* name : {"flow x", "flow y"}) table.columns.emplace_back(name, quantity);
 }
 
 void FieldLayer::add_rows(Table& table, const FieldState& state, std::size_t x,

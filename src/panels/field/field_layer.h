@@ -24,10 +24,10 @@ Cells cells_of_field(const Scene& scene);
 /// Cells with a lower mean number of particles show nothing.
 inline constexpr double least_in_cell = 3.0;
 
-/// The name of a quantity, and its unit in tables.
+/// The quantity that a field or a profile shows, and its name, which may be that of a species.
+Quantity quantity_of_field(const Scene& scene, FieldOf of);
 std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
                              std::optional<std::size_t> species);
-std::string unit_of_quantity(const Scene& scene, FieldOf of);
 
 /// Measures a quantity in cells during a run.
 class CellQuantity {

@@ -104,7 +104,7 @@ plot::Note ProfilePanel::note() const {
 void ProfilePanel::make_axes() {
     const Scene& scene = context_.scene;
     const Language language = context_.language();
-    const std::string quantity = name_of_quantity(Language::english, scene, spec_.quantity, {});
+    const Quantity quantity = quantity_of_field(scene, spec_.quantity);
     const std::string place = scene.gas.box.dimension == 1 ? "position" : is_up() ? "y" : "x";
     const double most = std::ranges::max_element(record_.runs, {}, &ProfileRun::most)->most;
     const double top = round_up_for_axis(1.02 * most);
@@ -112,17 +112,20 @@ void ProfilePanel::make_axes() {
     plot::Axis places{
         .title = scene.gas.box.dimension == 1 ? say(language, "position") : place,
         .low = 0.0,
-        .high = std::ranges::max_element(record_.runs, {}, &ProfileRun::length)->length};
-    plot::Axis values{
-        .title = name_of_quantity(language, scene, spec_.quantity, {}), .low = low, .high = top};
-    const std::string of_place = column_name(place, reduced::length);
-    const std::string of_value = column_name(quantity, unit_of_quantity(scene, spec_.quantity));
+        .high = std::ranges::max_element(record_.runs, {}, &ProfileRun::length)->length,
+        .quantity = quantities::length};
+    plot::Axis values{.title = name_of_quantity(language, scene, spec_.quantity, {}),
+                      .low = low,
+                      .high = top,
+                      .quantity = quantity};
+    const Heading of_place{place, quantities::length}, of_value(quantity);
     whole_ = {.titles = titles(),
               .x = is_up() ? values : places,
               .y = is_up() ? places : values,
-              .columns = {"piece (number)", is_up() ? of_value : of_place,
+              .columns = {{"piece", quantities::ordinal},
+                          is_up() ? of_value : of_place,
                           is_up() ? of_place : of_value}};
-    if (record_.has_errors()) whole_.columns.push_back("standard error of " + of_value);
+    if (record_.has_errors()) whole_.columns.push_back(standard_error_of(of_value));
     whole_.language = language;
     std::vector<std::string> names;
     for (const ProfileRun& run : record_.runs) names.push_back(run.name);

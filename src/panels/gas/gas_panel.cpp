@@ -181,12 +181,17 @@ std::string GasPanel::label(Eigen::Index particle, const State& state) const {
 // Positions are those of the picture, in single precision.
 Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     const auto& gas = static_cast<const State&>(state);
-    Table table{{"part", "particle", "species", column_name("x", reduced::length),
-                 column_name("y", reduced::length), column_name("radius", reduced::length),
-                 "colour", "label"}};
+    Table table{{"part",
+                 "particle",
+                 "species",
+                 {"x", quantities::length},
+                 {"y", quantities::length},
+                 {"radius", quantities::length},
+                 "colour",
+                 "label"}};
     if (arrows_.shown())
         for (const char* name : {"velocity x", "velocity y"})
-            table.columns.push_back(column_name(name, reduced::speed));
+            table.columns.emplace_back(name, quantities::velocity);
     field_.add_columns(table);
     const std::vector<Color> colors = colors_.of_shades(theme);
     const Eigen::ArrayXd& radius = context_.particles.radius;

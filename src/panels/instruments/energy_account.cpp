@@ -58,7 +58,7 @@ void fill_stack(const SeriesRecord& record, const std::vector<Part>& parts, plot
 std::unique_ptr<Panel> make_energy_account(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const std::vector<Part> parts = parts_of(context);
-    SeriesSubject subject{.quantity = Phrase{"energy"}, .unit = reduced::energy};
+    SeriesSubject subject{.quantity = quantities::energy};
     std::string column;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         column += (column.empty() ? "" : " + ") + std::string(parts[k].name.english);

@@ -111,21 +111,16 @@ Phrase flux_title(Carried carried) {
     return {};
 }
 
-Phrase flux_quantity(Carried carried) {
+Quantity flux_quantity(Carried carried) {
     switch (carried) {
         case Carried::particles:
-            return Phrase{"crossing rate"};
+            return quantities::rate.named(Phrase{"crossing rate"});
         case Carried::energy:
-            return Phrase{"energy current"};
+            return quantities::energy_current;
         case Carried::mean_energy:
-            return Phrase{"mean energy"};
+            return quantities::mean_energy;
     }
     return {};
-}
-
-std::string flux_unit(Carried carried) {
-    if (carried == Carried::particles) return "1/time";
-    return carried == Carried::energy ? "mass length^2/time^3" : reduced::energy;
 }
 
 }  // namespace
@@ -141,7 +136,7 @@ std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& s
             context, line,
             spec.line ? std::optional<std::int32_t>() : std::optional(spec.surfaces.front()),
             members(context, choices(spec).front()));
-    SeriesSubject subject{.quantity = flux_quantity(spec.carried), .unit = flux_unit(spec.carried)};
+    SeriesSubject subject{.quantity = flux_quantity(spec.carried)};
     const std::array<Phrase, 2> ways = ways_across(line.axis);
     for (std::size_t way = 0; way < 2; ++way) {
         subject.names.push_back(say(language, ways.at(way)));

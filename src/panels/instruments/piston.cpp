@@ -12,7 +12,7 @@ namespace carom {
 
 std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    SeriesSubject subject{.quantity = Phrase{"position"}, .unit = reduced::length};
+    SeriesSubject subject{.quantity = quantities::position};
     name_surfaces(subject, language, context.scene.gas.box, spec.surfaces,
                   say(language, "Position"));
     const auto known = std::make_shared<std::optional<PistonOverGas>>();

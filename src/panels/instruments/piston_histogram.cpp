@@ -186,10 +186,8 @@ std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const 
     subject.titles =
         spec.title ? std::vector{plot::Text(escape_markup(*spec.title))} : named.titles;
     subject.names = {{.words = {named.names.front()}}};
-    subject.along = Phrase{"position"};
-    subject.unit_along = reduced::length;
-    subject.up = Phrase{"share"};
-    subject.unit_up = "per cent";
+    subject.along = quantities::position;
+    subject.up = quantities::per_cent;
     subject.height = [language](double width) { return percent_per(language, width); };
     subject.account = [language](const CurveValues& values, std::size_t) -> std::string {
         const std::vector<double>& shares = values.curves.front();

@@ -133,8 +133,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
         .plain_title = say(language, "Pressure"),
         .notes = {time_words(language, over, box)},
         .references = [context, thermal = gauge.thermal()] { return levels(context, *thermal); },
-        .quantity = Phrase{"pressure"},
-        .unit = unit_of_pressure(box),
+        .quantity = quantities::pressure(box.dimension),
         .compared = 1,
         .compared_title = say(language, "Pressure from collisions")};
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));

@@ -182,7 +182,11 @@ void PressureVolumePanel::make_axes() {
     whole_.titles = {plot::text_of(language, Phrase{"{}: {}"},
                                    {title, words_of_moments(language, spec_, over())}),
                      title};
-    whole_.x = {.title = say(language, area), .low = INFINITY, .high = 0.0};
+    const int dimension = box().dimension;
+    whole_.x = {.title = say(language, area),
+                .low = INFINITY,
+                .high = 0.0,
+                .quantity = quantities::content(dimension).named(area)};
     std::vector<double> pressures;
     for (const PressureVolumeRun& run : record_.runs) {
         whole_.x.low = std::min(whole_.x.low, 0.95 * *std::ranges::min_element(run.area));
@@ -191,10 +195,10 @@ void PressureVolumePanel::make_axes() {
             if (std::isfinite(pressure)) pressures.push_back(std::abs(pressure));
     }
     const double most = pressures.empty() ? 0.0 : 1.1 * quantile(pressures, 0.995);
-    whole_.y = {.title = say(language, "pressure"), .high = round_up_for_axis(most)};
-    whole_.columns = {
-        column_name(std::string(area.english), is_line ? reduced::length : "length^2"),
-        column_name("pressure", unit_of_pressure(box()))};
+    whole_.y = {.title = say(language, "pressure"),
+                .high = round_up_for_axis(most),
+                .quantity = quantities::pressure(dimension)};
+    whole_.columns = {*whole_.x.quantity, *whole_.y.quantity};
     std::vector<std::string> names;
     for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);
     if (record_.compares()) plot::name_runs(whole_, std::move(names));
@@ -305,7 +309,7 @@ plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
     for (std::size_t run = 0; run < record_.runs.size(); ++run) {
         now.layers.emplace_back(path_of(run, shown.shown.at(run)));
         if (!record_.compares()) continue;
-        now.accounts_of_runs.push_back(account_of_last(context_.language(), Phrase{"pressure"},
+        now.accounts_of_runs.push_back(account_of_last(context_.language(), *whole_.y.quantity,
                                                        record_.runs[run].frame_pressure,
                                                        shown.shown.at(run)));
     }

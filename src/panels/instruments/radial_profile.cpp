@@ -204,15 +204,16 @@ void RadialProfilePanel::make_axes() {
         highest.insert(highest.end(), run.all.begin(), run.all.end());
     constexpr double room = 1.1;
     const double most = highest.empty() ? 1.0 : room * quantile(highest, 0.98);
-    const std::string quantity = say(language, "density");
-    const std::string column =
-        column_name("density", unit_of_quantity(context_.scene, FieldOf::density));
-    whole_ = {.language = language,
-              .x = {.title = say(language, "distance"),
-                    .low = 0.0,
-                    .high = rings_.width() * rings_.count()},
-              .y = {.title = quantity, .low = 0.0, .high = round_up_for_axis(most)},
-              .columns = {column_name("distance", reduced::length), column}};
+    const Quantity density = quantities::density(context_.scene.gas.box.dimension);
+    const std::string quantity = say(language, density.word);
+    whole_ = {
+        .language = language,
+        .x = {.title = say(language, "distance"),
+              .low = 0.0,
+              .high = rings_.width() * rings_.count(),
+              .quantity = quantities::distance},
+        .y = {.title = quantity, .low = 0.0, .high = round_up_for_axis(most), .quantity = density},
+        .columns = {quantities::distance, density}};
     const std::string title = say(language, "{} around a point", capitalised(quantity));
     if (spec_.title)
         whole_.titles = {escape_markup(*spec_.title)};
@@ -220,7 +221,7 @@ void RadialProfilePanel::make_axes() {
         whole_.titles = {title};
     else
         whole_.titles = {title + ": " + names_of(context_, choices_, plot::Sample::line)};
-    if (record_.runs_in_mean > 1) whole_.columns.push_back("standard error of " + column);
+    if (record_.runs_in_mean > 1) whole_.columns.push_back(standard_error_of(density));
     std::vector<std::string> names;
     for (const RadialRun& run : record_.runs) names.push_back(run.name);
     if (record_.compares()) plot::name_runs(whole_, std::move(names));

@@ -15,21 +15,21 @@
 namespace carom {
 namespace {
 
-struct Quantities {
-    Phrase title, quantity;
-    std::string unit;
+struct MeasuredInParts {
+    Phrase title;
+    Quantity quantity;
 };
 
-Quantities quantities(PartMeasure measure) {
+MeasuredInParts measured_in_parts(PartMeasure measure) {
     switch (measure) {
         case PartMeasure::count:
-            return {Phrase{"Particles"}, Phrase{"particles"}, "1"};
+            return {Phrase{"Particles"}, quantities::number.named(Phrase{"particles"})};
         case PartMeasure::temperature:
-            return {Phrase{"Temperature"}, Phrase{"temperature"}, reduced::energy};
+            return {Phrase{"Temperature"}, quantities::temperature};
         case PartMeasure::mean_energy:
-            return {Phrase{"Mean energy"}, Phrase{"mean energy"}, reduced::energy};
+            return {Phrase{"Mean energy"}, quantities::mean_energy};
         case PartMeasure::center:
-            return {Phrase{"Centre of mass"}, Phrase{"centre of mass"}, reduced::length};
+            return {Phrase{"Centre of mass"}, quantities::length.named(Phrase{"centre of mass"})};
     }
     return {};
 }
@@ -77,8 +77,8 @@ double measured(const PanelContext& context, const FrameInput& o, PartMeasure me
 std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const BoxParts parts(context.scene.gas.box, spec);
-    const auto [title, quantity, unit] = quantities(spec.measure);
-    SeriesSubject subject{.quantity = quantity, .unit = unit, .over = spec.over};
+    const auto [title, quantity] = measured_in_parts(spec.measure);
+    SeriesSubject subject{.quantity = quantity, .over = spec.over};
     subject.names = parts.names(language);
     const std::vector<std::string> columns = parts.names(Language::english);
     for (std::size_t k = 0; k < parts.count(); ++k)

@@ -49,15 +49,11 @@ double SurfacePressures::of_all() const {
     return (sum(to.push) - sum(from.push)) / (sum(to.reach) - sum(from.reach));
 }
 
-std::string unit_of_pressure(const Box& box) {
-    return box.dimension == 2 ? "mass/time^2" : "mass length/time^2";
-}
-
 std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.scene.gas.box;
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
-    SeriesSubject subject{.quantity = Phrase{"pressure"}, .unit = unit_of_pressure(box)};
+    SeriesSubject subject{.quantity = quantities::pressure(box.dimension)};
     subject.measure = SurfacePressures(box, spec.surfaces, over);
     name_surfaces(subject, language, box, spec.surfaces, say(language, "Pressure"));
     subject.is_signed = !std::ranges::all_of(

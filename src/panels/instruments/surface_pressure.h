@@ -37,9 +37,6 @@ class SurfacePressures {
     std::vector<double> last_length_;
 };
 
-/// The unit of pressure for a table; in one dimension a pressure is a force.
-std::string unit_of_pressure(const Box& box);
-
 /// Makes the panel of the pressures on the surfaces in `spec`, against time.
 std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec);
 

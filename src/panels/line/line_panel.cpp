@@ -145,10 +145,15 @@ Labels LinePanel::shown_labels() const {
 // length without jumps.
 Table LinePanel::table(const PanelState& state, const Theme& theme) const {
     const auto& now = static_cast<const State&>(state);
-    Table table{{"part", "particle", "species", column_name("x as drawn", reduced::length),
-                 column_name("time", reduced::time),
-                 column_name("radius as drawn", reduced::length), "colour", "label"}};
-    if (arrows_.shown()) table.columns.push_back(column_name("velocity", reduced::speed));
+    Table table{{"part",
+                 "particle",
+                 "species",
+                 {"x as drawn", quantities::length},
+                 quantities::time,
+                 {"radius as drawn", quantities::length},
+                 "colour",
+                 "label"}};
+    if (arrows_.shown()) table.columns.emplace_back(quantities::velocity);
     field_.add_columns(table);
     const std::vector<Color> colors = colors_.of_shades(theme);
     const auto color = [&](std::uint16_t shade) { return hex_of(colors[shade % colors.size()]); };

@@ -54,8 +54,8 @@ Text named(const std::string& name, const Role& role, Sample sample, std::size_t
     return text;
 }
 
-Column column(std::string name, std::vector<double> values) {
-    return {std::move(name), std::make_shared<const std::vector<double>>(std::move(values))};
+Column column(Heading heading, std::vector<double> values) {
+    return {std::move(heading), std::make_shared<const std::vector<double>>(std::move(values))};
 }
 
 const Layer& common(const AnyLayer& layer) {

@@ -20,6 +20,7 @@
 #include "draw/palette.h"
 #include "draw/style.h"
 #include "draw/text.h"
+#include "panels/table.h"
 #include "util/language.h"
 
 namespace carom::plot {
@@ -112,12 +113,12 @@ struct Anchor {
 
 /// A column of numbers of the table, shared by the plots of all frames.
 struct Column {
-    std::string name;  ///< with its unit: "time (time)"
+    Heading heading;
     std::shared_ptr<const std::vector<double>> values = {};
     double operator[](std::size_t i) const { return (*values)[i]; }
     std::size_t size() const { return values ? values->size() : 0; }
 };
-Column column(std::string name, std::vector<double> values);
+Column column(Heading heading, std::vector<double> values);
 
 /// The range of data that a frame shows: the rest comes later in the film, or is too old.
 struct Shown {
@@ -153,7 +154,7 @@ struct Line : Layer {
     Column x, y;
     Shown shown = {};
     std::shared_ptr<const std::vector<int>> piece = {};  ///< none: one piece
-    std::string piece_column = {};                       ///< of the table; empty: not listed
+    Heading piece_column = {};                           ///< of the table; empty: not listed
     bool is_thinned = true;  ///< points that nearly coincide are drawn once
     Stroke stroke = {};
     bool marks_exits = true;        ///< by arrows where it is cut
@@ -193,11 +194,11 @@ struct Label : Layer {
 
 /// A line at one value of y across the plot.
 struct Level : Layer {
-    std::string column = {};  ///< of the table
+    Heading column = {};  ///< of the table
     double value = 0.0;
     Stroke stroke = {.width = 0.08, .dashes = {0.3}};
     std::optional<Label> label = {};
-    std::string x_column = {};  ///< of the table, for its two ends
+    Heading x_column = {};  ///< of the table, for its two ends
 };
 
 /// Names a level at its line: over or under it, as near to its right end as the words are free; as
@@ -207,7 +208,7 @@ void name_level(Level& level, std::vector<Text> words, double deviation = 0.0);
 
 /// A line at one value of x from the bottom to the top of the plot, or to a point.
 struct Marker : Layer {
-    std::string column = {};  ///< of the table
+    Heading column = {};  ///< of the table
     double value = 0.0;
     std::optional<double> up_to = {};  ///< none: the top
     Stroke stroke = {.width = 0.08};
@@ -324,8 +325,9 @@ struct Axis {
     Text short_title = {};         ///< used if numbers gave way to `title`
     double low = 0.0, high = 1.0;  ///< decimal logarithms, unless linear
     Kind kind = Kind::linear;
-    bool is_whole = false;        ///< ticks at whole numbers only
-    bool has_zero_place = false;  ///< a separate place for 0 below the powers of ten
+    std::optional<Quantity> quantity = {};  ///< what its numbers are
+    bool is_whole = false;                  ///< ticks at whole numbers only
+    bool has_zero_place = false;            ///< a separate place for 0 below the powers of ten
 };
 
 /// A plot, complete and immutable. Copies share its data.
@@ -341,7 +343,8 @@ struct Plot {
     std::optional<BarNotes> bar_notes = {};
     std::optional<NamedAtLines> at_lines = {};
     std::shared_ptr<const Ramp> ramp = {};           ///< of its bars, which may come later
-    std::vector<std::string> columns = {};           ///< of the table, in order
+    std::vector<Heading> columns = {};               ///< of the table, in order
+    UnitSystem units = UnitSystem::reduced;          ///< of its numbers
     std::vector<std::string> runs = {};              ///< names of compared runs
     std::string account = {};                        ///< what it shows, in whole sentences
     std::string finding = {};                        ///< what a caption adds to that

@@ -33,7 +33,7 @@ class Rows {
         return true;
     }
 
-    // A number, or none, in each of the named columns.
+    // A number, or none, in each of the columns by name.
     using Numbers = std::map<std::string, double>;
 
     void row(const Numbers& numbers) {
@@ -42,8 +42,8 @@ class Rows {
         cells.emplace_back(part_);
         cells.emplace_back(of_);
         std::vector<double> values;
-        for (const std::string& name : plot_.columns) {
-            const auto found = numbers.find(name);
+        for (const Heading& column : plot_.columns) {
+            const auto found = numbers.find(column.name);
             values.push_back(found == numbers.end() ? none : found->second);
             cells.emplace_back();
             if (!std::isnan(values.back())) cells.back() = values.back();
@@ -64,11 +64,12 @@ class Rows {
         const std::size_t end = std::min(curve.shown.end, curve.x.size());
         for (std::size_t i = curve.shown.first; i < end; ++i) {
             if (std::isnan(curve.y[i])) continue;
-            Numbers numbers{{curve.x.name, curve.x[i]}, {curve.y.name, curve.y[i]}};
-            if (third != nullptr) numbers[third->name] = (*third)[i];
+            Numbers numbers{{curve.x.heading.name, curve.x[i]}, {curve.y.heading.name, curve.y[i]}};
+            if (third != nullptr) numbers[third->heading.name] = (*third)[i];
             if constexpr (requires { curve.piece_column; })
-                if (!curve.piece_column.empty()) numbers[curve.piece_column] = (*curve.piece)[i];
-            for (const Column& more : curve.more) numbers[more.name] = more[i];
+                if (!curve.piece_column.name.empty())
+                    numbers[curve.piece_column.name] = (*curve.piece)[i];
+            for (const Column& more : curve.more) numbers[more.heading.name] = more[i];
             if constexpr (requires { curve.of_each; })
                 if (!curve.of_each.empty()) of_ = curve.of_each[i];
             row(numbers);
@@ -81,29 +82,29 @@ class Rows {
     void rows_of(const Bars& bars) {
         const std::size_t count = bars.value.size();
         for (std::size_t i = 0; i < count; ++i) {
-            Numbers numbers{{bars.from.name, bars.from[i]},
-                            {bars.to.name, bars.to[i]},
-                            {bars.value.name, bars.value[i]}};
-            if (bars.error.size() > 0) numbers[bars.error.name] = bars.error[i];
+            Numbers numbers{{bars.from.heading.name, bars.from[i]},
+                            {bars.to.heading.name, bars.to[i]},
+                            {bars.value.heading.name, bars.value[i]}};
+            if (bars.error.size() > 0) numbers[bars.error.heading.name] = bars.error[i];
             row(numbers);
         }
         part_ = "below";
-        row({{bars.to.name, bars.from[0]}, {bars.value.name, bars.below}});
+        row({{bars.to.heading.name, bars.from[0]}, {bars.value.heading.name, bars.below}});
         part_ = "above";
-        row({{bars.from.name, bars.to[count - 1]}, {bars.value.name, bars.above}});
+        row({{bars.from.heading.name, bars.to[count - 1]}, {bars.value.heading.name, bars.above}});
     }
     void rows_of(const Level& level) {
         for (const double x : {plot_.x.low, plot_.x.high}) {
-            Numbers numbers{{level.x_column, x}, {level.column, level.value}};
-            for (const Column& more : level.more) numbers[more.name] = more[0];
+            Numbers numbers{{level.x_column.name, x}, {level.column.name, level.value}};
+            for (const Column& more : level.more) numbers[more.heading.name] = more[0];
             row(numbers);
         }
     }
-    void rows_of(const Marker& marker) { row({{marker.column, marker.value}}); }
+    void rows_of(const Marker& marker) { row({{marker.column.name, marker.value}}); }
     void rows_of(const Layer& other) {
         for (std::size_t i = 0; !other.more.empty() && i < other.more.front().size(); ++i) {
             Numbers numbers;
-            for (const Column& more : other.more) numbers[more.name] = more[i];
+            for (const Column& more : other.more) numbers[more.heading.name] = more[i];
             row(numbers);
         }
     }
@@ -118,7 +119,7 @@ class Rows {
 }  // namespace
 
 Table table_of(const Plot& plot) {
-    Table table;
+    Table table{.units = plot.units};
     if (!plot.runs.empty()) table.columns.push_back("run");
     table.columns.insert(table.columns.end(), {"part", "of"});
     table.columns.insert(table.columns.end(), plot.columns.begin(), plot.columns.end());

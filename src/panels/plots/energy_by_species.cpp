@@ -64,8 +64,7 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         .titles = titles(context),
         .plain_title = say(context.language(), "Mean energy"),
         .spreads = true,
-        .quantity = Phrase{"mean energy"},
-        .unit = reduced::energy,
+        .quantity = quantities::mean_energy,
         .over = spec.over,
         .needs_positions = false};
     const std::vector<Species>& species = context.scene.gas.species;

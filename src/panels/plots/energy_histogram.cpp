@@ -9,10 +9,9 @@ namespace carom {
 
 std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const PanelSpec& spec) {
     HistogramSubject subject{.title = Phrase{"Energy distribution"},
-                             .quantity = Phrase{"energy"},
+                             .quantity = quantities::energy,
                              .values = [](const FrameInput& o) { return values_in(o.energy); },
                              .density = energy_density,
-                             .unit = reduced::energy,
                              .tested = TestedQuantity::energy,
                              .colored_by = ColorBy::energy};
     subject.courses = [inverse = context.particles.inverse_mass](const PathPiece& piece,

@@ -54,7 +54,7 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
     const EntropyOf what = spec.entropy_of;
     const auto known = std::make_shared<Entropies>();
     const PositionEntropy places(context.scene.gas.box, context.particles, spec.bins);
-    SeriesSubject subject{.quantity = Phrase{"entropy"}, .unit = "1"};
+    SeriesSubject subject{.quantity = quantities::entropy};
     if (what != EntropyOf::positions) subject.lines.push_back({"velocities", of_velocities});
     if (what != EntropyOf::velocities) subject.lines.push_back({"positions", of_positions});
     if (what == EntropyOf::velocities) subject.lines = {{"all"}};

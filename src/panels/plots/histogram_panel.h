@@ -34,8 +34,8 @@ inline ValuesOfInput values_in(const Eigen::ArrayXXd& array, Eigen::Index column
 
 /// What a histogram shows.
 struct HistogramSubject {
-    Phrase title;     ///< "Speed distribution"
-    Phrase quantity;  ///< "speed": the axis title
+    Phrase title;       ///< "Speed distribution"
+    Quantity quantity;  ///< its word is the axis title
     std::function<ValuesOfInput(const FrameInput&)>
         values;  ///< one number for each particle, or several that are counted alike
     std::function<void(const PathPiece&, const std::function<void(const Course&)>& take)> courses =
@@ -55,7 +55,6 @@ struct HistogramSubject {
     std::optional<Eigen::Index> position_axis =
         {};             ///< for positions along an axis: `extent` is the largest extent of the box
     bool means = true;  ///< default of whether means are marked
-    std::string unit = reduced::speed;          ///< of the quantity, in a table
     std::optional<TestedQuantity> tested = {};  ///< for the test against equilibrium; none: no test
     std::optional<ColorBy> colored_by = {};     ///< disks coloured by the same quantity
 };
@@ -145,9 +144,9 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
         return spec_.mean_start.value_or(subject_.means && !compares());
     }
     std::size_t count() const { return axes_.series.size(); }
-    std::string from_name() const;
-    std::string to_name() const;
-    std::string value_name() const;
+    Heading from_column() const;
+    Heading to_column() const;
+    Heading value_column() const;
     Roles roles_of(std::size_t k) const;
     SeriesLayers layers_of(std::size_t k) const;
     plot::Stroke fit_stroke(std::size_t k) const;

@@ -24,12 +24,13 @@ constexpr std::size_t most_fit_rows = 3;  // more would leave no room for the ba
 // Depths of layers, from the bottom up; bars of compared runs are drawn from the last to the first.
 constexpr int depth_of_bars = 3, depth_of_lines = 2, depth_of_starts = 1;
 
-Line line_of(const char* part, HistogramCurve curve, const std::string& x_name,
-             const std::string& y_name) {
+const Heading error_column{"standard error", quantities::count_per_bin};
+
+Line line_of(const char* part, HistogramCurve curve, const Heading& x, const Heading& y) {
     Line line;
     line.part = part;
-    line.x = column(x_name, std::move(curve.value));
-    line.y = column(y_name, std::move(curve.count));
+    line.x = column(x, std::move(curve.value));
+    line.y = column(y, std::move(curve.count));
     line.is_thinned = false;
     line.depth = depth_of_lines;
     return line;
@@ -91,12 +92,12 @@ HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
     }
     Bars bars;
     bars.part = "bar";
-    bars.from = column(from_name(), std::move(from));
-    bars.to = column(to_name(), std::move(to));
+    bars.from = column(from_column(), std::move(from));
+    bars.to = column(to_column(), std::move(to));
     bars.role = roles_[k].bar;
     bars.error_stroke.role = count() > 1 ? roles_[k].curve : Role{Role::Of::ink};
     bars.depth = depth_of_bars;
-    Line curve = line_of("curve", axes_.curves[k], from_name(), value_name());
+    Line curve = line_of("curve", axes_.curves[k], from_column(), value_column());
     curve.stroke = {.role = roles_[k].curve, .width = compares() ? thin_width : line_width};
     if (compares()) {  // filled areas of more than two runs would hide each other
         bars.alpha = 0.0;
@@ -151,7 +152,7 @@ plot::Note HistogramPanel::fit_note(std::size_t k, const MeanHistogram* now) con
 plot::Marker HistogramPanel::mean_mark(std::size_t k, double mean, bool is_start) const {
     Marker mark;
     mark.part = is_start ? "mean at start" : "mean";
-    mark.column = from_name();
+    mark.column = from_column();
     mark.value = mean;
     mark.stroke.width = mark_width;
     mark.is_under_axis = true;
@@ -177,12 +178,11 @@ void HistogramPanel::take_colors(const GasColors& colors) {
 plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) const {
     const MeanHistogram& now = state.counts.series[k];
     Bars bars = layers_[k].bars;
-    bars.value = column(value_name(), now.counts);
+    bars.value = column(value_column(), now.counts);
     bars.ramp = whole_.ramp;
     bars.below = now.below;
     bars.above = now.above;
-    if (!state.counts.errors.empty())
-        bars.error = column("standard error (count)", state.counts.errors[k]);
+    if (!state.counts.errors.empty()) bars.error = column(error_column, state.counts.errors[k]);
     for (std::size_t i = 0; i < now.counts.size(); ++i) {
         const bool is_taller =
             state.taller.empty() ? now.counts[i] > axes_.top : state.taller[k][i];
@@ -210,7 +210,7 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
         Line fit = line_of(
             "fit",
             normal_curve(axes_.bins, one, parts_ ? one.values() : series.unit * series.values()),
-            from_name(), value_name());
+            from_column(), value_column());
         fit.stroke = fit_stroke(k);
         add(std::move(fit));
     }
@@ -377,37 +377,40 @@ void HistogramPanel::add_names() {
     const plot::Text words = spec_.title ? plot::Text(escape_markup(*spec_.title))
                                          : plot::Text(say(language, subject_.title));
     at_lines.titles = titles_with_asides(
-        words, spec_.title ? words : capitalised(say(language, subject_.quantity)));
+        words, spec_.title ? words : capitalised(say(language, subject_.quantity.word)));
     for (const BarNotes::Name& name : mean_names(nullptr))
         at_lines.means.push_back(name.has_number ? say(language, "mean") : name.short_name);
     whole_.at_lines = std::move(at_lines);
 }
 
-std::string HistogramPanel::from_name() const {
-    return column_name(std::string(subject_.quantity.english) + " from", subject_.unit);
+Heading HistogramPanel::from_column() const {
+    return {std::string(subject_.quantity.word.english) + " from", subject_.quantity};
 }
 
-std::string HistogramPanel::to_name() const {
-    return column_name(std::string(subject_.quantity.english) + " to", subject_.unit);
+Heading HistogramPanel::to_column() const {
+    return {std::string(subject_.quantity.word.english) + " to", subject_.quantity};
 }
 
-std::string HistogramPanel::value_name() const {
-    return axes_.counts_per_cent() ? "value (per cent)" : "value (count)";
+Heading HistogramPanel::value_column() const {
+    return {"value", axes_.counts_per_cent() ? quantities::per_cent : quantities::count_per_bin};
 }
 
 void HistogramPanel::make_plot() {
     const Language language = context_.language();
     whole_.language = language;
-    whole_.x = {
-        .title = say(language, subject_.quantity), .low = axes_.bins.low, .high = axes_.bins.high};
+    whole_.x = {.title = say(language, subject_.quantity.word),
+                .low = axes_.bins.low,
+                .high = axes_.bins.high,
+                .quantity = subject_.quantity};
     whole_.y.title = height_name();
     whole_.y.high = axes_.top;
+    whole_.y.quantity = value_column().quantity;
     whole_.y.is_whole = window() == 0.0 && axes_.runs == 1 && !axes_.counts_per_cent();
     for (std::size_t k = 0; k < count(); ++k) layers_.push_back(layers_of(k));
     const Text left_out = add_titles();
     add_names();
-    whole_.columns = {from_name(), to_name(), value_name()};
-    if (axes_.runs > 1) whole_.columns.emplace_back("standard error (count)");
+    whole_.columns = {from_column(), to_column(), value_column()};
+    if (axes_.runs > 1) whole_.columns.push_back(error_column);
     std::vector<std::string> names;
     for (const auto& one : axes_.series) names.push_back(one.name);
     if (compares()) name_runs(whole_, std::move(names));

@@ -67,7 +67,7 @@ plot::Text HistogramPanel::add_titles() {
         return text_of(language, phrase, {first, second});
     };
     if (compares()) return add_titles_of_runs();
-    Text quantity = capitalised(say(language, subject_.quantity));
+    Text quantity = capitalised(say(language, subject_.quantity.word));
     Text words = escape_markup(spec_.title.value_or(say(language, subject_.title)));
     if (!spec_.title && !spec_.of.empty())
         words = both(Phrase{"{} of {}"}, words, names_of_choices(Joint::last_by_and));
@@ -154,7 +154,7 @@ plot::Text HistogramPanel::add_titles_of_runs() {
         if (axes_.counts_per_cent()) title = both(aside, title, say(language, "per cent"));
         return axes_.time.empty() ? title : both(apart, title, axes_.time);
     };
-    const Text quantity = ended(capitalised(say(language, subject_.quantity)));
+    const Text quantity = ended(capitalised(say(language, subject_.quantity.word)));
     const Text whole = ended(words), thin = say(language, "thin: equilibrium");
     if (axes_.has_curves())
         whole_.titles = {both(aside, whole, say(language, "thin lines: equilibrium")),

@@ -27,10 +27,10 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     const auto along = [&](Phrase alone, Phrase x, Phrase y) {
         return box.dimension == 1 ? alone : axis == 1 ? y : x;
     };
-    const Phrase position =
-        along(Phrase{"position"}, Phrase{"position along x"}, Phrase{"position along y"});
-    const Phrase velocity =
-        along(Phrase{"velocity"}, Phrase{"velocity along x"}, Phrase{"velocity along y"});
+    const Quantity position = quantities::length.named(
+        along(Phrase{"position"}, Phrase{"position along x"}, Phrase{"position along y"}));
+    const Quantity velocity = quantities::velocity.named(
+        along(Phrase{"velocity"}, Phrase{"velocity along x"}, Phrase{"velocity along y"}));
     const std::vector<Chosen> chosen = choices(spec);
     const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     std::vector<Flights> flights;  // of the first of each: of several there is no path
@@ -39,8 +39,8 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     PointsSubject subject{
         .titles = titles(context, spec, chosen),
         .language = context.language(),
-        .across = say(context.language(), position),
-        .up = say(context.language(), velocity),
+        .across = say(context.language(), position.word),
+        .up = say(context.language(), velocity.word),
         .width = {0.0, box.size[axis]},
         .widen = [box, axis](PointsSubject& its,
                              const FrameInput& o) { widen_to_sides(its.width, box, axis, o); },
@@ -63,8 +63,7 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
             },
         .fades = true,
         .breaks_across = 0.5 * box.size[axis],
-        .columns = {column_name(std::string(position.english), reduced::length),
-                    column_name(std::string(velocity.english), reduced::speed)}};
+        .columns = {position, velocity}};
     if (std::ranges::none_of(lists, [](const auto& list) { return list.size() == 1; }))
         subject.corners = nullptr;
     for (std::size_t k = 0; k < chosen.size(); ++k)

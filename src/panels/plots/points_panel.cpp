@@ -116,12 +116,18 @@ void PointsPanel::archive(Archive& archive) {
 }
 
 void PointsPanel::make_plot() {
-    whole_ = {
-        .language = subject_.language,
-        .titles = subject_.titles,
-        .x = {.title = subject_.across, .low = subject_.width.first, .high = subject_.width.second},
-        .y = {.title = subject_.up, .low = height_.first, .high = height_.second},
-        .columns = {"piece (number)", subject_.columns.first, subject_.columns.second}};
+    whole_ = {.language = subject_.language,
+              .titles = subject_.titles,
+              .x = {.title = subject_.across,
+                    .low = subject_.width.first,
+                    .high = subject_.width.second,
+                    .quantity = subject_.columns.first.quantity},
+              .y = {.title = subject_.up,
+                    .low = height_.first,
+                    .high = height_.second,
+                    .quantity = subject_.columns.second.quantity},
+              .columns = {
+                  {"piece", quantities::ordinal}, subject_.columns.first, subject_.columns.second}};
     if (!subject_.remark.empty())
         whole_.notes.push_back({.entries = {{.words = {plot::Text(subject_.remark)}}}});
     if (height_.first < 0.0) {

@@ -38,7 +38,7 @@ struct PointsSubject {
     bool never_equal = false;    ///< the two quantities: a line marks where they would be equal
     double breaks_across = 0.0;  ///< steps of a path beyond these go around the box: not drawn;
     double breaks_up = 0.0;      ///< 0: none does
-    std::pair<std::string, std::string> columns = {};  ///< of a table, with their units
+    std::pair<Heading, Heading> columns = {};  ///< of a table, and what the axes show
 };
 
 /// With `samples: clock`, shows the points of the samples of the run so far.

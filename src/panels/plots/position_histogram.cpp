@@ -10,9 +10,9 @@ std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, cons
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
     HistogramSubject subject{
         .title = Phrase{"Distribution of positions"},
-        .quantity = box.dimension == 1 ? Phrase{"position"}
-                    : axis == 1        ? Phrase{"position along y"}
-                                       : Phrase{"position along x"},
+        .quantity = quantities::length.named(box.dimension == 1 ? Phrase{"position"}
+                                             : axis == 1        ? Phrase{"position along y"}
+                                                                : Phrase{"position along x"}),
         .values = [axis](const FrameInput& o) { return values_in(o.sample.position, axis); },
         .courses =
             [axis, period = box.is_periodic(static_cast<int>(axis)) ? box.size[axis] : 0.0](
@@ -21,8 +21,7 @@ std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, cons
             },
         .extent = std::pair{0.0, box.size[axis]},
         .position_axis = axis,
-        .means = false,
-        .unit = reduced::length};
+        .means = false};
     const Law board = law(context.gas, LawOf::binomial, {.axis = static_cast<int>(axis)});
     for (std::size_t k = 0; k < board.places.size(); ++k)
         subject.shares.emplace_back(board.places[k], board.curve[k]);

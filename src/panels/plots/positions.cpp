@@ -55,10 +55,10 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
         .never_equal = box.dimension == 1 && !box.is_periodic(0),  // they keep their order
         .breaks_across = 0.5 * length,
         .breaks_up = 0.5 * length,
-        .columns = {column_name("position of " + column_name_of(context.scene, spec.of[0]),
-                                reduced::length),
-                    column_name("position of " + column_name_of(context.scene, spec.of[1]),
-                                reduced::length)}};
+        .columns = {{"position of " + column_name_of(context.scene, spec.of[0]),
+                     quantities::length},
+                    {"position of " + column_name_of(context.scene, spec.of[1]),
+                     quantities::length}}};
     show_samples(context, spec, subject);
     return std::make_unique<PointsPanel>(std::move(subject));
 }

@@ -45,10 +45,10 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
     return subject;
 }
 
-std::string account_of_last(Language language, Phrase quantity, const std::vector<double>& values,
-                            std::size_t shown) {
+std::string account_of_last(Language language, const Quantity& quantity,
+                            const std::vector<double>& values, std::size_t shown) {
     while (shown > 0 && !std::isfinite(values[shown - 1])) --shown;
-    return say(language, quantity) + " " +
+    return say(language, quantity.word) + " " +
            (shown == 0 ? say(language, "unknown") : three_digits(language, values[shown - 1]));
 }
 
@@ -197,14 +197,18 @@ Phrase SeriesPanel::time_name() const {
 void SeriesPanel::make_axes() {
     whole_ = {};
     whole_.language = context_.language();
-    whole_.x = {.title = say(context_.language(), time_name()), .low = INFINITY, .high = -INFINITY};
+    whole_.x = {.title = say(context_.language(), time_name()),
+                .low = INFINITY,
+                .high = -INFINITY,
+                .quantity = quantities::time.named(time_name())};
     for (const SeriesRun& run : record_.runs) {
         whole_.x.low = std::min(whole_.x.low, *std::ranges::min_element(run.time));
         whole_.x.high = std::max(whole_.x.high, *std::ranges::max_element(run.time));
     }
     if (whole_.x.high <= whole_.x.low) whole_.x.high = whole_.x.low + 1.0;
     whole_.y = axis_up();
-    if (is_titled_by_scene_) whole_.y.title = say(context_.language(), subject_.quantity);
+    whole_.y.quantity = subject_.quantity;
+    if (is_titled_by_scene_) whole_.y.title = say(context_.language(), subject_.quantity.word);
     make_plot();
 }
 
@@ -233,7 +237,7 @@ void SeriesPanel::end_at_present(plot::Line& line, const Growing& of, std::size_
         std::vector<double> values(of_samples.values->begin(),
                                    of_samples.values->begin() + std::ptrdiff_t(samples));
         values.push_back(present);
-        return plot::column(of_samples.name, std::move(values));
+        return plot::column(of_samples.heading, std::move(values));
     };
     line.x = extended(line.x, run.frames.time[frame]);
     line.y = extended(line.y, run.frames.lines[of.line][frame]);

@@ -37,8 +37,7 @@ struct SeriesSubject {
     std::optional<double> top = {};  ///< end of the axis; none: determined from the run
     bool is_signed = false;  ///< numbers may be negative; if any is, the axis is symmetric about 0
     bool spreads = false;    ///< the axis may be logarithmic if the values require it
-    Phrase quantity = {};    ///< "entropy"
-    std::string unit = {};   ///< "1"
+    Quantity quantity = {};  ///< with its word
     std::size_t compared = 0;  ///< index of the line that represents a run in a comparison
     std::optional<plot::Text> compared_title = {};  ///< title of that line; none: the usual title
     std::optional<Over> over =
@@ -58,8 +57,8 @@ void title_with_names(SeriesSubject& subject, Language language, const std::stri
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title);
 
 /// A text like "pressure 1.25" with the last number among those shown that is not NaN.
-std::string account_of_last(Language language, Phrase quantity, const std::vector<double>& values,
-                            std::size_t shown);
+std::string account_of_last(Language language, const Quantity& quantity,
+                            const std::vector<double>& values, std::size_t shown);
 
 class SeriesPanel : public FramesPanel<SeriesRecord> {
   public:

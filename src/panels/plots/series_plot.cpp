@@ -50,17 +50,17 @@ void add_marker(plot::Plot& plot, plot::Marker marker) {
 void SeriesPanel::make_plot() {
     growing_.clear();
     const bool compares = record_.compares();
-    const std::string column = column_name(std::string(subject_.quantity.english), subject_.unit);
     whole_.titles = subject_.titles;
     if (compares && subject_.compared_title)
         whole_.titles = {*subject_.compared_title};
     else if (compares && subject_.names.size() > 1 && !is_titled_by_scene_)
-        whole_.titles = {plot::text_of(context_.language(), Phrase{"{}: {}"},
-                                       {capitalised(say(context_.language(), subject_.quantity)),
-                                        escape_markup(subject_.names.at(subject_.compared))})};
-    whole_.columns = {column_name(std::string(time_name().english), reduced::time), column};
+        whole_.titles = {
+            plot::text_of(context_.language(), Phrase{"{}: {}"},
+                          {capitalised(say(context_.language(), subject_.quantity.word)),
+                           escape_markup(subject_.names.at(subject_.compared))})};
+    whole_.columns = {*whole_.x.quantity, subject_.quantity};
     if (!record_.runs.front().errors.empty())
-        whole_.columns.push_back("standard error of " + column);
+        whole_.columns.push_back(standard_error_of(subject_.quantity));
     const bool names_lines = compares || subject_.names.size() > 1;
     if (compares)
         whole_.at_lines = plot::NamedAtLines{.titles = whole_.titles};
@@ -269,7 +269,7 @@ void SeriesPanel::add_band_about(const plot::Level& level, double deviation) {
     band.depth = band_depth + 1;
     band.x = plot::column(whole_.columns[0], {whole_.x.low, whole_.x.high});
     band.y = plot::column(whole_.columns[1], {level.value, level.value});
-    const std::string column = "standard deviation of " + whole_.columns[1];
+    const Heading column{"standard deviation of " + whole_.columns[1].name, subject_.quantity};
     if (std::ranges::find(whole_.columns, column) == whole_.columns.end())
         whole_.columns.push_back(column);
     band.error = plot::column(column, {deviation, deviation});

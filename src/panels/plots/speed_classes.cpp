@@ -45,8 +45,7 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
                               say(language, "slow: &lt; ½ mean; fast: &gt; 1½"),
                               say(language, "slow &lt; ½, fast &gt; 1½")},
         .top = 100.0,
-        .quantity = Phrase{"share"},
-        .unit = "per cent",
+        .quantity = quantities::per_cent,
         .over = spec.over,
         .needs_positions = false};
     for (std::size_t k = 0; k < subject.lines.size(); ++k)

@@ -8,7 +8,7 @@ namespace carom {
 
 std::unique_ptr<Panel> make_speed_histogram(const PanelContext& context, const PanelSpec& spec) {
     HistogramSubject subject{.title = Phrase{"Speed distribution"},
-                             .quantity = Phrase{"speed"},
+                             .quantity = quantities::speed,
                              .values = [](const FrameInput& o) { return values_in(o.speed); },
                              .courses =
                                  [](const PathPiece& piece, const auto& take) {

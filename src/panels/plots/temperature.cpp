@@ -18,8 +18,7 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
     };
     if (const Law bath = law(context.gas, LawOf::bath))
         subject.references = [bath] { return ReferenceLevels{ReferenceLevel{"bath", bath.value}}; };
-    subject.quantity = Phrase{"temperature"};
-    subject.unit = reduced::energy;
+    subject.quantity = quantities::temperature;
     subject.over = spec.over;
     subject.needs_positions = false;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));

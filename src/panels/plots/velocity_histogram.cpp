@@ -13,9 +13,10 @@ std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, cons
     const Eigen::Index first = component == Component::y ? 1 : 0;
     HistogramSubject subject{.title = both && plane ? Phrase{"Distribution of velocity components"}
                                                     : Phrase{"Velocity distribution"},
-                             .quantity = both                        ? Phrase{"velocity"}
-                                         : component == Component::x ? Phrase{"velocity along x"}
-                                                                     : Phrase{"velocity along y"},
+                             .quantity = quantities::velocity.named(
+                                 both                        ? Phrase{"velocity"}
+                                 : component == Component::x ? Phrase{"velocity along x"}
+                                                             : Phrase{"velocity along y"}),
                              .values = {},
                              .density = {},
                              .symmetric = true,

@@ -89,11 +89,12 @@ void SweepPanel::set_axes(const SweptNumbers& numbers) {
     plot_.x = across.axis();
     plot_.x.title = escape_markup(numbers.across);
     plot_.y = up.axis();
-    if (title_) plot_.y.title = words_of_number(language_, numbers.number);
+    plot_.y.quantity = numbers.number.quantity;
+    if (title_) plot_.y.title = words_of_number(language_, numbers.number.name);
 }
 
 void SweepPanel::set_words(const SweptNumbers& numbers) {
-    const std::string what = words_of_number(language_, numbers.number);
+    const std::string what = words_of_number(language_, numbers.number.name);
     plot_.titles = {escape_markup(capitalised(title_.value_or(what)))};
     std::int64_t least = std::numeric_limits<std::int64_t>::max(), most = 0;
     for (const SweptLine& line : numbers.lines)
@@ -208,9 +209,8 @@ void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
 }
 
 void SweepPanel::show(const SweptNumbers& numbers) {
-    plot_ = {.language = language_};
-    const std::string up = column_name(numbers.number, numbers.unit);
-    plot_.columns = {numbers.column, up, "standard error of " + up, "runs"};
+    plot_ = {.language = language_, .units = UnitSystem::reduced_names};
+    plot_.columns = {numbers.column, numbers.number, standard_error_of(numbers.number), "runs"};
     set_axes(numbers);
     set_words(numbers);
     for (std::size_t k = 0; k < numbers.lines.size(); ++k) {

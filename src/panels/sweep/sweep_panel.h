@@ -29,9 +29,9 @@ struct SweptLine {
 
 /// What a panel of a sweep shows.
 struct SweptNumbers {
-    std::string number, unit;  ///< vertical quantity
-    std::string across;        ///< title of the horizontal axis, in the film's language
-    std::string column = {};   ///< the same in a table, in English
+    Heading number;       ///< of the vertical axis
+    std::string across;   ///< title of the horizontal axis, in the film's language
+    Heading column = {};  ///< the same in a table, in English
     std::vector<SweptLine> lines = {};
 };
 

@@ -26,24 +26,23 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 enum class Format { fixed, count, per_cent, power };
 
 struct Column {
-    Phrase label;
-    double width;  // units, at the smallest size of text
-    const char* unit;
+    Quantity quantity;  // with its label
+    double width;       // units, at the smallest size of text
     Format format;
 };
 
 // In the order of Monitor.
 constexpr std::array all_columns{
-    Column{Phrase{"time"}, 7.08, reduced::time, Format::fixed},
-    Column{Phrase{"collisions"}, 7.788, "count", Format::count},
-    Column{Phrase{"mean speed"}, 7.788, reduced::speed, Format::fixed},
-    Column{Phrase{"mean energy"}, 8.968, reduced::energy, Format::fixed},
-    Column{Phrase{"slow, < ½ mean"}, 9.6, "per cent", Format::per_cent},
-    Column{Phrase{"medium"}, 5.9, "per cent", Format::per_cent},
-    Column{Phrase{"fast, > 1½ mean"}, 9.6, "per cent", Format::per_cent},
-    Column{Phrase{"all collisions"}, 8.968, "count", Format::count},
-    Column{Phrase{"return error"}, 8.968, reduced::length, Format::power},
-    Column{Phrase{"largest overlap"}, 8.968, "per cent", Format::per_cent}};
+    Column{quantities::time, 7.08, Format::fixed},
+    Column{quantities::count.named(Phrase{"collisions"}), 7.788, Format::count},
+    Column{quantities::speed.named(Phrase{"mean speed"}), 7.788, Format::fixed},
+    Column{quantities::mean_energy, 8.968, Format::fixed},
+    Column{quantities::per_cent.named(Phrase{"slow, < ½ mean"}), 9.6, Format::per_cent},
+    Column{quantities::per_cent.named(Phrase{"medium"}), 5.9, Format::per_cent},
+    Column{quantities::per_cent.named(Phrase{"fast, > 1½ mean"}), 9.6, Format::per_cent},
+    Column{quantities::count.named(Phrase{"all collisions"}), 8.968, Format::count},
+    Column{quantities::length.named(Phrase{"return error"}), 8.968, Format::power},
+    Column{quantities::per_cent.named(Phrase{"largest overlap"}), 8.968, Format::per_cent}};
 static_assert(all_columns.size() == std::tuple_size_v<MonitorNumbers>);
 
 constexpr double widest_column = 8.968;
@@ -118,7 +117,7 @@ struct MonitorsPanel::Row {
 };
 
 std::string MonitorsPanel::label(Monitor number) const {
-    return escape_markup(say(context_.language(), column(number).label));
+    return escape_markup(say(context_.language(), column(number).quantity.word));
 }
 
 std::vector<std::string> MonitorsPanel::left_out(const DrawContext& dc) const {
@@ -407,8 +406,9 @@ Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
         Cell value = number;
         if (column(which).format == Format::count) value = static_cast<std::int64_t>(number);
         if (column(which).format == Format::power) value = now.return_distance;
-        table.rows.push_back(
-            {"number", std::string(column(which).label.english), value, column(which).unit});
+        const Quantity& quantity = column(which).quantity;
+        table.rows.push_back({"number", std::string(quantity.word.english), value,
+                              unit_text(quantity, table.units)});
     }
     return table;
 }

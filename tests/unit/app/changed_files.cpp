@@ -74,7 +74,7 @@ std::string recording(std::int64_t frames, std::int64_t sample) {
 std::string summary(const std::string& pointer, const Json& value) {
     const NumberStatistics its{.count = 2, .mean = 1.5};
     Json json = json_in(text_of(SweepSummary{.sweep = {{{"gas.0.radius", {"1", "2"}}}, {1, 2}},
-                                             .numbers = {{"pressure", ""}},
+                                             .numbers = {{"pressure", quantities::number}},
                                              .points = {{2, {its}}, {2, {its}}}}));
     json[Json::json_pointer(pointer)] = value;
     return text_of(json);

@@ -110,8 +110,8 @@ TEST_CASE("the table names the run of each row, and has the numbers of that run"
     const FigureRun together =
         run_of(scene_of(bars + warmer + "  - {name: b, kind: entropy" + warmer));
     const Table table = table_of(together.figures()[0]), series = table_of(together.figures()[1]);
-    CHECK(table.columns.front() == "run");
-    CHECK(table.columns.back() == "value (per cent)");
+    CHECK(column_names(table).front() == "run");
+    CHECK(column_names(table).back() == "value (per cent)");
     for (const std::string run : {"cold", "warm", "few"}) {
         double bars_sum = 0.0, curve = 0.0;
         for (const std::vector<Cell>& row : rows_of(table, run)) {

@@ -109,9 +109,9 @@ TEST_CASE("tables have the errors, captions say of how many runs") {
         run_of(scene_of(bars + ", seeds: 3}\n  - {name: b, kind: entropy, seeds: 3}\n" +
                         "  - {name: c, kind: speed-histogram}\n"));
     const Table histogram = table_of(run.figures()[0]), series = table_of(run.figures()[1]);
-    CHECK(histogram.columns.back() == "standard error (count)");
-    CHECK(series.columns.back() == "standard error of entropy (1)");
-    CHECK(table_of(run.figures()[2]).columns.back() == "value (count)");
+    CHECK(column_names(histogram).back() == "standard error (count)");
+    CHECK(column_names(series).back() == "standard error of entropy (1)");
+    CHECK(column_names(table_of(run.figures()[2])).back() == "value (count)");
     CHECK(std::get<double>(histogram.rows[3].back()) ==
           HistogramPanel::errors(state_of(run))[0][3]);
     CHECK(std::holds_alternative<double>(series.rows[3].back()));
@@ -211,7 +211,7 @@ TEST_CASE("a profile of several seeds is the mean of theirs, with its errors") {
     };
     const FigureRun together = run_of(scene_of(profile + ", seeds: 4}\n"));
     const Table table = table_of(together.figures()[0]);
-    CHECK(table.columns.back() == "standard error of density (1/length^2)");
+    CHECK(column_names(table).back() == "standard error of density (1/length^2)");
     const std::vector<double> means = column(together, 4, "profile"),
                               errors = column(together, 5, "profile");
     REQUIRE(means.size() == 8);  // the ends of four slabs
@@ -247,7 +247,7 @@ TEST_CASE("the mean of counts is no whole number") {
     const FigureRun mean = run_of(scene_of(counter + ", seeds: 3}\n"));
     CHECK(counted(mean) == doctest::Approx(expected.mean));
     const Table table = table_of(mean.figures()[0]);
-    CHECK(table.columns[3] == "standard error");
+    CHECK(column_names(table)[3] == "standard error");
     CHECK(std::get<double>(table.rows[0][3]) == doctest::Approx(expected.error));
 }
 

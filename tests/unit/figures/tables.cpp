@@ -61,7 +61,7 @@ std::vector<Row> table(const FigureRun& run, std::size_t index) {
 }  // namespace
 
 TEST_CASE("fields are quoted as RFC 4180 wants them, numbers keep every bit") {
-    const Table table{{"a (1)", "b"},
+    const Table table{{{"a", quantities::number}, "b"},
                       {{0.1, "plain"}, {{}, "a \"b\", c\nd"}, {std::int64_t{-7}, 0.1F}}};
     CHECK(csv(table) == "a (1),b\n0.1,plain\n,\"a \"\"b\"\", c\nd\"\n-7,0.1\n");
     CHECK(quoted_rows(csv(table))[2][1] == "a \"b\", c\nd");
@@ -229,12 +229,12 @@ TEST_CASE("every kind has a table with a name for each column and a cell for eac
         CAPTURE(scene.figures[k].panel.kind);
         const Table of_figure = table_of(run.figures()[k]);
         REQUIRE(!of_figure.rows.empty());
-        CHECK(of_figure.columns.front() == "part");
+        CHECK(column_names(of_figure).front() == "part");
         for (const std::vector<Cell>& row : of_figure.rows) {
             REQUIRE(row.size() == of_figure.columns.size());
             REQUIRE(std::holds_alternative<std::string>(row.front()));
         }
-        for (const std::string& name : of_figure.columns) CHECK(!name.empty());
+        for (const Heading& column : of_figure.columns) CHECK(!column.name.empty());
     }
     CHECK(table_of(run.figures()[14]).columns.empty());
 }

@@ -45,7 +45,7 @@ Table table_at(const test::Shot& shot, std::size_t frame, std::size_t panel) {
 
 std::vector<Cell> column(const Table& table, const std::string& name) {
     const auto found = std::ranges::find_if(
-        table.columns, [&](const std::string& one) { return one.starts_with(name); });
+        table.columns, [&](const Heading& one) { return one.name.starts_with(name); });
     REQUIRE(found != table.columns.end());
     std::vector<Cell> cells;
     for (const auto& row : table.rows)

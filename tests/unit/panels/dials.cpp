@@ -333,6 +333,6 @@ TEST_CASE("dials of several runs stand side by side, and of several seeds there 
     CHECK(first.dial().account(*first.states.back()) ==
           "Temperature 5.0 ± 3.0 (mean over the last 0.2).");
     const Table table = first.dial().table(*first.states.back(), theme(ThemeKind::light));
-    CHECK(table.columns[3] == "standard error");
+    CHECK(column_names(table)[3] == "standard error");
     CHECK(std::get<double>(table.rows.at(0)[3]) == 3.0);
 }

@@ -32,7 +32,7 @@ using Density = std::function<double(const EquilibriumGas&, double)>;
 
 HistogramSubject speeds_with(Density density) {
     return {.title = Phrase{"Speed distribution"},
-            .quantity = Phrase{"speed"},
+            .quantity = quantities::speed,
             .values = [](const FrameInput& o) { return values_in(o.speed); },
             .density = std::move(density)};
 }

@@ -130,7 +130,7 @@ TEST_CASE("a band and its words are there as soon as the window is full, along i
         const bool says = plot.account.ends_with("Band: one standard error.");
         CHECK(says == (time >= 800.0));
         const Table table = seen.panel->table(*state, theme(ThemeKind::light));
-        CHECK(table.columns.back() == "standard error of temperature (mass length^2/time^2)");
+        CHECK(column_names(table).back() == "standard error of temperature (mass length^2/time^2)");
         const plot::Band* band = band_in(plot);
         REQUIRE((band != nullptr) == (time >= 800.0));
         if (band == nullptr) continue;

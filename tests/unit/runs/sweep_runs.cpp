@@ -163,6 +163,11 @@ TEST_CASE("a summary is read back as it was written") {
           "cannot read summary.json: it was changed after it was written (key 'standard_error' not "
           "found)");
     other = text;
+    other.replace(other.find("\"energy/area\""), 13, "\"pound/inch2\"");
+    CHECK(refusal(other) ==
+          "cannot read summary.json: it was changed after it was written (unknown unit: "
+          "pound/inch2)");
+    other = text;
     other.replace(other.find("\"first\": 3"), 10, "\"first\": 9");
     CHECK(refusal(other).find("changed") != std::string::npos);
     other = text;

@@ -5,8 +5,10 @@
 
 #include <cmath>
 #include <cstddef>
-#include <string_view>
+#include <string>
+#include <vector>
 
+#include "app/report/csv_header.h"
 #include "physics/mechanics.h"
 #include "util/csv.h"
 
@@ -14,17 +16,14 @@ namespace carom {
 namespace {
 
 std::string header(int dimension) {
-    std::string text = "time,particle,partner,surface";
-    const auto add = [&](std::string_view whose, std::string_view what, std::string_view when) {
-        for (const char axis : {'x', 'y'})
-            if (dimension == 2 || axis == 'x')
-                text += fmt::format(",{}{}{}{}", whose, what, axis, when);
-    };
-    for (const std::string_view whose : {"", "partner_"}) add(whose, "", "");
-    for (const std::string_view when : {"_before", "_after"})
-        for (const std::string_view whose : {"", "partner_"}) add(whose, "v", when);
-    add("impulse_", "", "");
-    return text + "\n";
+    std::vector<Heading> columns{quantities::time, "particle", "partner", "surface"};
+    for (const std::string whose : {"", "partner_"})
+        add_components(columns, whose, quantities::length, dimension);
+    for (const char* when : {"_before", "_after"})
+        for (const std::string whose : {"", "partner_"})
+            add_components(columns, whose + "v", quantities::velocity, dimension, when);
+    add_components(columns, "impulse_", quantities::momentum, dimension);
+    return csv_header(columns);
 }
 
 }  // namespace

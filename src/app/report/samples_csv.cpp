@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include "app/report/csv_header.h"
 #include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "util/csv.h"
@@ -13,8 +14,11 @@ namespace carom {
 
 SamplesCsv::SamplesCsv(const Gas& gas, Output& output) : rows_(output) {
     for (const Species& species : gas.species) species_.push_back(csv_field(species.name));
-    output.write(gas.box.dimension == 1 ? "time,particle,species,mass,radius,x,vx\n"
-                                        : "time,particle,species,mass,radius,x,y,vx,vy\n");
+    std::vector<Heading> columns{
+        quantities::time, "particle", "species", quantities::mass, {"radius", quantities::length}};
+    add_components(columns, "", quantities::length, gas.box.dimension);
+    add_components(columns, "v", quantities::velocity, gas.box.dimension);
+    output.write(csv_header(columns));
 }
 
 void SamplesCsv::name_rows(const Particles& particles) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/report/csv_header.h"
 #include "util/csv.h"
 
 namespace carom {
@@ -10,7 +11,15 @@ SurfacesCsv::SurfacesCsv(const Box& box, Output& output) : output_(output) {
     const std::vector<std::string> names = box.surfaces.names();
     for (std::size_t k = 0; k < names.size(); ++k)
         names_.push_back(box.has_surface(k) ? csv_field(names[k]) : "");
-    output_.write("time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat\n");
+    std::vector<Heading> columns{quantities::time,
+                                 "surface",
+                                 quantities::position,
+                                 quantities::velocity,
+                                 {"hits", quantities::count}};
+    add_components(columns, "impulse_", quantities::momentum, 2);
+    columns.emplace_back("work", quantities::energy);
+    columns.emplace_back("heat", quantities::energy);
+    output_.write(csv_header(columns));
 }
 
 void SurfacesCsv::add(double time, const std::vector<SurfaceState>& surfaces) {

@@ -250,10 +250,7 @@ Plot ContactTimePanel::plot(const PanelState* state) const {
               .titles = {text_of(language, Phrase{"Squared distance r² of {}"},
                                  {names_of(context_, collision_)}),
                          title},
-              .x = {.title = say(language, "time"),
-                    .low = first_,
-                    .high = last_,
-                    .quantity = time_column.quantity},
+              .x = axis_of(language, quantities::time, first_, last_),
               .y = {.high = top_, .quantity = square_column.quantity}};
     if (spec_.title) plot.titles = {escape_markup(*spec_.title)};
     plot.columns = {time_column, square_column, rv_column, vv_column};

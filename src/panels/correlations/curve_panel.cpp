@@ -212,10 +212,7 @@ void CurvePanel::make_plot() {
     whole_ = {};
     whole_.language = language;
     whole_.titles = subject_.titles;
-    whole_.x = {.title = say(language, subject_.along.word),
-                .low = record_.start(),
-                .high = record_.reach(),
-                .quantity = subject_.along};
+    whole_.x = plot::axis_of(language, subject_.along, record_.start(), record_.reach());
     whole_.y = axis_up();
     whole_.y.quantity = subject_.up;
     if (subject_.height)

@@ -419,9 +419,8 @@ void DialPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& st
 
 Table DialPanel::table(const PanelState& state, const Theme&) const {
     Table table{{"part", "of", "value", "unit"}};
-    const bool compares = record_.compares();
+    const bool compares = record_.compares(), is_mean = record_.runs_in_mean > 1;
     if (compares) table.columns.insert(table.columns.begin() + 1, "run");
-    const bool is_mean = record_.runs_in_mean > 1;
     if (is_mean) table.columns.insert(table.columns.end() - 1, "standard error");
     const std::vector<Reading> now = readings(state);
     const std::size_t lines = std::max<std::size_t>(1, subject_.lines.size());

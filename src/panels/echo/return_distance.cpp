@@ -409,20 +409,16 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
 
 Plot ReturnDistancePanel::plot(const PanelState* state) const {
     const Language language = context_.language();
-    Plot plot{.language = language,
-              .x = {.title = say(language, "time since the reversal"),
-                    .high = last_,
-                    .quantity = since_column.quantity},
-              .y = {.low = low_,
-                    .high = high_,
-                    .kind = Axis::Kind::powers,
-                    .quantity = log_column.quantity,
-                    .has_zero_place = true}};
-    if (spec_.against_collisions) {
-        plot.x.title = say(language, "collisions per particle since the reversal");
-        plot.x.short_title = say(language, "collisions per particle");
-        plot.x.quantity = collisions_column.quantity;
-    }
+    const Quantity across =
+        spec_.against_collisions
+            ? quantities::count.named(Phrase{"collisions per particle since the reversal"})
+            : quantities::time.named(Phrase{"time since the reversal"});
+    Plot plot{
+        .language = language,
+        .x = axis_of(language, across, 0.0, last_),
+        .y = {.low = low_, .high = high_, .kind = Axis::Kind::powers, .has_zero_place = true}};
+    if (spec_.against_collisions) plot.x.short_title = say(language, "collisions per particle");
+    plot.y.quantity = log_column.quantity;
     plot.columns = {reversal_column, since_column, distance_column, collisions_column, log_column};
     add_words(plot);
     const std::vector<std::size_t> none(record_.runs.size(), 0);

@@ -136,9 +136,7 @@ void RunDistancePanel::make_axes() {
     whole_ = {
         .language = language,
         .titles = {say(language, "Distance between the runs")},
-        .x = {.title = say(language, "time"),
-              .high = context_.scene.run.until,
-              .quantity = quantities::time},
+        .x = plot::axis_of(language, quantities::time, 0.0, context_.scene.run.until),
         .y = {.low = -1.0,
               .high = 0.0,
               .kind = plot::Axis::Kind::powers,

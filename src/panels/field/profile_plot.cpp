@@ -114,10 +114,7 @@ void ProfilePanel::make_axes() {
         .low = 0.0,
         .high = std::ranges::max_element(record_.runs, {}, &ProfileRun::length)->length,
         .quantity = quantities::length};
-    plot::Axis values{.title = name_of_quantity(language, scene, spec_.quantity, {}),
-                      .low = low,
-                      .high = top,
-                      .quantity = quantity};
+    const plot::Axis values = plot::axis_of(language, quantity, low, top);
     const Heading of_place{place, quantities::length}, of_value(quantity);
     whole_ = {.titles = titles(),
               .x = is_up() ? values : places,

@@ -183,10 +183,7 @@ void PressureVolumePanel::make_axes() {
                                    {title, words_of_moments(language, spec_, over())}),
                      title};
     const int dimension = box().dimension;
-    whole_.x = {.title = say(language, area),
-                .low = INFINITY,
-                .high = 0.0,
-                .quantity = quantities::content(dimension).named(area)};
+    whole_.x = plot::axis_of(language, quantities::content(dimension).named(area), INFINITY, 0.0);
     std::vector<double> pressures;
     for (const PressureVolumeRun& run : record_.runs) {
         whole_.x.low = std::min(whole_.x.low, 0.95 * *std::ranges::min_element(run.area));
@@ -195,9 +192,8 @@ void PressureVolumePanel::make_axes() {
             if (std::isfinite(pressure)) pressures.push_back(std::abs(pressure));
     }
     const double most = pressures.empty() ? 0.0 : 1.1 * quantile(pressures, 0.995);
-    whole_.y = {.title = say(language, "pressure"),
-                .high = round_up_for_axis(most),
-                .quantity = quantities::pressure(dimension)};
+    whole_.y =
+        plot::axis_of(language, quantities::pressure(dimension), 0.0, round_up_for_axis(most));
     whole_.columns = {*whole_.x.quantity, *whole_.y.quantity};
     std::vector<std::string> names;
     for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);

@@ -205,16 +205,13 @@ void RadialProfilePanel::make_axes() {
     constexpr double room = 1.1;
     const double most = highest.empty() ? 1.0 : room * quantile(highest, 0.98);
     const Quantity density = quantities::density(context_.scene.gas.box.dimension);
-    const std::string quantity = say(language, density.word);
     whole_ = {
         .language = language,
-        .x = {.title = say(language, "distance"),
-              .low = 0.0,
-              .high = rings_.width() * rings_.count(),
-              .quantity = quantities::distance},
-        .y = {.title = quantity, .low = 0.0, .high = round_up_for_axis(most), .quantity = density},
+        .x = plot::axis_of(language, quantities::distance, 0.0, rings_.width() * rings_.count()),
+        .y = plot::axis_of(language, density, 0.0, round_up_for_axis(most)),
         .columns = {quantities::distance, density}};
-    const std::string title = say(language, "{} around a point", capitalised(quantity));
+    const std::string title =
+        say(language, "{} around a point", capitalised(say(language, density.word)));
     if (spec_.title)
         whole_.titles = {escape_markup(*spec_.title)};
     else if (spec_.of.empty())

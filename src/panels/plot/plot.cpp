@@ -58,6 +58,10 @@ Column column(Heading heading, std::vector<double> values) {
     return {std::move(heading), std::make_shared<const std::vector<double>>(std::move(values))};
 }
 
+Axis axis_of(Language language, const Quantity& quantity, double low, double high) {
+    return {.title = say(language, quantity.word), .low = low, .high = high, .quantity = quantity};
+}
+
 const Layer& common(const AnyLayer& layer) {
     return std::visit([](const auto& one) -> const Layer& { return one; }, layer);
 }

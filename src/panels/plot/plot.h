@@ -330,6 +330,9 @@ struct Axis {
     bool has_zero_place = false;            ///< a separate place for 0 below the powers of ten
 };
 
+/// An axis of a quantity, with its word as the title.
+Axis axis_of(Language language, const Quantity& quantity, double low, double high);
+
 /// A plot, complete and immutable. Copies share its data.
 struct Plot {
     Language language = Language::english;  ///< of its numbers

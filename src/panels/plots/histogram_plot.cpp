@@ -398,10 +398,7 @@ Heading HistogramPanel::value_column() const {
 void HistogramPanel::make_plot() {
     const Language language = context_.language();
     whole_.language = language;
-    whole_.x = {.title = say(language, subject_.quantity.word),
-                .low = axes_.bins.low,
-                .high = axes_.bins.high,
-                .quantity = subject_.quantity};
+    whole_.x = axis_of(language, subject_.quantity, axes_.bins.low, axes_.bins.high);
     whole_.y.title = height_name();
     whole_.y.high = axes_.top;
     whole_.y.quantity = value_column().quantity;

@@ -197,10 +197,8 @@ Phrase SeriesPanel::time_name() const {
 void SeriesPanel::make_axes() {
     whole_ = {};
     whole_.language = context_.language();
-    whole_.x = {.title = say(context_.language(), time_name()),
-                .low = INFINITY,
-                .high = -INFINITY,
-                .quantity = quantities::time.named(time_name())};
+    whole_.x = plot::axis_of(context_.language(), quantities::time.named(time_name()), INFINITY,
+                             -INFINITY);
     for (const SeriesRun& run : record_.runs) {
         whole_.x.low = std::min(whole_.x.low, *std::ranges::min_element(run.time));
         whole_.x.high = std::max(whole_.x.high, *std::ranges::max_element(run.time));

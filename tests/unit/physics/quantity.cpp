@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-
 using namespace carom;
 using quantities::content, quantities::density, quantities::pressure;
 

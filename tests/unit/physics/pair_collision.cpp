@@ -1,10 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
 #include "physics/collision/contact_rule.h"
+#include "physics/multiprecision/multiprecision.h"
 #include "support/csv.h"
 #include "support/relative.h"
 #include "util/random.h"
@@ -226,4 +229,49 @@ TEST_CASE("walls are met from inside, at once from beyond, and never at rest") {
     CHECK(wall_time(0.4, -1.0, 0.5, 9.5) == 0.0);
     CHECK(wall_time(0.4, 1.0, 0.5, 9.5) == relative(9.1, 4e-16));
     CHECK(wall_time(2.0, 0.0, 0.5, 9.5) == never<double>);
+}
+
+TEST_CASE("each arithmetic of the contact rule gives the same elastic contact") {
+    Random random(4, "contact rule");
+    for (int k = 0; k < 1'000; ++k) {
+        const auto any = [&] { return random.uniform(-2.0, 2.0); };
+        const std::array<double, 2> r{any(), any()}, v1{any(), any()}, v2{any(), any()};
+        const double w1 = random.uniform(0.01, 3.0), w2 = k % 3 == 0 ? w1 : random.uniform() * 3.0;
+        const double square = r[0] * r[0] + r[1] * r[1];
+        const double approach = r[0] * (v2[0] - v1[0]) + r[1] * (v2[1] - v1[1]);
+        const double exact = 2.0 * approach / (square * (w1 + w2));
+        const auto close = [&](double found, double expected) {
+            return std::abs(found - expected) < 1e-12 * (1.0 + std::abs(exact));
+        };
+        const auto in_doubles =
+            ContactRule::impulse<double>({r[0], r[1], v2[0] - v1[0], v2[1] - v1[1]}, w1, w2);
+        CHECK(close(in_doubles.value, exact));
+
+        const auto real = [](double value) { return Real(value, 200); };
+        std::array<Real, 2> first{real(v1[0]), real(v1[1])}, second{real(v2[0]), real(v2[1])};
+        Real along = real(approach), of_square = real(square), factor = real(0.0), part = factor;
+        ContactRule::push(first, second, {real(r[0]), real(r[1])}, w1, w2, along, of_square, factor,
+                          part);
+        for (std::size_t a = 0; a < 2; ++a) {
+            CHECK(close(static_cast<double>(first[a]), v1[a] + w1 * exact * r[a]));
+            CHECK(close(static_cast<double>(second[a]), v2[a] - w2 * exact * r[a]));
+        }
+
+        // Along a line the separation is of length 1, and so is the normal of a surface here.
+        const double on_line = 2.0 * (v2[0] - v1[0]) / (w1 + w2);
+        double left = v1[0], right = v2[0];
+        const auto [share, other_share] = ContactRule::shares_on_line(w1, w2);
+        ContactRule::push_on_line(left, right, share, other_share);
+        CHECK(close(left, v1[0] + w1 * on_line));
+        CHECK(close(right, v2[0] - w2 * on_line));
+        const auto off = ContactRule::reflection(v1[0] - v2[0], 1.0, w1, w2);
+        CHECK(close(v1[0] + off.of_particle, left));
+        CHECK(close(v2[0] + off.of_surface, right));
+        const auto off_wall = ContactRule::reflection(v1[0], 1.0, w1, 0.0);
+        double reflected = v1[0];
+        ContactRule::reflect(reflected);
+        CHECK(reflected == -v1[0]);
+        CHECK(v1[0] + off_wall.of_particle == reflected);
+        CHECK(off_wall.of_surface == 0.0);
+    }
 }

@@ -26,6 +26,7 @@ inline void archive_parts(Archive& archive, Membrane::Speeds& its) {
 inline void archive_parts(Archive& archive, Membrane& its) {
     archive(its.species, its.upward, its.downward);
 }
+inline void archive_parts(Archive&, Diffuse&) {}
 
 inline void archive_parts(Archive& archive, Partition& its) {
     archive(its.name, its.axis, its.at, its.gaps, its.behaviour, its.is_open);

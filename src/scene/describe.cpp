@@ -176,7 +176,8 @@ std::string words_of(Language language, const Behaviour& behaviour, const Gas& g
                                   : say(language, "is a piston of mass {}, pushed by a force of {}",
                                         its.mass, plain_number(language, its.force));
                    },
-                   [&](const Membrane& its) { return words_of(language, its, gas, axis); }},
+                   [&](const Membrane& its) { return words_of(language, its, gas, axis); },
+                   [&](const Diffuse&) { return say(language, "reflects diffusely"); }},
         behaviour);
 }
 
@@ -222,7 +223,8 @@ std::string change_words(Language language, const Behaviour& behaviour) {
             [&](const Piston& its) {
                 return say(language, "becomes a piston of mass {}", its.mass);
             },
-            [&](const Membrane&) { return say(language, "becomes a membrane"); }},
+            [&](const Membrane&) { return say(language, "becomes a membrane"); },
+            [&](const Diffuse&) { return say(language, "reflects diffusely from now on"); }},
         behaviour);
 }
 

@@ -169,9 +169,20 @@ std::vector<Condition> conditions() {
         {"hardly", make_periodic},
         unplaced(on_line("line-unplaced", Wall::solid, {1.0, 2.0, 3.0, 1.0, 2.5})),
         unplaced(on_line("equals-unplaced", Wall::solid, {1.0, 1.0, 1.0, 1.0, 1.0})),
-        {"half-moved", [](GasState& s) {
+        {"half-moved",
+         [](GasState& s) {
              s.gas.box.walls[0] = Wall::periodic;
              s.gas.box.surfaces.sides[3] = Driven{0.1};
+         }},
+        {"diffuse", [](GasState& s) { s.gas.box.surfaces.sides.fill(Diffuse{}); }},
+        {"one-diffuse",
+         [](GasState& s) {
+             s.gas.species = {disks(1)};
+             s.gas.box.surfaces.sides.fill(Diffuse{});
+         }},
+        {"half-diffuse", [](GasState& s) {
+             s.gas.box.walls[0] = Wall::periodic;
+             s.gas.box.surfaces.sides[3] = Diffuse{};
          }}};
     return all;
 }

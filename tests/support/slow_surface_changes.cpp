@@ -52,9 +52,8 @@ SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Disk& disk, std::int32_t 
     const bool moves = static_cast<std::size_t>(surface) < movers_.size();
     Mover* mover = moves ? &movers_[static_cast<std::size_t>(surface)] : nullptr;
     const bool is_membrane = moves && std::holds_alternative<Membrane>(mover->behaviour);
-    Touch best{.gap = infinite,
-               .approach = 0.0L,
-               .is_bath = moves && std::holds_alternative<Bath>(mover->behaviour)};
+    Touch best{
+        .gap = infinite, .approach = 0.0L, .is_random = moves && is_random(mover->behaviour)};
     long double nearest = infinite;
     Vector after = disk.v, normal;
     for (const Part& part : parts_) {

@@ -66,8 +66,7 @@ void SlowSurfaces::append_touches_of_parts(std::size_t i, std::vector<SlowTouch>
             continue;
         if (!is_there(part) || lets_pass(part, disk) || disk.passing.contains(part.surface))
             continue;
-        if (k < movers_.size() &&
-            (admits(movers_[k], disk) || std::holds_alternative<Bath>(movers_[k].behaviour)))
+        if (k < movers_.size() && (admits(movers_[k], disk) || is_random(movers_[k].behaviour)))
             continue;
         const long double pushed = k < movers_.size() ? movers_[k].inverse_mass : 0.0L;
         if (disk.inverse_mass + pushed == 0.0L) continue;

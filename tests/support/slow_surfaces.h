@@ -3,7 +3,8 @@
 // of surfaces (with all periodic images), including pistons and driven walls. Each distance is a
 // polynomial of time; its roots are bracketed by those of its derivative. There are no cells, no
 // event queue and no local times; its arithmetic is long double, which makes up for its larger
-// round-off. It does not draw the random velocities after contacts with a heat bath.
+// round-off. It does not draw the random velocities after contacts with a heat bath or a
+// diffuse wall.
 //
 // The caller names the next contact; the simulator checks that it is a contact and that no other
 // one should have come before. It does not choose the contact itself because the order is undefined
@@ -66,7 +67,7 @@ class SlowSurfaces {
     /// the normal velocity of approach (negative).
     struct Touch {
         long double gap, approach;
-        bool is_bath = false;
+        bool is_random = false;  ///< the disk leaves in a random direction, which is not drawn
         bool is_within = false;  ///< a membrane had let the disk in and now reflects it
     };
     Touch collide(const SlowContact& contact, const SlowVector& like);

@@ -22,14 +22,16 @@ struct SurfaceScene {
 /// A random mass, from much lighter to much heavier than a disk.
 inline double any_mass(Random& random) { return std::pow(10.0, random.uniform(-4.0, 2.0)); }
 
-/// A random behaviour of a side or a partition. `may_move`: it may be a piston or a driven wall.
-inline Behaviour any_behaviour(Random& random, bool is_side, bool may_move) {
+/// A random behaviour of a side or a partition in a box of this dimension. `may_move`: it may be a
+/// piston or a driven wall.
+inline Behaviour any_behaviour(Random& random, int dimension, bool is_side, bool may_move) {
     const double which = random.uniform();
     if (may_move && which < 0.2)
         return Piston{any_mass(random), random.uniform(-1.0, 1.0), random.uniform(-0.5, 0.5)};
     if (may_move && which < 0.35)
         return Driven{random.uniform(-0.3, 0.3), random.uniform() < 0.5 ? 3.0 : 50.0};
     if (which < 0.45) return Bath{random.uniform(0.5, 3.0)};
+    if (dimension == 2 && which > 0.88) return Diffuse{};
     if (is_side || which < 0.7) return Reflecting{};
     if (which < 0.8) return Membrane{.species = {static_cast<std::int32_t>(random.below(2))}};
     return Membrane{.upward = {.faster_than = random.uniform(0.0, 2.0)},
@@ -42,7 +44,7 @@ inline Partition any_partition(Random& random, const Box& box, bool may_move, st
     Partition line{.name = std::move(name),
                    .axis = axis,
                    .at = box.length(axis) * random.uniform(0.2, 0.8),
-                   .behaviour = any_behaviour(random, false, may_move && !box.is_periodic(axis)),
+                   .behaviour = any_behaviour(random, 2, false, may_move && !box.is_periodic(axis)),
                    .is_open = random.uniform() < 0.15};
     if (!has_gaps || std::holds_alternative<Piston>(line.behaviour)) return line;
     // Some gaps are narrower than a disk, some begin at a wall.
@@ -138,8 +140,8 @@ inline std::vector<RunEvent> any_events(Random& random, const Box& box, bool sur
             case 3: {
                 const bool has_gaps = of_partition && !box.surfaces.partitions[0].gaps.empty();
                 events.push_back(
-                    {time,
-                     ChangeSurface{which, any_behaviour(random, true, may_move && !has_gaps)}});
+                    {time, ChangeSurface{which, any_behaviour(random, box.dimension, true,
+                                                              may_move && !has_gaps)}});
                 break;
             }
             default:
@@ -172,7 +174,7 @@ inline SurfaceScene small_box(std::uint64_t seed) {
     const bool may_move = random.uniform() < 0.6;
     for (std::size_t side = 0; side < 4; ++side)
         if (!box.is_periodic(side / 2) && random.uniform() < 0.3)
-            surfaces.sides[side] = any_behaviour(random, true, may_move);
+            surfaces.sides[side] = any_behaviour(random, 2, true, may_move);
     for (std::uint64_t k = random.below(3); k > 0; --k)
         surfaces.partitions.push_back(any_partition(random, box, may_move, "line"));
     for (std::uint64_t k = random.below(3); k > 0; --k) {
@@ -203,7 +205,7 @@ inline SurfaceScene small_wire(std::uint64_t seed) {
     box.size = {random.uniform(5.0, 15.0), 0.0};
     if (random.uniform() < 0.6) box.surfaces.gravity = {random.uniform(-1.0, 1.0), 0.0};
     for (std::size_t side = 0; side < 2; ++side)
-        box.surfaces.sides[side] = any_behaviour(random, true, true);
+        box.surfaces.sides[side] = any_behaviour(random, 1, true, true);
     const double radius = random.uniform() < 0.3 ? 0.0 : random.uniform(0.01, 0.3);
     for (const char* name : {"one", "other"})
         gas.species.push_back({.name = name,

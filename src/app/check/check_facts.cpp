@@ -27,11 +27,11 @@ std::string_view side_word(const Box& box, std::size_t side) {
     using Word = std::string_view;
     const Word plain = word_of(box.walls[side / 2]);
     return std::visit(
-        Overloaded{[&](const Reflecting&) { return plain; },
-                   [](const Bath&) { return Word("bath"); },
-                   [](const Driven&) { return Word("driven"); },
-                   [](const Piston&) { return Word("piston"); },
-                   [&](const Membrane&) { return plain; }},  // only partitions are membranes
+        Overloaded{
+            [&](const Reflecting&) { return plain; }, [](const Bath&) { return Word("bath"); },
+            [](const Driven&) { return Word("driven"); },
+            [](const Piston&) { return Word("piston"); }, [&](const Membrane&) { return plain; },
+            [](const Diffuse&) { return Word("diffuse"); }},  // only partitions are membranes
         box.surfaces.sides[side]);
 }
 

@@ -54,14 +54,15 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
     const auto draw_end = [&] {
         canvas.fill(band(0.0, 0.5), end.state.motion ? dc.theme.muted : dc.theme.wall);
     };
-    std::visit(Overloaded{[&](const Reflecting&) { draw_end(); },
-                          [&](const Bath& bath) {
-                              draw_bath(canvas, dc, band(0.0, SurfaceSize::bath), true,
-                                        look_.bath_color(bath.temperature, dc.theme));
-                          },
-                          [&](const Driven&) { draw_end(); }, [&](const Piston&) { draw_end(); },
-                          [&](const Membrane&) { draw_end(); }},
-               behaviour);
+    std::visit(
+        Overloaded{[&](const Reflecting&) { draw_end(); },
+                   [&](const Bath& bath) {
+                       draw_bath(canvas, dc, band(0.0, SurfaceSize::bath), true,
+                                 look_.bath_color(bath.temperature, dc.theme));
+                   },
+                   [&](const Driven&) { draw_end(); }, [&](const Piston&) { draw_end(); },
+                   [&](const Membrane&) { draw_end(); }, [&](const Diffuse&) { draw_end(); }},
+        behaviour);
     if (is_imposed) draw_ticks(canvas, dc, band(0.5, 0.4), side);
     const double along = piston != nullptr ? piston->force
                          : is_imposed      ? end.state.motion->velocity

@@ -53,14 +53,7 @@ struct SurfaceView::Brush {
     bool is_imposed(std::size_t k) const { return driven_of(behaviour(k)) || states[k].is_held; }
 
     // Of a side, outside of the room, in units.
-    double thickness(std::size_t side) const {
-        return std::visit(Overloaded{[](const Reflecting&) { return SurfaceSize::line; },
-                                     [](const Bath&) { return SurfaceSize::bath; },
-                                     [](const Driven&) { return SurfaceSize::bar; },
-                                     [](const Piston&) { return SurfaceSize::bar; },
-                                     [](const Membrane&) { return SurfaceSize::line; }},
-                          behaviour(side));
-    }
+    double thickness(std::size_t side) const { return thickness_of_side(behaviour(side)); }
 
     Color bath_color(const Bath& bath) const { return view.bath_color(bath.temperature, theme); }
 
@@ -200,7 +193,11 @@ void SurfaceView::Brush::draw_side(std::size_t side) const {
                                         is_upright(side), bath_color(bath));
                           },
                           [&](const Driven&) { draw_bar(side); },
-                          [&](const Piston&) { draw_bar(side); }, [](const Membrane&) {}},
+                          [&](const Piston&) { draw_bar(side); }, [](const Membrane&) {},
+                          [&](const Diffuse&) {
+                              draw_teeth(canvas, dc, outside(side, 0.0, SurfaceSize::teeth * u),
+                                         side);
+                          }},
                behaviour(side));
     draw_side_mark(side);
 }
@@ -280,7 +277,8 @@ void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
                               its.is_demon()
                                   ? draw_dots(from, to)
                                   : canvas.stroke_line(from, to, 0.22 * u, theme.ink, 0.8 * u);
-                          }},
+                          },
+                          [&](const Diffuse&) { draw_rough_line(canvas, dc, from, to); }},
                behaviour(k));
 }
 
@@ -323,7 +321,7 @@ void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
                           [&](const Bath& bath) { canvas.fill(block, bath_color(bath)); },
                           [&](const Driven&) { draw_holder(block, k); },
                           [&](const Piston&) { draw_holder(block, k); },
-                          [&](const Membrane&) { draw_eye(block); }},
+                          [&](const Membrane&) { draw_eye(block); }, [](const Diffuse&) {}},
                behaviour(k));
 }
 
@@ -345,7 +343,8 @@ bool SurfaceView::Brush::has_block(std::size_t k) const {
     return std::visit(
         Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return true; },
                    [](const Driven&) { return true; }, [](const Piston&) { return true; },
-                   [](const Membrane& its) { return its.is_demon(); }},
+                   [](const Membrane& its) { return its.is_demon(); },
+                   [](const Diffuse&) { return false; }},
         behaviour(k));
 }
 

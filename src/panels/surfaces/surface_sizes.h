@@ -7,6 +7,7 @@ struct SurfaceSize {
     static constexpr double line = 0.11;    ///< of walls that reflect
     static constexpr double chevron = 0.5;  ///< of periodic sides: the part outside of the box
     static constexpr double thick = 0.2;    ///< of partitions
+    static constexpr double teeth = 0.5;    ///< depth of those of a diffuse wall, with its line
     static constexpr double bath = 1.0;     ///< depth of a heat bath outside of the box
     static constexpr double bar = 0.6;      ///< thickness of a wall that moves
     static constexpr double hatch = 0.5;    ///< outside of a wall that is driven or held

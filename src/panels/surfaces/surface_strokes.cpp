@@ -118,6 +118,43 @@ void draw_bath(Canvas& canvas, const DrawContext& dc, const Rect& band, bool upr
     if (wave.size() > 1) canvas.stroke_path(wave, 0.13 * u, letters_on(color, dc.theme));
 }
 
+namespace {
+
+// A row of teeth with their bases on the line from one point to another and their heads `deep` to
+// its left, seen with y upwards; negative: to its right.
+void draw_row_of_teeth(Canvas& canvas, const DrawContext& dc, Point from, Point to, double deep) {
+    const Point way{to.x - from.x, to.y - from.y};
+    const double length = std::hypot(way.x, way.y);
+    if (!(length > 0.0)) return;
+    const double count = std::max(1.0, std::round(length / (0.7 * dc.unit)));
+    const Point head{deep * way.y / length, -deep * way.x / length};
+    const auto at = [&](double k) {
+        return Point{from.x + k / count * way.x, from.y + k / count * way.y};
+    };
+    for (double k = 0.0; k < count; k += 1.0) {
+        const Point middle = at(k + 0.5);
+        const std::array tooth{at(k), Point{middle.x + head.x, middle.y + head.y}, at(k + 1.0)};
+        canvas.fill_polygon(tooth, dc.theme.wall);
+    }
+}
+
+}  // namespace
+
+void draw_teeth(Canvas& canvas, const DrawContext& dc, const Rect& band, std::size_t side) {
+    const Point low_left{band.x, band.bottom()}, low_right{band.right(), band.bottom()},
+        top_left{band.x, band.y}, top_right{band.right(), band.y};
+    if (side == 0) draw_row_of_teeth(canvas, dc, low_right, top_right, band.width);
+    if (side == 1) draw_row_of_teeth(canvas, dc, top_left, low_left, band.width);
+    if (side == bottom_side) draw_row_of_teeth(canvas, dc, top_right, top_left, band.height);
+    if (side == top_side) draw_row_of_teeth(canvas, dc, low_left, low_right, band.height);
+}
+
+void draw_rough_line(Canvas& canvas, const DrawContext& dc, Point from, Point to) {
+    constexpr double half = 0.3;  // units
+    for (const double deep : {half, -half}) draw_row_of_teeth(canvas, dc, from, to, deep * dc.unit);
+    canvas.stroke_line(from, to, SurfaceSize::line * dc.unit, dc.theme.wall);
+}
+
 void draw_ticks(Canvas& canvas, const DrawContext& dc, const Rect& band, std::size_t side) {
     const double u = dc.unit, apart = 0.75 * u;
     const bool upright = is_upright(side);

@@ -30,6 +30,11 @@ void hatch_polygon(Canvas& canvas, const std::vector<Point>& corners, double apa
 /// A heat bath: a band with a wavy line along it.
 void draw_bath(Canvas& canvas, const DrawContext& dc, const Rect& band, bool upright, Color color);
 
+/// A diffuse wall: a row of teeth that point outward from a side, and on a partition a row of
+/// lozenges.
+void draw_teeth(Canvas& canvas, const DrawContext& dc, const Rect& band, std::size_t side);
+void draw_rough_line(Canvas& canvas, const DrawContext& dc, Point from, Point to);
+
 /// The hatching of a driven or held surface: slanted lines across a band outside of a side.
 void draw_ticks(Canvas& canvas, const DrawContext& dc, const Rect& band, std::size_t side);
 

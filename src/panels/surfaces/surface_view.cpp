@@ -21,14 +21,14 @@ double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
             ? SurfaceSize::mark
             : 0.0;
     constexpr double bar = SurfaceSize::bar + SurfaceSize::hatch;
-    return std::visit(Overloaded{[](const Reflecting&) { return 0.0; },
-                                 [&](const Bath&) { return SurfaceSize::bath + mark; },
-                                 [](const Driven&) { return bar + SurfaceSize::arrow; },
-                                 [&](const Piston& its) {
-                                     return bar + (its.force != 0.0 ? SurfaceSize::arrow : mark);
-                                 },
-                                 [](const Membrane&) { return 0.0; }},
-                      behaviour);
+    return std::visit(
+        Overloaded{
+            [](const Reflecting&) { return 0.0; },
+            [&](const Bath&) { return SurfaceSize::bath + mark; },
+            [](const Driven&) { return bar + SurfaceSize::arrow; },
+            [&](const Piston& its) { return bar + (its.force != 0.0 ? SurfaceSize::arrow : mark); },
+            [](const Membrane&) { return 0.0; }, [](const Diffuse&) { return SurfaceSize::teeth; }},
+        behaviour);
 }
 
 // Whether a partition has something at its ends outside of the box, or room for it.
@@ -36,11 +36,21 @@ bool has_ends(const Behaviour& behaviour) {
     return std::visit(
         Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return true; },
                    [](const Driven&) { return true; }, [](const Piston&) { return true; },
-                   [](const Membrane&) { return true; }},
+                   [](const Membrane&) { return true; }, [](const Diffuse&) { return false; }},
         behaviour);
 }
 
 }  // namespace
+
+double thickness_of_side(const Behaviour& behaviour) {
+    return std::visit(Overloaded{[](const Reflecting&) { return SurfaceSize::line; },
+                                 [](const Bath&) { return SurfaceSize::bath; },
+                                 [](const Driven&) { return SurfaceSize::bar; },
+                                 [](const Piston&) { return SurfaceSize::bar; },
+                                 [](const Membrane&) { return SurfaceSize::line; },
+                                 [](const Diffuse&) { return SurfaceSize::teeth; }},
+                      behaviour);
+}
 
 Rect BoxMap::rect(const Region& region) const {
     const Point corner = pixel({region.low[0], region.high[1]});
@@ -74,10 +84,8 @@ SurfaceView::SurfaceView(const PanelContext& context)
 // The largest thickness that a side ever has.
 double SurfaceView::thickness_of(std::size_t side) const {
     double most = SurfaceSize::line;
-    for (const Behaviour& behaviour : behaviours_[side]) {
-        if (bath_of(behaviour)) most = std::max(most, SurfaceSize::bath);
-        if (may_move(side)) most = std::max(most, SurfaceSize::bar);
-    }
+    for (const Behaviour& behaviour : behaviours_[side])
+        most = std::max(most, thickness_of_side(behaviour));
     return most;
 }
 

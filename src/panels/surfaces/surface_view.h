@@ -24,6 +24,10 @@ struct BoxMap {
     Rect rect(const Region& region) const;
 };
 
+/// How far the drawing of a side with this behaviour extends outward, without words and arrows, in
+/// units.
+double thickness_of_side(const Behaviour& behaviour);
+
 class SurfaceView {
   public:
     explicit SurfaceView(const PanelContext& context);

@@ -65,7 +65,8 @@ std::string doing_of(Language language, const Gas& gas, const SurfaceState& stat
                                  [&](const Bath&) { return of_behaviour(); },
                                  [&](const Driven&) { return of_motion(); },
                                  [&](const Piston&) { return of_behaviour(); },
-                                 [&](const Membrane&) { return of_behaviour(); }},
+                                 [&](const Membrane&) { return of_behaviour(); },
+                                 [&](const Diffuse&) { return of_behaviour(); }},
                       state.behaviour);
 }
 
@@ -87,7 +88,8 @@ std::string mark_of_surface(Language language, const Gas& gas, const Behaviour& 
                 return "M = " + plain_number(language, its.mass) +
                        (its.force == 0.0 ? "" : ", F = " + plain_number(language, its.force));
             },
-            [&](const Membrane& its) { return membrane_mark(language, gas, its, axis); }},
+            [&](const Membrane& its) { return membrane_mark(language, gas, its, axis); },
+            [](const Diffuse&) { return std::string(); }},
         behaviour);
 }
 

@@ -68,14 +68,18 @@ struct Membrane {
     bool is_demon() const { return upward.admits_some() || downward.admits_some(); }
 };
 
-using Behaviour = std::variant<Reflecting, Bath, Driven, Piston, Membrane>;
+/// Reflects diffusely: a particle keeps its speed and leaves in a random direction by the cosine
+/// law: its angle to the normal has the density cos(angle) / 2. Stands still; only in a plane.
+struct Diffuse {};
+
+using Behaviour = std::variant<Reflecting, Bath, Driven, Piston, Membrane, Diffuse>;
 
 /// Whether it is a wall at rest that reflects specularly, and nothing else.
 inline bool only_reflects(const Behaviour& behaviour) {
     return std::visit(
         Overloaded{[](const Reflecting&) { return true; }, [](const Bath&) { return false; },
                    [](const Driven&) { return false; }, [](const Piston&) { return false; },
-                   [](const Membrane&) { return false; }},
+                   [](const Membrane&) { return false; }, [](const Diffuse&) { return false; }},
         behaviour);
 }
 
@@ -84,7 +88,7 @@ inline bool moves(const Behaviour& behaviour) {
     return std::visit(
         Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return false; },
                    [](const Driven&) { return true; }, [](const Piston&) { return true; },
-                   [](const Membrane&) { return false; }},
+                   [](const Membrane&) { return false; }, [](const Diffuse&) { return false; }},
         behaviour);
 }
 
@@ -94,7 +98,7 @@ inline double velocity_from(const Behaviour& behaviour, double time) {
         Overloaded{[](const Reflecting&) { return 0.0; }, [](const Bath&) { return 0.0; },
                    [&](const Driven& driven) { return driven.velocity_at(time); },
                    [](const Piston& piston) { return piston.velocity; },
-                   [](const Membrane&) { return 0.0; }},
+                   [](const Membrane&) { return 0.0; }, [](const Diffuse&) { return 0.0; }},
         behaviour);
 }
 
@@ -103,7 +107,7 @@ inline bool is_smooth(const Behaviour& behaviour) {
     return std::visit(
         Overloaded{[](const Reflecting&) { return true; }, [](const Bath&) { return false; },
                    [](const Driven&) { return true; }, [](const Piston&) { return true; },
-                   [](const Membrane&) { return true; }},
+                   [](const Membrane&) { return true; }, [](const Diffuse&) { return false; }},
         behaviour);
 }
 
@@ -112,7 +116,17 @@ inline bool is_random(const Behaviour& behaviour) {
     return std::visit(
         Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return true; },
                    [](const Driven&) { return false; }, [](const Piston&) { return false; },
-                   [](const Membrane&) { return false; }},
+                   [](const Membrane&) { return false; }, [](const Diffuse&) { return true; }},
+        behaviour);
+}
+
+/// Whether it reflects all particles at their own speed: nothing passes it, and no energy is
+/// exchanged.
+inline bool is_elastic(const Behaviour& behaviour) {
+    return std::visit(
+        Overloaded{[](const Reflecting&) { return true; }, [](const Bath&) { return false; },
+                   [](const Driven&) { return false; }, [](const Piston&) { return false; },
+                   [](const Membrane&) { return false; }, [](const Diffuse&) { return true; }},
         behaviour);
 }
 

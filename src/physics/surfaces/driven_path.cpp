@@ -28,7 +28,7 @@ struct Path {
         const bool is_free = std::visit(
             Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return false; },
                        [](const Driven&) { return false; }, [](const Piston&) { return true; },
-                       [](const Membrane&) { return false; }},
+                       [](const Membrane&) { return false; }, [](const Diffuse&) { return false; }},
             behaviour);
         return !is_open && !is_free;
     }

@@ -26,7 +26,7 @@ bool is_finite(const Behaviour& behaviour) {
             [&](const Piston& its) {
                 return its.mass > 0.0 && finite(its.mass, its.force, its.velocity);
             },
-            [](const Membrane&) { return true; }},
+            [](const Membrane&) { return true; }, [](const Diffuse&) { return true; }},
         behaviour);
 }
 
@@ -39,7 +39,8 @@ std::optional<Kind> lost_memory(const Behaviour& behaviour) {
                    [](const Driven&) { return Lost(); }, [](const Piston&) { return Lost(); },
                    [](const Membrane& its) {
                        return its.is_demon() ? Lost(Kind::forgets_passing) : Lost();
-                   }},
+                   },
+                   [](const Diffuse&) { return Lost(Kind::forgets_direction); }},
         behaviour);
 }
 
@@ -63,6 +64,22 @@ std::pair<Vec, Vec> extent_of(const Obstacle& obstacle) {
         high = upper(high, corner);
     }
     return {low, high};
+}
+
+// Whether it means something on a line.
+bool acts_on_line(const Behaviour& behaviour) {
+    return std::visit(
+        Overloaded{[](const Reflecting&) { return true; }, [](const Bath&) { return true; },
+                   [](const Driven&) { return true; }, [](const Piston&) { return true; },
+                   [](const Membrane&) { return true; }, [](const Diffuse&) { return false; }},
+        behaviour);
+}
+
+// How it acts, in words, of what a reversal cannot undo.
+const char* word_of_forgetful(Kind kind) {
+    return kind == Kind::forgets_heat      ? "heat bath"
+           : kind == Kind::forgets_passing ? "demon"
+                                           : "diffuse wall";
 }
 
 class Search {
@@ -130,6 +147,7 @@ class Search {
     std::optional<Kind> problem_of(std::int32_t surface, const Behaviour& behaviour,
                                    bool from_start) const {
         if (!is_finite(behaviour)) return Kind::not_finite;
+        if (box_.dimension == 1 && !acts_on_line(behaviour)) return Kind::no_directions;
         const Partition* partition = surfaces_.partition(surface);
         const bool is_periodic = box_.is_periodic(surfaces_.axis_of(surface));
         if (partition == nullptr) {
@@ -300,6 +318,11 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
         case Kind::not_on_line:
             return {fmt::format("{} has no meaning on a line", name),
                     "a line has a left and a right end, and gravity along it"};
+        case Kind::no_directions:
+            return {fmt::format("{} cannot be `diffuse` on a line, which has only one direction "
+                                "to leave it in",
+                                name),
+                    "make it `solid`"};
         case Kind::no_surface:
             return {fmt::format("there is no surface {}", p.surface),
                     fmt::format("surfaces are numbered from 0 to {}", names.size() - 1)};
@@ -330,9 +353,10 @@ ProblemText to_text(const SurfaceProblem& p, const Box& box) {
                     how_to_stop};
         case Kind::forgets_heat:
         case Kind::forgets_passing:
+        case Kind::forgets_direction:
             return {
                 fmt::format("{} acts as a {} before the reversal, which cannot undo what it did",
-                            name, p.kind == Kind::forgets_heat ? "heat bath" : "demon"),
+                            name, word_of_forgetful(p.kind)),
                 fmt::format("leave out the reversal, or let {} act otherwise before it", name)};
     }
     return {};

@@ -32,8 +32,9 @@ struct SurfaceProblem {
         obstacle_outside,   ///< no part of the obstacle lies in the box
         obstacle_too_wide,  ///< too wide for a periodic box: it would overlap its own image
         same_corner,        ///< corner `item` coincides with the next
-        not_on_line,  ///< a line cannot have it: a partition, an obstacle, the bottom or the top
-        no_surface,   ///< the surface of the event does not exist
+        not_on_line,    ///< a line cannot have it: a partition, an obstacle, the bottom or the top
+        no_directions,  ///< a side of a line reflects diffusely
+        no_surface,     ///< the surface of the event does not exist
         not_a_partition,  ///< only partitions can be opened or closed
         open_piston,      ///< a piston is open and not held: nothing would stop it
         not_movable,      ///< an obstacle cannot move or act
@@ -42,7 +43,8 @@ struct SurfaceProblem {
         reaches,         ///< it reaches surface `other` at time `value`, moving at a given velocity
         leaves_no_room,  ///< it leaves the disks no room at time `value`, when `room` is left
         forgets_heat,    ///< velocities are reversed after this heat bath has acted
-        forgets_passing,  ///< velocities are reversed after this demon has acted
+        forgets_passing,    ///< velocities are reversed after this demon has acted
+        forgets_direction,  ///< velocities are reversed after this diffuse wall has acted
     };
     Kind kind{};
     std::int32_t surface = -1;              ///< its number (surface.h)

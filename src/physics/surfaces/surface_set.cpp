@@ -154,12 +154,18 @@ void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
     }
 }
 
+// Numbers that depend on the seed and on this hit only, so that a run is the same everywhere.
+template <typename Scalar>
+Random SurfaceSet<Scalar>::random_of_hit(std::int32_t surface, std::int64_t hit) const {
+    return {box_.surfaces.seed, fmt::format("hit {} of surface {}", hit, surface)};
+}
+
 // The normal velocity has the distribution of the flux, directed away from the wall; the tangential
 // velocity is normally distributed.
 template <typename Scalar>
 void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double temperature,
                                     std::int64_t hit, const Vector& from) {
-    Random random(box_.surfaces.seed, fmt::format("hit {} of surface {}", hit, barrier.surface));
+    Random random = random_of_hit(barrier.surface, hit);
     const double thermal = std::sqrt(temperature * body.inverse_mass);
     const double away = thermal * std::sqrt(-2.0 * std::log1p(-random.uniform()));
     const double across = box_.dimension == 2 ? thermal * random.normal() : 0.0;
@@ -172,6 +178,34 @@ void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double t
     }
     body.v = {as_precise_as(body.x[0], side * away * normal[0] + across * normal[1]),
               as_precise_as(body.x[0], side * away * normal[1] - across * normal[0])};
+}
+
+// The sine of the angle to the normal is uniform. The speed is not rounded before it is multiplied:
+// that of a particle alone would be rounded in the same direction again and again.
+template <typename Scalar>
+void SurfaceSet<Scalar>::scatter(Body& body, const Barrier& barrier, std::int64_t hit,
+                                 const Vector& from) {
+    using std::fma;
+    using std::sqrt;
+    Random random = random_of_hit(barrier.surface, hit);
+    Vector normal;
+    if (barrier.kind == Barrier::Kind::circle) {  // a corner: the normal points away from it
+        const Scalar distance = sqrt(Scalar(dot(from, from)));
+        normal = {from[0] / distance, from[1] / distance};
+    } else {
+        const double side = barrier.side_of(dot(barrier.normal, from));
+        for (std::size_t k = 0; k < 2; ++k)
+            normal[k] = as_precise_as(from[k], side * barrier.normal[k]);
+    }
+    const Unrounded<Scalar> square =
+        square_of_distance<Scalar>({body.v[0], body.v[1], Scalar(0.0), Scalar(0.0)});
+    const Scalar root = sqrt(square.value);
+    const Unrounded<Scalar> speed{root,
+                                  (fma(-root, root, square.value) + square.error) / (2.0 * root)};
+    const Scalar sine = as_precise_as(root, 2.0 * random.uniform() - 1.0);
+    const Scalar cosine = sqrt(Scalar((1.0 - sine) * (1.0 + sine)));
+    body.v = {product_of<Scalar>(cosine * normal[0] - sine * normal[1], speed),
+              product_of<Scalar>(cosine * normal[1] + sine * normal[0], speed)};
 }
 
 template <typename Scalar>
@@ -247,7 +281,8 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
                            : reflect_it();
                    },
                    [&](const Driven&) { reflect_it(); }, [&](const Piston&) { reflect_it(); },
-                   [&](const Membrane&) { reflect_it(); }},
+                   [&](const Membrane&) { reflect_it(); },
+                   [&](const Diffuse&) { scatter(body, its, number, m.x); }},
         behaviour);
     body.passing &= ~bit_of(its.surface);
     path_has_changed(body);
@@ -320,7 +355,7 @@ void SurfaceSet<Scalar>::account_for_hit(const Body& body, const Vector& before,
     std::visit(
         Overloaded{[&](const Reflecting&) { count_work(); }, [&](const Bath&) { count_heat(); },
                    [&](const Driven&) { count_work(); }, [&](const Piston&) { count_work(); },
-                   [&](const Membrane&) { count_work(); }},
+                   [&](const Membrane&) { count_work(); }, [&](const Diffuse&) { count_work(); }},
         at(behaviours_, barrier.surface));
     if (totals.work > most_work_) throw crushes(barrier.surface);
 }

@@ -17,6 +17,7 @@
 #include "physics/surfaces/barrier.h"
 #include "physics/surfaces/barrier_contact.h"
 #include "physics/surfaces/moving_surfaces.h"
+#include "util/random.h"
 
 namespace carom {
 
@@ -110,6 +111,8 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
                  const Scalar& now);
     void leave_bath(Body& body, const Barrier& barrier, double temperature, std::int64_t hit,
                     const Vector& from);
+    void scatter(Body& body, const Barrier& barrier, std::int64_t hit, const Vector& from);
+    Random random_of_hit(std::int32_t surface, std::int64_t hit) const;
     void account_for_hit(const Body& body, const Vector& before, const Barrier& barrier);
     double energy_of(const LargeVector<Body>& bodies) const;
 

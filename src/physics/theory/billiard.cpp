@@ -32,8 +32,8 @@ bool are_apart(const Box& box, const std::vector<Obstacle::Disk>& disks, double 
 std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool ends_at_walls) {
     const Surfaces& surfaces = box.surfaces;
     const bool has_walls = !box.is_periodic(0) || !box.is_periodic(1);
-    if (box.dimension != 2 || !surfaces.sides_reflect() || !surfaces.partitions.empty() ||
-        surfaces.has_gravity() || (has_walls && !ends_at_walls))
+    if (box.dimension != 2 || !std::ranges::all_of(surfaces.sides, is_elastic) ||
+        !surfaces.partitions.empty() || surfaces.has_gravity() || (has_walls && !ends_at_walls))
         return {};
     std::vector<Obstacle::Disk> disks;
     for (const Obstacle& obstacle : surfaces.obstacles) {

@@ -49,7 +49,8 @@ void add_influence(const Behaviour& behaviour, Influences& all) {
     std::visit(Overloaded{[](const Reflecting&) {}, [&](const Bath&) { all.bath = true; },
                           [&](const Driven&) { all.driven = true; },
                           [&](const Piston&) { all.piston = true; },
-                          [&](const Membrane&) { all.membrane = true; }},
+                          [&](const Membrane&) { all.membrane = true; },
+                          [&](const Diffuse&) { all.diffuse = true; }},
                behaviour);
 }
 
@@ -210,6 +211,8 @@ bool holds(const BoxedGas& gas, Why reason) {
             return all.piston;
         case Why::membrane:
             return all.membrane;
+        case Why::diffuse:
+            return all.diffuse;
         case Why::partitions:
             return all.partitions;
         case Why::obstacles:

@@ -21,8 +21,9 @@ namespace carom {
 /// What acts on a gas in the course of its run, by its box and by events.
 struct Influences {
     bool bath = false, driven = false, piston = false, membrane = false;  ///< at any time
-    bool partitions = false;                                              ///< open or closed
-    bool divided = false;  ///< by a partition without gaps that no event opens
+    bool diffuse = false;
+    bool partitions = false;  ///< open or closed
+    bool divided = false;     ///< by a partition without gaps that no event opens
     bool obstacles = false;
     std::array<bool, 3> gravity{};
     bool wall_event = false;  ///< an event opens, closes, moves or changes a wall
@@ -74,6 +75,9 @@ struct BoxedGas {
     double conserved() const {
         return double(conserves[0]) + double(conserves[1]) + double(conserves[2]);
     }
+    /// Whether it is a single disk that keeps the energy of its motion along each axis, which
+    /// diffuse walls would mix.
+    bool keeps_axes() const { return finite == 1.0 && box.dimension == 2 && !influences.diffuse; }
     /// Whether a particle has more than walls to collide with.
     bool has_partner() const { return finite + fixed > 1.0 || influences.obstacles; }
     bool are_points() const { return (particles->radius == 0.0).all(); }  ///< all of them

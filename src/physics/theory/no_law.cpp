@@ -15,6 +15,7 @@ constexpr std::array words{
     Phrase{"a moving wall does work on it"},
     Phrase{"a piston exchanges energy with it"},
     Phrase{"a membrane selects particles"},
+    Phrase{"a wall reflects diffusely"},
     Phrase{"partitions divide the box"},
     Phrase{"obstacles stand in the box"},
     Phrase{"gravity acts on it"},

@@ -22,6 +22,7 @@ struct NoLaw {
         driven,        ///< a wall moves at a prescribed velocity
         piston,        ///< a free wall takes part in the energy
         membrane,
+        diffuse,  ///< a wall reflects diffusely, whatever the direction before
         partitions,
         obstacles,
         gravity,

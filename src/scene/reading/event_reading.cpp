@@ -107,7 +107,7 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
         bind_key("release", &EventDraft::release, surface, "Releases a piston that is held."),
         bind_key("wall", &EventDraft::wall, surface,
                  "Changes how this side or partition acts from now on: give `temperature`, `mass` "
-                 "(and `force`), `velocity` or `solid`."),
+                 "(and `force`), `velocity`, `diffuse` or `solid`."),
         bind_key("heat", &EventDraft::heat, heat_notation(),
                  "Adds energy to particles, or removes it, by scaling their velocities; along an "
                  "axis where momentum is conserved, relative to their mean."),
@@ -134,13 +134,15 @@ std::vector<Binding<EventDraft>> event_keys(int dimension) {
 }
 
 KeyTable<EventDraft> event_table(int dimension) {
-    std::vector<Choice> choices = acting_choices();
+    std::vector<Choice> choices = acting_choices(true);
     choices.insert(choices.begin(), {{"reverse", "nudge", "open", "close", "move", "hold",
                                       "release", "wall", "heat", "mark", "caption", "pause"},
                                      true});
-    for (const char* key : {"temperature", "mass", "velocity"}) choices.push_back({{"solid", key}});
+    for (const char* key : {"temperature", "mass", "velocity", "diffuse"})
+        choices.push_back({{"solid", key}});
     return {.name = "an item of `events`",
-            .keys = joined<EventDraft>(event_keys(dimension), acting_keys()),
+            .keys = joined<EventDraft>(event_keys(dimension), acting_keys(),
+                                       std::vector<Binding<ActingDraft>>{diffuse_key()}),
             .choices = std::move(choices)};
 }
 
@@ -172,7 +174,7 @@ void check_beside(const EventDraft& event, const Node& node, Errors& errors) {
                        fmt::format("it applies to {}", applies));
     };
     if (event.wall == nullptr) {
-        for (const char* key : {"temperature", "mass", "force", "until", "solid"})
+        for (const char* key : {"temperature", "mass", "force", "until", "diffuse", "solid"})
             refuse(key, "`wall`");
         if (event.move == nullptr) refuse("velocity", "`move` and `wall`");
     }
@@ -194,7 +196,8 @@ std::optional<Behaviour> change_of(const EventDraft& event, const Node& node, Er
     }
     if (!behaviour || event.solid || !only_reflects(*behaviour)) return behaviour;
     if (find(node, "solid") == nullptr || given(node, "solid") != nullptr)
-        errors.add(node, "a `wall` event needs `temperature`, `mass`, `velocity` or `solid`",
+        errors.add(node,
+                   "a `wall` event needs `temperature`, `mass`, `velocity`, `diffuse` or `solid`",
                    "`solid: true` makes it a wall that only reflects");
     return std::nullopt;
 }

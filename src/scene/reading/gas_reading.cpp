@@ -18,18 +18,22 @@ KeyTable<BoxDraft> box_table(int dimension) {
     const auto of_length = [](double length) { return Vec(length, 0.0); };
     return {
         .name = "`box`",
-        .keys = {bind_key("size", &Box::size,
-                          plane_vector(positive, "[width, height]")
-                              .with_list_hint(
-                                  "a box is a plane, with two lengths: its width and its height"),
-                          "Width and height of the box; x goes from 0 to the width, y from 0 to "
-                          "the height.")
-                     .tried_as({"width", "height", "dimensions", "dims", "L"}),
-                 bind_key("length", &Box::size, mapped(number(positive), of_length),
-                          "Instead of `size`: the length of a wire; x goes from 0 to the length."),
-                 bind_key("walls", &BoxDraft::sides, sides_notation(dimension),
-                          "What is at the edges of the box: walls or periodic boundaries.")
-                     .tried_as({"boundary", "boundaries", "edges", "periodic"})},
+        .keys =
+            {bind_key("size", &Box::size,
+                      plane_vector(positive, "[width, height]")
+                          .with_list_hint(
+                              "a box is a plane, with two lengths: its width and its height"),
+                      "Width and height of the box; x goes from 0 to the width, y from 0 to "
+                      "the height.")
+                 .tried_as({"width", "height", "dimensions", "dims", "L"}),
+             bind_key("length", &Box::size, mapped(number(positive), of_length),
+                      "Instead of `size`: the length of a wire; x goes from 0 to the length."),
+             bind_key(
+                 "walls", &BoxDraft::sides, sides_notation(dimension),
+                 "What is at the edges of the box: walls or periodic boundaries. A `diffuse` wall "
+                 "reflects particles at their own speed in random directions, by the "
+                 "cosine law.")
+                 .tried_as({"boundary", "boundaries", "edges", "periodic"})},
         .choices = {{{"size", "length"}, true}},
         .refused = inelastic_keys()};
 }

@@ -213,7 +213,7 @@ Region reach_of(const Box& box, const Run& run) {
                                       std::min(run.until, its.until);
                            },
                            [](const Piston&) { return infinite; },
-                           [](const Membrane&) { return 0.0; }},
+                           [](const Membrane&) { return 0.0; }, [](const Diffuse&) { return 0.0; }},
                 behaviour);
             double& end = is_far ? reach.high[axis] : reach.low[axis];
             end = is_far ? std::max(end, box.size[axis] + outward) : std::min(end, -outward);

@@ -120,11 +120,12 @@ KeyTable<PartitionDraft> partition_table() {
     const auto gap = mapped(pair_of(any_number, "[from, to]"), [](const TwoNumbers& ends) {
         return std::pair<double, double>(ends[0], ends[1]);
     });
-    std::vector<Choice> choices = acting_choices();
+    std::vector<Choice> choices = acting_choices(true);
     choices.insert(choices.begin(), {{"x", "y"}, true});
     choices.push_back({{"passes", "temperature"}});
     choices.push_back({{"passes", "mass"}});
     choices.push_back({{"passes", "velocity"}});
+    choices.push_back({{"passes", "diffuse"}});
     return {
         .name = "an item of `partitions`",
         .keys = joined<PartitionDraft>(
@@ -148,7 +149,7 @@ KeyTable<PartitionDraft> partition_table() {
                          "What it lets through: the species listed or, like Maxwell's demon, "
                          "particles of certain speeds to each side.")
                     .default_text("nothing")},
-            acting_keys()),
+            acting_keys(), std::vector<Binding<ActingDraft>>{diffuse_key()}),
         .choices = std::move(choices),
         .refused = inelastic_keys(),
         .rule = complete_partition};

@@ -26,8 +26,10 @@ void check_opposite(const Node& sides, const SideDraft& first, const SideDraft& 
                    "a periodic wall leads to the opposite one: make both periodic");
 }
 
-// The words for a wall that does nothing but reflect, or none at all.
-Notation<Wall> plain_walls() {
+constexpr const char* diffuse_word = "diffuse";
+
+// The words for a wall at rest, or for none at all.
+Notation<SideDraft> plain_walls() {
     std::vector<Elsewhere> words;
     for (const char* word : {"reflecting", "reflective", "hard", "elastic", "closed", "wall"})
         words.push_back({word, "did you mean `solid`?"});
@@ -35,32 +37,44 @@ Notation<Wall> plain_walls() {
         words.push_back({word,
                          "did you mean `periodic`? What leaves on one side enters on the "
                          "other"});
-    return one_of<Wall>().with_elsewhere(words);
+    for (const char* word : {"rough", "lambert", "cosine", "scattering", "diffusive"})
+        words.push_back({word, "did you mean `diffuse`?"});
+    std::vector<std::string> names;
+    for (const EnumWord<Wall>& wall : enum_words<Wall>) names.emplace_back(wall.word);
+    names.emplace_back(diffuse_word);
+    return parsed(word(names).with_elsewhere(words),
+                  [](const std::string& name, const Node& node, Reading&) {
+                      SideDraft side{Wall::solid, Reflecting{}, &node};
+                      if (name == diffuse_word) side.behaviour = Diffuse{};
+                      for (const EnumWord<Wall>& wall : enum_words<Wall>)
+                          if (name == wall.word) side.wall = wall.value;
+                      return std::optional(side);
+                  });
 }
 
 Notation<SideDraft> side_notation() {
+    std::vector<Refused> refused = inelastic_keys();
+    refused.push_back({diffuse_word, "`diffuse` is a word for the whole wall, not a key",
+                       "for instance `left: diffuse`"});
     const KeyTable<ActingDraft> table{.name = "a wall that acts",
                                       .keys = acting_keys(),
-                                      .choices = acting_choices(),
-                                      .refused = inelastic_keys()};
+                                      .choices = acting_choices(false),
+                                      .refused = std::move(refused)};
     const auto acting =
         parsed(mapping(table, "{temperature: T}, {mass: m, force: F} or {velocity: u}"),
                [](const ActingDraft& draft, const Node& node, Reading& reading) {
                    std::optional<SideDraft> side;
                    const auto behaviour = behaviour_of(draft, node, reading.errors);
                    if (behaviour) side = SideDraft{Wall::solid, *behaviour, &node};
-                   if (behaviour && only_reflects(*behaviour)) {
+                   if (!behaviour || !only_reflects(*behaviour)) return side;
+                   if (find(node, diffuse_word) == nullptr)
                        reading.errors.add(
                            node, "a wall that acts needs `temperature`, `mass` or `velocity`",
                            "a wall that only reflects is `solid`");
-                       side.reset();
-                   }
+                   side.reset();
                    return side;
                });
-    const auto plain = parsed(plain_walls(), [](Wall wall, const Node& node, Reading&) {
-        return std::optional(SideDraft{wall, Reflecting{}, &node});
-    });
-    return either(plain, acting);
+    return either(plain_walls(), acting);
 }
 
 KeyTable<SidesByName> sides_table(int dimension) {
@@ -114,8 +128,16 @@ std::vector<Binding<ActingDraft>> acting_keys() {
                 .default_text("never")};
 }
 
-std::vector<Choice> acting_choices() {
-    return {{{"temperature", "mass"}}, {{"temperature", "velocity"}}};
+Binding<ActingDraft> diffuse_key() {
+    return bind_key(diffuse_word, &ActingDraft::is_diffuse, flag(),
+                    "Makes it reflect diffusely, as a `diffuse` side of the box does.");
+}
+
+std::vector<Choice> acting_choices(bool with_diffuse) {
+    std::vector<Choice> choices{{{"temperature", "mass"}}, {{"temperature", "velocity"}}};
+    for (const char* key : {"temperature", "mass", "velocity"})
+        if (with_diffuse) choices.push_back({{diffuse_word, key}});
+    return choices;
 }
 
 std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node, Errors& errors) {
@@ -133,6 +155,7 @@ std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node
                    draft.mass ? "an event `hold` stops it" : "for instance `velocity: -1`");
         return std::nullopt;
     }
+    if (draft.is_diffuse) return Diffuse{};
     if (draft.temperature) return Bath{*draft.temperature};
     if (draft.mass)
         return Piston{*draft.mass, draft.force.value_or(0.0), draft.velocity.value_or(0.0)};
@@ -142,10 +165,9 @@ std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node
 }
 
 Notation<SidesDraft> sides_notation(int dimension) {
-    const auto all = [dimension](Wall wall, const Node& node, Reading&) {
+    const auto all = [dimension](const SideDraft& side, const Node&, Reading&) {
         SidesDraft sides;
-        for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(dimension); ++k)
-            sides[k] = {wall, Reflecting{}, &node};
+        for (std::size_t k = 0; k < 2 * static_cast<std::size_t>(dimension); ++k) sides[k] = side;
         return std::optional(sides);
     };
     const auto by_side = [](const SidesByName& sides) {

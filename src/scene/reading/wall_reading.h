@@ -13,12 +13,16 @@ namespace carom {
 /// The behaviour of a side or a partition, as read from the file.
 struct ActingDraft {
     std::optional<double> temperature, mass, force, velocity, until;
+    bool is_diffuse = false;
 };
 
 std::vector<Binding<ActingDraft>> acting_keys();
 
-/// Returns the groups of these keys that cannot be combined.
-std::vector<Choice> acting_choices();
+/// The key of partitions and events for what is a word of its own for a side of the box.
+Binding<ActingDraft> diffuse_key();
+
+/// Returns the groups of acting_keys() that cannot be combined; with `diffuse`, that key too.
+std::vector<Choice> acting_choices(bool with_diffuse);
 
 /// Returns the behaviour of the surface that is written at `node`: reflecting, if none of the keys
 /// is given. Reports mistakes, and then returns nothing.

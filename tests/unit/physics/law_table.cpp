@@ -25,6 +25,7 @@ constexpr std::array<const char*, reasons_count> words_of_reasons{"unknown_gas",
                                                                   "driven",
                                                                   "piston",
                                                                   "membrane",
+                                                                  "diffuse",
                                                                   "partitions",
                                                                   "obstacles",
                                                                   "gravity",
@@ -92,162 +93,166 @@ const std::map<LawOf, std::string>& table() {
          "yes yes yes yes gravity yes moving_infinite_mass yes baths_differ driven "
          "piston membrane partitions partitions obstacles event event event yes yes "
          "yes obstacles gravity obstacles yes yes no_finite_mass at_rest yes points "
-         "gravity yes yes equal_masses yes yes yes equal_masses driven"},
+         "gravity yes yes equal_masses yes yes yes equal_masses driven yes yes yes"},
         {LawOf::mean_speed,
          "yes yes yes yes gravity yes moving_infinite_mass yes baths_differ driven "
          "piston membrane partitions partitions obstacles event event event yes alone "
          "alone obstacles gravity obstacles yes pair no_finite_mass at_rest drifts "
-         "points gravity yes yes equal_masses yes yes yes equal_masses driven"},
+         "points gravity yes yes equal_masses yes yes yes equal_masses driven yes alone yes"},
         {LawOf::bath,
          "no_bath no_bath no_bath no_bath no_bath no_bath no_bath yes baths_differ "
          "no_bath no_bath no_bath no_bath no_bath no_bath no_bath no_bath no_bath "
          "no_bath no_bath no_bath no_bath no_bath no_bath no_bath no_bath no_bath "
          "no_bath no_bath no_bath no_bath no_bath no_bath no_bath no_bath no_bath "
-         "no_bath no_bath no_bath"},
+         "no_bath no_bath no_bath no_bath no_bath no_bath"},
         {LawOf::temperature,
          "yes yes yes yes gravity yes moving_infinite_mass yes baths_differ driven "
          "piston membrane partitions partitions obstacles event event event yes yes "
          "no_freedom obstacles gravity obstacles yes yes no_finite_mass at_rest yes "
-         "yes gravity yes yes yes yes yes yes yes driven"},
+         "yes gravity yes yes yes yes yes yes yes driven yes yes yes"},
         {LawOf::distribution,
          "yes yes yes yes gravity yes moving_infinite_mass bath baths_differ driven "
          "piston membrane partitions partitions obstacles event event event yes alone "
          "alone obstacles gravity obstacles yes pair no_finite_mass at_rest drifts "
-         "points gravity yes yes equal_masses yes yes yes equal_masses driven"},
+         "points gravity yes yes equal_masses yes yes yes equal_masses driven yes alone yes"},
         {LawOf::side_distribution,
          "passes passes passes passes passes passes passes passes passes passes "
          "passes membrane yes passes passes passes event event passes passes passes "
          "passes passes passes passes passes passes passes passes passes passes line "
-         "line line passes passes line line passes"},
+         "line line passes passes line line passes passes passes passes"},
         {LawOf::goodness_of_fit,
          "yes yes one_axis unequal_masses gravity fixed_particles moving_infinite_mass "
          "bath baths_differ driven piston membrane partitions partitions obstacles "
          "event event event yes alone alone obstacles gravity obstacles yes pair "
          "no_finite_mass at_rest drifts points gravity unequal_masses unequal_masses "
-         "equal_masses yes yes unequal_masses equal_masses driven"},
+         "equal_masses yes yes unequal_masses equal_masses driven yes alone yes"},
         {LawOf::velocity_entropy,
          "yes yes yes yes gravity yes moving_infinite_mass bath baths_differ driven "
          "piston membrane partitions partitions obstacles event event event yes alone "
          "alone obstacles gravity obstacles yes pair no_finite_mass at_rest drifts "
-         "points gravity yes yes equal_masses yes yes yes equal_masses driven"},
+         "points gravity yes yes equal_masses yes yes yes equal_masses driven yes alone yes"},
         {LawOf::position_entropy,
          "yes yes yes yes gravity fixed_particles moving_infinite_mass yes "
          "baths_differ driven piston membrane partitions yes obstacles yes yes "
          "partitions yes yes yes obstacles gravity obstacles yes yes no_finite_mass "
-         "at_rest yes yes gravity yes yes yes yes yes yes yes driven"},
+         "at_rest yes yes gravity yes yes yes yes yes yes yes driven yes yes yes"},
         {LawOf::collision_rate,
          "yes yes yes yes gravity yes moving_infinite_mass bath baths_differ driven "
          "piston membrane partitions partitions obstacles event event event yes yes "
          "yes obstacles gravity obstacles yes yes yes yes yes yes gravity yes yes yes "
-         "yes yes unknown_order yes driven"},
+         "yes yes unknown_order yes driven yes yes yes"},
         {LawOf::mean_free_path,
          "yes yes yes yes gravity fixed_particles moving_infinite_mass bath "
          "baths_differ driven piston membrane partitions partitions obstacles event "
          "event event yes alone alone obstacles gravity obstacles yes pair "
          "no_finite_mass at_rest drifts points gravity yes yes equal_masses yes yes "
-         "unknown_order equal_masses driven"},
+         "unknown_order equal_masses driven yes alone yes"},
         {LawOf::ideal_pressure,
          "yes yes one_axis yes gravity fixed_particles moving_infinite_mass bath "
          "baths_differ driven piston membrane partitions partitions obstacles event "
          "event event yes keeps_axes no_freedom obstacles gravity obstacles yes yes "
-         "no_finite_mass at_rest yes yes gravity yes yes yes yes yes yes yes driven"},
+         "no_finite_mass at_rest yes yes gravity yes yes yes yes yes yes yes driven yes yes yes"},
         {LawOf::pressure,
          "yes yes one_axis yes gravity fixed_particles moving_infinite_mass bath "
          "baths_differ driven piston membrane partitions partitions obstacles event "
          "event event yes keeps_axes no_freedom obstacles gravity obstacles few yes "
-         "no_finite_mass at_rest yes yes gravity yes yes yes yes yes yes yes driven"},
+         "no_finite_mass at_rest yes yes gravity yes yes yes yes yes yes yes driven yes few yes"},
         {LawOf::contact,
          "yes yes yes unequal_masses gravity fixed_particles moving_infinite_mass yes "
          "baths_differ driven piston membrane partitions partitions obstacles yes "
          "event event yes unhindered unhindered obstacles gravity obstacles yes yes "
          "no_finite_mass at_rest yes points gravity line line line yes yes line line "
-         "driven"},
+         "driven yes unhindered yes"},
         {LawOf::displacement,
          "bounded yes bounded_once yes bounded bounded moving_infinite_mass bounded "
          "bounded bounded bounded bounded bounded bounded bounded bounded bounded "
          "bounded bounded bounded unhindered bounded bounded bounded bounded pair "
          "no_finite_mass at_rest drifts bounded bounded keeps_order keeps_order "
          "keeps_order no_collisions few_collisions keeps_order keeps_order "
-         "bounded_once"},
+         "bounded_once bounded bounded bounded_once"},
         {LawOf::autocorrelation,
          "yes yes yes yes gravity yes moving_infinite_mass bath baths_differ driven "
          "piston membrane partitions partitions obstacles event event event reversal "
          "alone alone obstacles gravity obstacles yes pair no_finite_mass at_rest "
          "drifts points gravity yes yes equal_masses no_collisions few_collisions yes "
-         "equal_masses driven"},
+         "equal_masses driven yes alone yes"},
         {LawOf::free_flight,
          "many many many many many many many many many many many many many many many "
          "many many many many unhindered unhindered yes gravity flies_on many many "
-         "many many many many many line line line many many line line many"},
+         "many many many many many line line line many many line line many many unhindered many"},
         {LawOf::memoryless,
          "yes yes yes yes yes yes yes yes yes yes yes yes yes yes yes yes yes yes yes "
          "unhindered unhindered yes yes yes pair_only pair_only no_finite_mass at_rest "
-         "yes points points yes yes yes no_collisions yes yes yes yes"},
+         "yes points points yes yes yes no_collisions yes yes yes yes yes unhindered yes"},
         {LawOf::flux,
          "yes yes yes yes gravity fixed_particles moving_infinite_mass bath "
          "baths_differ driven piston membrane partitions partitions obstacles event "
          "event event yes alone alone obstacles gravity obstacles yes pair "
          "no_finite_mass at_rest drifts points gravity rods yes equal_masses yes yes "
-         "rods equal_masses driven"},
+         "rods equal_masses driven yes alone yes"},
         {LawOf::gap_flux,
          "partitions no_walls no_walls no_walls gravity fixed_particles "
          "fixed_particles bath bath driven piston membrane no_gap yes obstacles "
          "partitions no_gap no_gap partitions partitions no_walls obstacles gravity "
          "obstacles partitions no_walls no_finite_mass partitions no_walls partitions "
-         "gravity line line line no_walls no_walls line line driven"},
+         "gravity line line line no_walls no_walls line line driven partitions partitions "
+         "no_walls"},
         {LawOf::side_count,
          "regions regions regions regions gravity fixed_particles moving_infinite_mass "
          "bath bath driven piston membrane partitions yes obstacles event event event "
          "regions regions regions obstacles gravity obstacles regions regions "
          "no_finite_mass regions regions regions gravity regions regions regions "
-         "regions regions regions regions driven"},
+         "regions regions regions regions driven regions regions regions"},
         {LawOf::side_energy,
          "regions regions regions regions gravity fixed_particles moving_infinite_mass "
          "bath bath driven piston membrane partitions yes obstacles event event event "
          "regions regions regions obstacles gravity obstacles regions regions "
          "no_finite_mass regions regions regions gravity regions regions regions "
-         "regions regions regions regions driven"},
+         "regions regions regions regions driven regions regions regions"},
         {LawOf::side_temperature,
          "regions regions regions regions gravity fixed_particles moving_infinite_mass "
          "bath bath driven piston membrane partitions yes obstacles event event event "
          "regions regions regions obstacles gravity obstacles regions regions "
          "no_finite_mass regions regions regions gravity regions regions regions "
-         "regions regions regions regions driven"},
+         "regions regions regions regions driven regions regions regions"},
         {LawOf::piston,
          "no_piston no_piston no_piston no_piston no_piston no_piston no_piston "
          "no_piston no_piston no_piston yes partitions partitions partitions no_piston "
          "no_piston partitions partitions no_piston no_piston no_piston no_piston "
          "no_piston no_piston no_piston no_piston no_piston no_piston no_piston "
          "no_piston no_piston no_piston no_piston no_piston no_piston no_piston "
-         "no_piston no_piston no_piston"},
+         "no_piston no_piston no_piston no_piston no_piston no_piston"},
         {LawOf::isotherm,
          "yes yes yes yes gravity fixed_particles moving_infinite_mass yes baths_differ yes "
          "yes partitions partitions partitions obstacles yes partitions partitions yes "
          "keeps_axes no_freedom obstacles obstacles obstacles few yes no_finite_mass "
-         "at_rest yes points gravity yes yes yes yes yes yes yes driven"},
+         "at_rest yes points gravity yes yes yes yes yes yes yes driven yes few yes"},
         {LawOf::adiabat,
          "yes yes yes yes gravity fixed_particles moving_infinite_mass yes baths_differ yes "
          "yes partitions partitions partitions obstacles yes partitions partitions yes "
          "keeps_axes no_freedom obstacles obstacles obstacles few yes no_finite_mass "
-         "at_rest yes points gravity yes yes yes yes yes yes yes driven"},
+         "at_rest yes points gravity yes yes yes yes yes yes yes driven yes few yes"},
         {LawOf::binomial,
          "no_board no_board no_board no_board no_board no_board no_board no_board no_board "
          "no_board "
          "no_board no_board no_board no_board no_board no_board no_board no_board no_board "
          "no_board "
          "no_board no_board no_board no_board no_board no_board no_finite_mass no_board no_board "
-         "no_board no_board line line line no_board no_board line line no_board"},
+         "no_board no_board line line line no_board no_board line line no_board no_board no_board "
+         "no_board"},
         {LawOf::heights,
          "no_gravity no_gravity no_gravity no_gravity yes no_gravity "
          "moving_infinite_mass bath bath driven piston membrane partitions partitions "
          "obstacles event event event no_gravity no_gravity no_gravity obstacles "
          "obstacles obstacles no_gravity no_gravity no_gravity no_gravity no_gravity "
-         "no_gravity points line line line no_gravity no_gravity line line driven"},
+         "no_gravity points line line line no_gravity no_gravity line line driven no_gravity "
+         "no_gravity no_gravity"},
         {LawOf::error_growth,
          "yes yes yes unequal_masses gravity fixed_particles moving_infinite_mass bath "
          "baths_differ driven piston membrane partitions partitions obstacles event "
          "event event yes few few obstacles gravity obstacles few few no_finite_mass "
-         "at_rest yes points gravity line line line yes yes line line driven"}};
+         "at_rest yes points gravity line line line yes yes line line driven diffuse diffuse "
+         "diffuse"}};
     return rows;
 }
 

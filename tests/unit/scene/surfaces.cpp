@@ -144,6 +144,22 @@ TEST_CASE("gravity is a vector, on a wire a number") {
     CHECK(std::get<Bath>(wire.gas.box.surfaces.sides[1]).temperature == 3.0);
 }
 
+TEST_CASE("sides and partitions may be diffuse, from the start or by an event") {
+    const Surfaces surfaces = surfaces_of_scene("partitions: [{x: 20, diffuse: true}]",
+                                                "size: [64, 48], walls: {left: diffuse}");
+    CHECK(std::holds_alternative<Diffuse>(surfaces.sides[0]));
+    CHECK(only_reflects(surfaces.sides[1]));
+    CHECK(std::holds_alternative<Diffuse>(surfaces.partitions.at(0).behaviour));
+    for (const Behaviour& side : surfaces_of_scene("", "size: [64, 48], walls: diffuse").sides)
+        CHECK(std::holds_alternative<Diffuse>(side));
+    const auto events = events_of(
+        "{at: 1, wall: left, diffuse: true}, {at: 2, wall: divider, diffuse: true}, {at: 3, wall: "
+        "left, solid: true}");
+    CHECK(std::holds_alternative<Diffuse>(action_of<ChangeSurface>(events, 0).behaviour));
+    CHECK(std::holds_alternative<Diffuse>(action_of<ChangeSurface>(events, 1).behaviour));
+    CHECK(only_reflects(action_of<ChangeSurface>(events, 2).behaviour));
+}
+
 TEST_CASE("events name the surfaces that they change") {
     const auto events = events_of(
         "{at: 1, open: divider}, {at: 2, close: divider}, {at: 3, move: right, velocity: -0.2}, "
@@ -355,4 +371,7 @@ TEST_CASE("what a wall has once forgotten stays forgotten; what it forgets later
     CHECK(surface_problems(box, run).empty());
     box.surfaces.partitions[0].behaviour = Membrane{{0}, {}, {0.0, 1.0}};
     CHECK(surface_problems(box, run).size() == 1);
+    box.surfaces.partitions[0].behaviour = Diffuse{};
+    REQUIRE(surface_problems(box, run).size() == 1);
+    CHECK(surface_problems(box, run)[0].kind == SurfaceProblem::Kind::forgets_direction);
 }

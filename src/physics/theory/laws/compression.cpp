@@ -54,7 +54,7 @@ std::optional<NoLaw> why_no_compression(const BoxedGas& gas, const Asked& asked)
     if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
     if (!(gas.freedoms() > 0.0)) return NoLaw{Why::no_freedom};
     if (gas.box.dimension == 2) {
-        if (gas.finite == 1.0) return NoLaw{Why::keeps_axes};
+        if (gas.finite == 1.0) return NoLaw{gas.keeps_axes() ? Why::keeps_axes : Why::few};
         if (gas.has_points()) return NoLaw{Why::points};
     }
     if (is_ideal(gas, asked)) return std::nullopt;

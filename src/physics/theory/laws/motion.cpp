@@ -26,7 +26,7 @@ bool moves_by_itself(const Behaviour& behaviour) {
         Overloaded{[](const Reflecting&) { return false; }, [](const Bath&) { return false; },
                    [](const Driven& its) { return its.velocity != 0.0; },
                    [](const Piston& its) { return its.force != 0.0 || its.velocity != 0.0; },
-                   [](const Membrane&) { return false; }},
+                   [](const Membrane&) { return false; }, [](const Diffuse&) { return false; }},
         behaviour);
 }
 
@@ -181,7 +181,8 @@ Law error_growth(const BoxedGas& gas, const Asked&) {
     const Particles& particles = *gas.particles;
     if (gas.box.dimension == 1) return none(Why::line);
     if (const auto reason = why_not_isolated(gas)) return none(*reason);
-    if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
+    if (const auto reason =
+            first_of(gas, {Why::diffuse, Why::no_finite_mass, Why::fixed_particles}))
         return none(*reason);
     if (particles.count() < fewest) return none(Why::few);
     if (!(gas.energy > 0.0)) return none(Why::at_rest);

@@ -28,15 +28,15 @@ bool is_few(double relative_to_ideal, double count) {
 }
 
 // Walls and collisions give the same pressure only if the motion along both axes has the same
-// energy: a single particle keeps that along each axis, and of few particles whose momentum is
-// conserved along one axis that one has less.
+// energy: a single particle keeps that along each axis unless diffuse walls mix them, and of few
+// particles whose momentum is conserved along one axis that one has less.
 Law ideal_pressure(const BoxedGas& gas, const Asked& asked) {
     constexpr double few_along_axis = 50.0;
     if (const auto reason = why_not_isolated(gas)) return none(*reason);
     if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
         return none(*reason);
     if (!(gas.freedoms() > 0.0)) return none(Why::no_freedom);
-    if (gas.finite == 1.0 && gas.box.dimension == 2) return none(Why::keeps_axes);
+    if (gas.keeps_axes()) return none(Why::keeps_axes);
     if (gas.conserves_some() && gas.finite < few_along_axis) return none(Why::one_axis);
     const ThermalMotion thermal = asked.thermal.value_or(gas.thermal);
     if (!(thermal.energy > 0.0)) return none(Why::at_rest);
@@ -105,7 +105,7 @@ Law heights(const BoxedGas& gas, const Asked& asked) {
     if (gas.box.is_periodic(asked.axis)) return none(Why::no_floor);
     if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
         return none(*reason);
-    if (gas.finite == 1.0) return none(Why::keeps_axes);
+    if (gas.finite == 1.0) return none(gas.keeps_axes() ? Why::keeps_axes : Why::few);
     if (gas.has_points()) return none(Why::points);
     if (gas.is_placed && !(gas.thermal.energy + gas.falling_energy > 0.0))
         return none(Why::at_rest);
@@ -129,7 +129,7 @@ std::optional<NoLaw> why_not_alike(const BoxedGas& gas, const Asked& asked) {
     for (const Partition& line : surfaces.partitions) {
         const bool has_gap = std::ranges::any_of(
             line.gaps, [&](const auto& gap) { return gap.second - gap.first > diameter; });
-        const bool reflects = only_reflects(line.behaviour);
+        const bool reflects = is_elastic(line.behaviour);
         if (!line.is_open && !(reflects && has_gap)) return NoLaw{Why::partitions};
     }
     const Partition* line = surfaces.partition(asked.surface);

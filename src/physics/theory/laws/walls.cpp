@@ -101,7 +101,7 @@ Law piston(const BoxedGas& gas, const Asked& asked) {
     if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
         return none(*reason);
     if (gas.box.dimension == 1) return {};
-    if (gas.finite < 2.0) return none(Why::keeps_axes);
+    if (gas.finite < 2.0) return none(gas.keeps_axes() ? Why::keeps_axes : Why::few);
     if (gas.conserves.at(static_cast<std::size_t>(1 - surfaces.axis_of(asked.surface))))
         return none(Why::one_axis);
     return gas.has_points() ? none(Why::points) : Law{};

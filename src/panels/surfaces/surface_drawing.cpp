@@ -15,12 +15,6 @@ namespace carom {
 namespace {
 
 constexpr double hatch_apart = 0.55;  // units
-std::vector<Point> corners_of(const Rect& rect) {
-    return {{rect.x, rect.y},
-            {rect.right(), rect.y},
-            {rect.right(), rect.bottom()},
-            {rect.x, rect.bottom()}};
-}
 
 }  // namespace
 
@@ -70,13 +64,10 @@ struct SurfaceView::Brush {
     SideMark beside_mark(std::size_t side) const;
     void draw_side_mark(std::size_t side) const;
     void draw_line(Point from, Point to, std::size_t k) const;
-    void draw_dots(Point from, Point to) const;
     void draw_partition(std::size_t k) const;
     void draw_ends(std::size_t k) const;
     bool has_block(std::size_t k) const;
     void draw_block(const Rect& block, std::size_t k) const;
-    void draw_holder(const Rect& block, std::size_t k) const;
-    void draw_eye(const Rect& block) const;
     double row_over_side(double from, double to) const;
     Color mark_color(std::size_t k) const;
     void draw_marks() const;
@@ -275,20 +266,11 @@ void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
                           [&](const Piston&) { draw_thick(theme.muted); },
                           [&](const Membrane& its) {
                               its.is_demon()
-                                  ? draw_dots(from, to)
+                                  ? draw_dotted_line(canvas, dc, from, to)
                                   : canvas.stroke_line(from, to, 0.22 * u, theme.ink, 0.8 * u);
                           },
                           [&](const Diffuse&) { draw_rough_line(canvas, dc, from, to); }},
                behaviour(k));
-}
-
-void SurfaceView::Brush::draw_dots(Point from, Point to) const {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
-    const double count = std::max(1.0, std::round(length / (0.6 * u)));
-    for (double dot = 0.5; dot < count; dot += 1.0)
-        canvas.fill_circle(
-            {from.x + dot / count * (to.x - from.x), from.y + dot / count * (to.y - from.y)},
-            0.15 * u, theme.ink);
 }
 
 // An open partition is drawn by its ends at the walls only.
@@ -317,26 +299,13 @@ void SurfaceView::Brush::draw_partition(std::size_t k) const {
 }
 
 void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
-    std::visit(Overloaded{[](const Reflecting&) {},
-                          [&](const Bath& bath) { canvas.fill(block, bath_color(bath)); },
-                          [&](const Driven&) { draw_holder(block, k); },
-                          [&](const Piston&) { draw_holder(block, k); },
-                          [&](const Membrane&) { draw_eye(block); }, [](const Diffuse&) {}},
-               behaviour(k));
-}
-
-void SurfaceView::Brush::draw_eye(const Rect& block) const {
-    const Point middle{block.x + block.width / 2, block.y + block.height / 2};
-    canvas.stroke_circle(middle, 0.34 * u, 0.1 * u, theme.ink);
-    canvas.fill_circle(middle, 0.13 * u, theme.ink);
-}
-
-void SurfaceView::Brush::draw_holder(const Rect& block, std::size_t k) const {
-    canvas.fill(block, is_imposed(k) ? theme.page : theme.muted);
-    if (is_imposed(k)) {
-        hatch_polygon(canvas, corners_of(block), 0.25 * u, 0.09 * u, theme.muted);
-        canvas.stroke_rect(block, 0.09 * u, theme.muted);
-    }
+    std::visit(
+        Overloaded{[](const Reflecting&) {},
+                   [&](const Bath& bath) { canvas.fill(block, bath_color(bath)); },
+                   [&](const Driven&) { draw_holder(canvas, dc, block, is_imposed(k)); },
+                   [&](const Piston&) { draw_holder(canvas, dc, block, is_imposed(k)); },
+                   [&](const Membrane&) { draw_eye(canvas, dc, block); }, [](const Diffuse&) {}},
+        behaviour(k));
 }
 
 bool SurfaceView::Brush::has_block(std::size_t k) const {

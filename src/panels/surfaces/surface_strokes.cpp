@@ -41,6 +41,31 @@ void add_joined_side(std::vector<std::vector<Point>>& lines, Point from, Point t
         }
 }
 
+// A row of teeth with their bases on the line from one point to another and their heads `deep` to
+// its left, seen with y upwards; negative: to its right.
+void draw_row_of_teeth(Canvas& canvas, const DrawContext& dc, Point from, Point to, double deep) {
+    const Point way{to.x - from.x, to.y - from.y};
+    const double length = std::hypot(way.x, way.y);
+    if (!(length > 0.0)) return;
+    const double count = std::max(1.0, std::round(length / (0.7 * dc.unit)));
+    const Point head{deep * way.y / length, -deep * way.x / length};
+    const auto at = [&](double k) {
+        return Point{from.x + k / count * way.x, from.y + k / count * way.y};
+    };
+    for (double k = 0.0; k < count; k += 1.0) {
+        const Point middle = at(k + 0.5);
+        const std::array tooth{at(k), Point{middle.x + head.x, middle.y + head.y}, at(k + 1.0)};
+        canvas.fill_polygon(tooth, dc.theme.wall);
+    }
+}
+
+std::vector<Point> corners_of_rect(const Rect& rect) {
+    return {{rect.x, rect.y},
+            {rect.right(), rect.y},
+            {rect.right(), rect.bottom()},
+            {rect.x, rect.bottom()}};
+}
+
 }  // namespace
 
 std::vector<std::vector<Point>> outline_of_box(const Rect& room, std::array<bool, 2> joined,
@@ -118,27 +143,29 @@ void draw_bath(Canvas& canvas, const DrawContext& dc, const Rect& band, bool upr
     if (wave.size() > 1) canvas.stroke_path(wave, 0.13 * u, letters_on(color, dc.theme));
 }
 
-namespace {
-
-// A row of teeth with their bases on the line from one point to another and their heads `deep` to
-// its left, seen with y upwards; negative: to its right.
-void draw_row_of_teeth(Canvas& canvas, const DrawContext& dc, Point from, Point to, double deep) {
-    const Point way{to.x - from.x, to.y - from.y};
-    const double length = std::hypot(way.x, way.y);
-    if (!(length > 0.0)) return;
-    const double count = std::max(1.0, std::round(length / (0.7 * dc.unit)));
-    const Point head{deep * way.y / length, -deep * way.x / length};
-    const auto at = [&](double k) {
-        return Point{from.x + k / count * way.x, from.y + k / count * way.y};
-    };
-    for (double k = 0.0; k < count; k += 1.0) {
-        const Point middle = at(k + 0.5);
-        const std::array tooth{at(k), Point{middle.x + head.x, middle.y + head.y}, at(k + 1.0)};
-        canvas.fill_polygon(tooth, dc.theme.wall);
-    }
+void draw_dotted_line(Canvas& canvas, const DrawContext& dc, Point from, Point to) {
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    const double count = std::max(1.0, std::round(length / (0.6 * dc.unit)));
+    for (double dot = 0.5; dot < count; dot += 1.0)
+        canvas.fill_circle(
+            {from.x + dot / count * (to.x - from.x), from.y + dot / count * (to.y - from.y)},
+            0.15 * dc.unit, dc.theme.ink);
 }
 
-}  // namespace
+void draw_eye(Canvas& canvas, const DrawContext& dc, const Rect& block) {
+    const Point middle{block.x + block.width / 2, block.y + block.height / 2};
+    canvas.stroke_circle(middle, 0.34 * dc.unit, 0.1 * dc.unit, dc.theme.ink);
+    canvas.fill_circle(middle, 0.13 * dc.unit, dc.theme.ink);
+}
+
+void draw_holder(Canvas& canvas, const DrawContext& dc, const Rect& block, bool is_imposed) {
+    canvas.fill(block, is_imposed ? dc.theme.page : dc.theme.muted);
+    if (is_imposed) {
+        hatch_polygon(canvas, corners_of_rect(block), 0.25 * dc.unit, 0.09 * dc.unit,
+                      dc.theme.muted);
+        canvas.stroke_rect(block, 0.09 * dc.unit, dc.theme.muted);
+    }
+}
 
 void draw_teeth(Canvas& canvas, const DrawContext& dc, const Rect& band, std::size_t side) {
     const Point low_left{band.x, band.bottom()}, low_right{band.right(), band.bottom()},

@@ -35,6 +35,13 @@ void draw_bath(Canvas& canvas, const DrawContext& dc, const Rect& band, bool upr
 void draw_teeth(Canvas& canvas, const DrawContext& dc, const Rect& band, std::size_t side);
 void draw_rough_line(Canvas& canvas, const DrawContext& dc, Point from, Point to);
 
+/// A demon: a dotted line across the box, and an eye in a block beside it.
+void draw_dotted_line(Canvas& canvas, const DrawContext& dc, Point from, Point to);
+void draw_eye(Canvas& canvas, const DrawContext& dc, const Rect& block);
+
+/// The holder of a partition that moves; hatched if its motion is imposed.
+void draw_holder(Canvas& canvas, const DrawContext& dc, const Rect& block, bool is_imposed);
+
 /// The hatching of a driven or held surface: slanted lines across a band outside of a side.
 void draw_ticks(Canvas& canvas, const DrawContext& dc, const Rect& band, std::size_t side);
 

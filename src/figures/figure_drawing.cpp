@@ -8,7 +8,9 @@
 
 #include "panels/gas/gas_colors.h"
 #include "panels/gas/velocity_arrows.h"
+#include "panels/registry.h"
 #include "panels/words/text_panel.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
@@ -25,7 +27,7 @@ constexpr double shape_of_wires = 0.6;
 
 double centimetres(double points) { return points / 72.0 * 2.54; }
 
-bool is_gas(const FigureSpec& spec) { return spec.panel.kind == "gas"; }
+bool draws_box(const FigureSpec& spec) { return kind_of(spec.panel).draws_box; }
 
 /// Lengths of a figure in units of its smallest type.
 struct Sheet {
@@ -45,14 +47,14 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
     const double most = (spec.height ? *spec.height : tallest) / unit;
     const double pictures = static_cast<double>(spec.times.size());
     sheet.box_width = sheet.width - 2.0 * margin;
-    if (is_gas(spec))
+    if (draws_box(spec))
         sheet.box_width =
             (sheet.box_width - key_gap - key_width - (pictures - 1.0) * strip_gap) / pictures;
     const Box& box = scene.gas.box;
     double shape = shape_of_plots;
-    if (is_gas(spec)) shape = box.dimension == 2 ? box.size[1] / box.size[0] : shape_of_wires;
+    if (draws_box(spec)) shape = box.dimension == 2 ? box.size[1] / box.size[0] : shape_of_wires;
     const double times = pictures > 1.0 ? row_of_times : 0.0;
-    const double least = is_gas(spec) ? least_key(scene) : 0.0;
+    const double least = draws_box(spec) ? least_key(scene) : 0.0;
     sheet.height =
         spec.height
             ? most
@@ -135,7 +137,6 @@ std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
 }
 
 void refuse_long_words(const Scene& scene, const FigureSpec& spec) {
-    if (spec.panel.kind != "text") return;
     const double unit = smallest_type(spec) / 72.0 * print_dots;
     auto problem = problem_of_words(spec.panel, plot_in(sheet_of(scene, spec), unit), unit);
     if (!problem) return;
@@ -163,7 +164,7 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
     const DrawContext dc{
         {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};
     if (!transparent) canvas.fill_all(dc.theme.page);
-    if (is_gas(spec))
+    if (draws_box(spec))
         draw_gas(canvas, dc, sheet, figure, run.scene());
     else
         draw_plot(canvas, dc, sheet, figure);

@@ -70,13 +70,10 @@ std::vector<const FigureSpec*> asked_for(const Scene& scene,
     return specs;
 }
 
-bool is_sweep(const FigureSpec& spec) { return spec.panel.kind == "sweep"; }
-
 // The total simulated time of the runs of a figure that shows a sweep; 0 if the figure does no such
 // runs.
 double time_of_sweep(const FigureSpec& spec, const Run& run) {
-    if (!is_sweep(spec) || spec.panel.sweep.from) return 0.0;
-    return static_cast<double>(spec.panel.sweep.sweep.runs()) * run.until;
+    return runs_sweep(spec) ? static_cast<double>(sweep_of(spec)->sweep.runs()) * run.until : 0.0;
 }
 
 bool shows(const Figure& figure, double time) {
@@ -96,7 +93,7 @@ class FigureRun::OneRun {
         : scene_(alone(scene, later)) {
         for (FigureSpec& spec : scene_.figures) spec.panel.at_ends = at_ends;
         for (const FigureSpec* spec : asked_for(scene_, names))
-            if (spec->panel.seeds > later && spec->compare.empty() && !is_sweep(*spec))
+            if (spec->panel.seeds > later && spec->compare.empty() && sweep_of(*spec) == nullptr)
                 figures.push_back({spec});
     }
     OneRun(const OneRun&) = delete;
@@ -245,7 +242,8 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
             its.push_back({runs_.back().get(), &runs_.back()->figures.front()});
         }
         const auto seeds_shown = static_cast<std::size_t>(spec->panel.seeds);
-        for (std::size_t k = 0; spec->compare.empty() && !is_sweep(*spec) && k < seeds_shown; ++k)
+        for (std::size_t k = 0;
+             spec->compare.empty() && sweep_of(*spec) == nullptr && k < seeds_shown; ++k)
             its.push_back({runs_[k].get(), runs_[k]->figure_of(spec->name)});
     }
 
@@ -270,8 +268,8 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     each([&](OneRun& run) { run.look(shown); });
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const FigureSpec& spec = *specs[i];
-        figures_.push_back(is_sweep(spec) ? sweep_figure(spec, threads, shown)
-                                          : joined_figure(spec, parts[i]));
+        figures_.push_back(sweep_of(spec) != nullptr ? sweep_figure(spec, threads, shown)
+                                                     : joined_figure(spec, parts[i]));
     }
 }
 

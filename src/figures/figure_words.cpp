@@ -12,7 +12,6 @@
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
-#include "panels/surfaces/box_parts.h"
 #include "scene/describe.h"
 #include "scene/panel_kind.h"
 #include "scene/yaml/scalar.h"
@@ -23,17 +22,16 @@ namespace carom {
 namespace {
 
 // "Speed histogram", "Speed histogram (left, right)", "The gas": how a caption names what it shows.
-std::string kind_words(const Scene& scene, const FigureSpec& spec) {
+std::string kind_words(const Scene& scene, const Figure& figure) {
     const Language language = scene.film.language;
-    if (spec.panel.kind == "gas" && !spec.panel.title)
+    const PanelSpec& panel = figure.spec->panel;
+    if (kind_of(panel).draws_box && !panel.title)
         return scene.gas.box.dimension == 2 ? say(language, "The gas")
                                             : say(language, "The beads on their wire");
-    std::string words = capitalised(name_of_panel(language, spec.panel));
-    if (spec.panel.title || !spec.panel.shows_parts() ||
-        !kind_of(panel_kinds(), spec.panel.kind)->can(Ability::bars))
-        return words;
-    const BoxParts parts(scene.gas.box, spec.panel);
-    return fmt::format("{} ({})", words, fmt::join(parts.names(language), ", "));
+    const std::string words = capitalised(name_of_panel(language, panel));
+    const std::vector<std::string> parts = figure.panel->parts();
+    if (panel.title || parts.empty()) return words;
+    return fmt::format("{} ({})", words, fmt::join(parts, ", "));
 }
 
 ShownTimes times_of(const Figure& figure) {
@@ -48,7 +46,7 @@ ShownTimes times_of(const Figure& figure) {
 // "Speed histogram at time 20", "Free path from time 6 to 12".
 std::string kind_and_time(const Scene& scene, const Figure& figure) {
     const Language language = scene.film.language;
-    const std::string kind = kind_words(scene, *figure.spec);
+    const std::string kind = kind_words(scene, figure);
     const ShownTimes shown = times_of(figure);
     const std::string times = words_of(language, shown);
     if (shown.over) return say(language, "{} from time {}", kind, times);
@@ -76,7 +74,7 @@ std::string comparison_words(const Scene& scene, const Figure& figure) {
     const std::size_t runs = figure.sides.size();
     if (have_one_time(figure))
         return say(language, "{} of {} runs", kind_and_time(scene, figure), runs);
-    return say(language, "{} of {} runs, each at its end", kind_words(scene, *figure.spec), runs);
+    return say(language, "{} of {} runs, each at its end", kind_words(scene, figure), runs);
 }
 
 std::string collisions_counted(Language language, long long count) {
@@ -156,7 +154,7 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
     const std::string account = figure.panel->account(*figure.moments.back().state);
     const std::string count = particles_counted(language, particles, scene.gas.box.dimension);
     const std::string title = sentence(scene.title);
-    if (figure.spec->panel.kind == "sweep") return title + " " + account;
+    if (sweep_of(*figure.spec) != nullptr) return title + " " + account;
     if (figure.spec->panel.seeds > 1) {
         const std::string caption =
             say(language,
@@ -166,7 +164,7 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
         return fmt::format("{} {}{}{}", title, caption, account.empty() ? "" : " ", account);
     }
     if (!account.empty() && !is_result_of_run(*figure.panel))
-        return fmt::format("{} {} {}", title, sentence(kind_words(scene, *figure.spec)), account);
+        return fmt::format("{} {} {}", title, sentence(kind_words(scene, figure)), account);
     const std::string facts =
         say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, figure), count,
             collisions_counted(language, figure.moments.back().collisions.particle));
@@ -182,9 +180,9 @@ std::string account_of(const Figure& figure) {
 std::string made_alt(const FigureRun& run, const Figure& figure) {
     const Scene& scene = run.scene();
     const std::string account = account_of(figure);
-    if (figure.spec->panel.kind == "sweep") return account;
-    const std::string kind = kind_words(scene, *figure.spec);
-    if (figure.spec->panel.given) return fmt::format("{} {}", sentence(kind), account);
+    if (sweep_of(*figure.spec) != nullptr) return account;
+    const std::string kind = kind_words(scene, figure);
+    if (!figure.panel->is_of_run()) return fmt::format("{} {}", sentence(kind), account);
     const Language language = scene.film.language;
     const bool is_mean = figure.spec->panel.seeds > 1;
     std::string what = kind_and_time(scene, figure);

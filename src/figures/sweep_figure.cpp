@@ -59,13 +59,13 @@ SweepSummary read_joined(const Scene& scene, const FigureSpec& spec) {
 
 // The summary of the sweep that the figure would run itself, still without results.
 SweepSummary planned(const FigureSpec& spec) {
-    const SweepShown& shown = spec.panel.sweep;
+    const SweepShown& shown = *sweep_of(spec);
     return {.sweep = shown.sweep,
             .numbers = numbers_of_runs(*shown.scene_with(shown.sweep.changes_at(0)))};
 }
 
 SweepSummary run_here(const FigureSpec& spec, int threads, const std::function<void()>& on_run) {
-    const SweepShown& shown = spec.panel.sweep;
+    const SweepShown& shown = *sweep_of(spec);
     const auto scene_at = [&](std::int64_t point) {
         return shown.scene_with(shown.sweep.changes_at(point));
     };
@@ -85,7 +85,7 @@ class SweptFigure {
     SweptFigure(const Scene& scene, const FigureSpec& spec, SweepSummary summary)
         : scene_(scene),
           spec_(spec),
-          shown_(spec.panel.sweep),
+          shown_(*sweep_of(spec)),
           summary_(std::move(summary)),
           across_(axis_across()),
           number_(find_number()) {
@@ -281,7 +281,7 @@ class SweptFigure {
 }  // namespace
 
 fs::path path_of_joined(const Scene& scene, const FigureSpec& spec) {
-    fs::path path = *spec.panel.sweep.from;
+    fs::path path = *spec.panel.joined;
     if (path.is_relative()) path = fs::path(scene.source.path).parent_path() / path;
     std::error_code error;
     return fs::is_directory(path, error) ? path / "summary.json" : path;
@@ -289,14 +289,14 @@ fs::path path_of_joined(const Scene& scene, const FigureSpec& spec) {
 
 void check_swept_figure(const Scene& scene, const FigureSpec& spec) {
     const SweptFigure figure(scene, spec,
-                             spec.panel.sweep.from ? read_joined(scene, spec) : planned(spec));
+                             spec.panel.joined ? read_joined(scene, spec) : planned(spec));
 }
 
 SweptNumbers swept_numbers(const Scene& scene, const FigureSpec& spec, int threads,
                            const std::function<void()>& on_run) {
-    if (!spec.panel.sweep.from) check_swept_figure(scene, spec);
+    if (!spec.panel.joined) check_swept_figure(scene, spec);
     SweepSummary summary =
-        spec.panel.sweep.from ? read_joined(scene, spec) : run_here(spec, threads, on_run);
+        spec.panel.joined ? read_joined(scene, spec) : run_here(spec, threads, on_run);
     return SweptFigure(scene, spec, std::move(summary)).numbers();
 }
 

@@ -126,6 +126,12 @@ class Panel {
         return {};
     }
 
+    /// Whether what it shows is of the run; otherwise of what the scene gives in its place.
+    virtual bool is_of_run() const { return true; }
+
+    /// The names of the parts of the box that it shows instead of the whole; empty for most panels.
+    virtual std::vector<std::string> parts() const { return {}; }
+
     /// Whether state() needs the collisions between frames.
     virtual bool wants_collisions() const { return false; }
 

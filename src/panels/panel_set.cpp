@@ -110,11 +110,11 @@ void PanelSet::add_boxes(const LayoutSpec& layout) {
         PanelContext of_box = context;
         if (beside.is_overlaid) of_box.run_in_box = run;
         panels_.push_back({places.at(run).box, make_gas_panel(of_box), {}, run});
-        panels_.push_back({places.at(run).words,
-                           make_run_line(context, {.kind = "monitors", .numbers = film.monitors},
-                                         {beside.own_label, beside.label}, run),
-                           {},
-                           run});
+        panels_.push_back(
+            {places.at(run).words,
+             make_run_line(context, film.monitors, {beside.own_label, beside.label}, run),
+             {},
+             run});
     }
     add_numbers(layout, {Monitor::time});
 }
@@ -129,10 +129,9 @@ void PanelSet::add_numbers(const LayoutSpec& layout, std::vector<Monitor> number
         if (numbers.empty()) return;
     }
     if (!layout.monitors) return;
-    panels_.push_back(
-        {*layout.monitors, is_one_line(*layout.monitors)
-                               ? make_numbers_line(context, numbers)
-                               : make_monitors(context, {.kind = "monitors", .numbers = numbers})});
+    panels_.push_back({*layout.monitors, is_one_line(*layout.monitors)
+                                             ? make_numbers_line(context, numbers)
+                                             : make_monitors(context, numbers)});
 }
 
 void PanelSet::add_film_panels(const LayoutSpec& layout) {

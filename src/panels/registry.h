@@ -1,4 +1,4 @@
-// The list of all kinds of panel. A new kind needs a file that makes it and an entry in
+// The list of all kinds of panel. A new kind needs a file that declares it, and an entry in
 // registry.cpp, from which the accepted keys, their check, the schema and the reference page
 // follow.
 #pragma once
@@ -13,10 +13,19 @@
 namespace carom {
 
 struct PanelKind;  // scene/panel_kind.h
+struct PanelWork;
+struct MeasuredAt;
 
 /// All kinds, in the order in which messages and pages list them. The list lives as long as the
 /// program.
 std::span<const PanelKind> panel_kinds();
+
+/// The kind of a panel of a validated scene.
+const PanelKind& kind_of(const PanelSpec& spec);
+
+/// What a panel of a validated scene does with its run, and where it measures.
+PanelWork work_of(const PanelSpec& spec, const Run& run);
+MeasuredAt places_of(const PanelSpec& spec);
 
 /// The title that a scene gives a panel, or what its kind is called in a language.
 std::string name_of_panel(Language language, const PanelSpec& spec);
@@ -31,26 +40,33 @@ std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
                                       const std::optional<View>& view = {});
 
 /// Makes the line of text under the box of run number `run` of two: its label, in the colour that
-/// the run has in plots, and as many of the numbers of `spec`, except the time, as there is room
-/// for in the lines of both runs.
-std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
+/// the run has in plots, and as many of the numbers, except the time, as there is room for in the
+/// lines of both runs.
+std::unique_ptr<Panel> make_run_line(const PanelContext& context,
+                                     const std::vector<Monitor>& numbers,
                                      const std::array<std::string, 2>& labels, std::size_t run);
 
-/// Makes the clock of a film, and the line of its other numbers, with the names `numbers`.
+/// Makes the clock of a film; the line of its other numbers; and a row of numbers with their names.
 std::unique_ptr<Panel> make_clock(const PanelContext& context);
 std::unique_ptr<Panel> make_numbers_line(const PanelContext& context,
                                          const std::vector<Monitor>& numbers);
+std::unique_ptr<Panel> make_monitors(const PanelContext& context,
+                                     const std::vector<Monitor>& numbers);
 
-/// What makes a panel of one kind.
-using PanelMaker = std::unique_ptr<Panel>(const PanelContext& context, const PanelSpec& spec);
-PanelMaker make_speed_histogram, make_energy_histogram, make_velocity_histogram,
-    make_energy_by_species, make_position_histogram, make_speed_classes, make_temperature,
-    make_entropy, make_pressure, make_mean_squared_displacement, make_return_distance, make_phase,
-    make_pair_correlation, make_velocity_autocorrelation, make_free_path, make_free_time,
-    make_orientational_order, make_profile, make_radial_profile, make_positions, make_monitors,
-    make_single_collision, make_contact_time, make_collision_map, make_text, make_sides,
-    make_piston, make_piston_histogram, make_pressure_volume, make_energy_account,
-    make_pressure_gauge, make_run_distance, make_thermometer, make_stopwatch, make_counter,
-    make_flux, make_sweep;
+/// Make panels that show a profile in rings around a point, and a pressure on gauges.
+std::unique_ptr<Panel> make_radial_profile(const PanelContext& context, const PanelSpec& spec);
+std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const PanelSpec& spec);
+
+/// What declares one kind, in the file of its panel.
+using KindDeclaration = PanelKind();
+KindDeclaration speed_histogram_kind, energy_histogram_kind, velocity_histogram_kind,
+    position_histogram_kind, energy_by_species_kind, speed_classes_kind, temperature_kind,
+    entropy_kind, pressure_kind, thermometer_kind, stopwatch_kind, counter_kind,
+    pressure_volume_kind, piston_kind, piston_histogram_kind, sides_kind, flux_kind,
+    energy_account_kind, mean_squared_displacement_kind, velocity_autocorrelation_kind,
+    pair_correlation_kind, free_path_kind, free_time_kind, orientational_order_kind,
+    return_distance_kind, run_distance_kind, profile_kind, phase_kind, positions_kind,
+    monitors_kind, single_collision_kind, contact_time_kind, collision_map_kind, text_kind,
+    sweep_kind, gas_kind;
 
 }  // namespace carom

@@ -38,8 +38,8 @@ Scene compared_scene(const FigureSpec& figure, const ComparedRun& run, Overrides
 // Returns the number of scenes that a figure loads; for a sweep at least those of the first and the
 // last point.
 std::size_t scenes_of(const FigureSpec& figure) {
-    if (figure.panel.kind != "sweep") return figure.compare.size();
-    return figure.panel.sweep.from ? 0 : 2;
+    if (sweep_of(figure) == nullptr) return figure.compare.size();
+    return runs_sweep(figure) ? 2 : 0;
 }
 
 // Keeps only the figure of this name: the others need not be valid for this run.

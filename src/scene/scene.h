@@ -14,6 +14,7 @@
 
 #include "physics/gas.h"
 #include "physics/run.h"
+#include "scene/panel_spec.h"
 #include "scene/sweep.h"
 #include "util/diagnostics.h"
 #include "util/language.h"
@@ -103,33 +104,6 @@ struct Pause {
     double seconds = 0.0;  ///< of film
 };
 
-/// The simulated time in which something is shown.
-struct TimeSpan {
-    double from = 0.0;
-    std::optional<double> until = {};  ///< none: the end of the run
-};
-
-/// Particles that a panel treats as one group: a species, one particle, or all particles if neither
-/// is given.
-struct Chosen {
-    std::optional<std::size_t> species = {};
-    std::optional<std::int64_t> particle = {};
-};
-
-/// The span of time over which a panel takes its values.
-struct Over {
-    enum class Since { now, start, window } since = Since::now;
-    double window = 0.0;  ///< simulated time before the present
-};
-
-enum class Component { x, y, both };
-
-/// Two colliding beads, which need not exist in the scene.
-struct GivenPair {
-    std::array<double, 2> inverse_mass;  ///< 0: infinite mass, at most one of the two
-    std::array<double, 2> velocity;      ///< before the collision; unequal
-};
-
 /// The whole box, or the whole line in one dimension.
 struct WholeBox {};
 
@@ -158,106 +132,6 @@ struct Field {
     int cells = 32;                           ///< along the longer side of the box
     double over = 0.5;      ///< simulated time before the present that it is averaged over
     double opacity = 0.85;  ///< of its colours over the background
-};
-
-/// A named part of the box in which a panel measures.
-struct NamedRegion {
-    std::string name;
-    Region region = {{0.0, 0.0}, {0.0, 0.0}};
-};
-
-/// The quantity that is measured for the particles in each part of the box.
-enum class PartMeasure { count, temperature, mean_energy, center };
-
-/// A line parallel to an axis, across the whole box or between two points, at which crossing
-/// particles are counted.
-struct CountingLine {
-    int axis = 0;     ///< the axis perpendicular to it: 0 for x, 1 for y
-    double at = 0.0;  ///< its position on that axis
-    std::optional<std::pair<double, double>> between = {};  ///< along the other axis; none: all
-};
-
-/// What a counter counts at walls and partitions.
-enum class Counted { hits, crossings };
-
-/// What particles transport across a line.
-enum class Carried { particles, energy, mean_energy };
-
-/// When a stopwatch starts.
-struct WatchStart {
-    double at = 0.0;                        ///< simulated time
-    std::optional<std::size_t> event = {};  ///< index in Run::events of what starts it
-};
-
-/// The distribution whose entropy is shown.
-enum class EntropyOf { velocities, positions, both };
-
-struct Scene;
-
-/// What a figure shows of a sweep: a result of its runs, plotted against a key that is varied.
-struct SweepShown {
-    std::string number;   ///< the name of a result of each run
-    std::string against;  ///< the key of one axis; each combination of the others is a line
-    std::string across;   ///< label of the horizontal axis; empty: made from the key
-    Sweep sweep = {};     ///< the sweep that the figure runs, unless `from` is given
-    std::optional<std::string> from = {};  ///< folder or summary of a finished, joined sweep
-    std::function<std::shared_ptr<const Scene>(const std::vector<std::string>& changes)>
-        scene_with = {};  ///< loads the scene's run with changes, KEY.PATH=VALUE; throws SceneError
-};
-
-/// A panel of a film with its options. Options without a meaning for its kind keep the defaults
-/// given here.
-struct PanelSpec {
-    std::string kind;
-    std::optional<std::string> title = {};    ///< none: by kind
-    std::vector<Chosen> of = {};              ///< drawn together; empty: all particles
-    std::optional<Over> over = {};            ///< none: by kind
-    std::optional<Component> component = {};  ///< none: by kind
-    std::optional<int> bins = {};             ///< histograms: none: by rule
-    std::optional<std::pair<double, double>> range = {};
-    bool theory = true;
-    bool fit = false;
-    std::optional<bool> mean_now = {};  ///< none: by kind
-    std::optional<bool> mean_start = {};
-    bool by_clock = false;           ///< histograms and points: of the samples of the run alone
-    int seeds = 1;                   ///< of a figure: the number of runs whose mean it shows
-    SweepShown sweep = {};           ///< of a figure
-    bool test = false;               ///< of a figure: whether the bars are tested against theory
-    std::optional<double> at = {};   ///< of a figure: the time that it shows; none in films
-    bool at_ends = false;            ///< of a figure of several runs: each at its own end
-    bool reference_initial = false;  ///< speed classes by the initial mean, not the present one
-    double from = 0.0;               ///< displacements: the time from which they are measured
-    std::optional<double> fit_from = {};  ///< displacements: start of their line; none: by kind
-    bool all_origins = false;             ///< displacements: averaged over all starting times
-    std::optional<double> to = {};    ///< pair correlations: the largest distance; none: by kind
-    std::optional<double> lags = {};  ///< the longest time between two values; none: by kind
-    bool logarithmic = false;         ///< free flights: whether the vertical axis is logarithmic
-    bool ends_at_walls = false;       ///< free flights: walls and partitions end them, too
-    bool against_collisions = false;  ///< return distances; false: against time
-    FieldOf quantity = FieldOf::density;      ///< of a profile
-    std::optional<Vec> around = {};           ///< a profile: of distances from this point
-    bool front = false;                       ///< a profile of distances: marks its front
-    std::vector<std::int32_t> surfaces = {};  ///< numbers of the surfaces that it measures at
-    std::vector<NamedRegion> regions = {};    ///< parts of the box; empty: the sides of a partition
-    PartMeasure measure = PartMeasure::count;
-    EntropyOf entropy_of = EntropyOf::velocities;
-    bool gauge = false;                     ///< a pressure: a dial instead of a plot
-    std::vector<double> levels = {};        ///< pressure and volume: lines, in units of the start
-    std::optional<CountingLine> line = {};  ///< crossings: the line that replaces a partition
-    std::optional<Counted> counted = {};    ///< none: depends on the surfaces
-    Carried carried = Carried::particles;   ///< of a flux
-    WatchStart since = {};                  ///< of a stopwatch
-    std::vector<Monitor> numbers = {};      ///< monitors: those shown; none: all
-    std::string words = {};                 ///< text
-    std::optional<GivenPair> given = {};    ///< collision maps: none: a pair of the run
-    bool walk = false;                      ///< collision maps: all collisions so far
-    std::optional<bool> scaled = {};  ///< collision maps: by the roots of the masses; none: walks
-    TimeSpan show = {};               ///< in a film: when it is shown
-    std::optional<View> view = {};    ///< the gas in a figure; none: as in the film
-    Diagnostic place = {};  ///< in the file, with an empty message, for errors found later
-
-    /// Of a histogram: whether it shows the particles in parts of the box.
-    bool shows_parts() const { return !regions.empty() || !surfaces.empty(); }
 };
 
 /// The trails that a film shows; `trail` of a species overrides them.
@@ -328,6 +202,15 @@ struct FigureSpec {
     std::optional<std::string> caption, alt;  ///< none: made from what the figure shows
     std::vector<ComparedRun> compare = {};    ///< shown in one panel; empty: the scene's run alone
 };
+
+/// What a figure shows of a sweep; null if it shows none. And whether it does the runs of one
+/// itself.
+inline const SweepShown* sweep_of(const FigureSpec& figure) {
+    return figure.panel.options.find<SweepShown>();
+}
+inline bool runs_sweep(const FigureSpec& figure) {
+    return sweep_of(figure) != nullptr && !figure.panel.joined;
+}
 
 /// The second run that a film shows side by side with the scene's own, at the same times.
 struct Beside : ComparedRun {

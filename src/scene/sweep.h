@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,6 +47,18 @@ struct Sweep {
     std::vector<std::string> changes_at(std::int64_t point) const;
 
     bool operator==(const Sweep&) const = default;
+};
+
+struct Scene;
+
+/// What a figure shows of a sweep: a result of its runs, plotted against a key that is varied.
+struct SweepShown {
+    std::string number;   ///< the name of a result of each run
+    std::string against;  ///< the key of one axis; each combination of the others is a line
+    std::string across;   ///< label of the horizontal axis; empty: made from the key
+    Sweep sweep = {};     ///< the sweep that the figure runs, unless it shows one that is joined
+    std::function<std::shared_ptr<const Scene>(const std::vector<std::string>& changes)>
+        scene_with = {};  ///< loads the scene's run with changes, KEY.PATH=VALUE; throws SceneError
 };
 
 /// The text of a sweep has a wrong form or a value that is not allowed.

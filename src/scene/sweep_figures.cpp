@@ -32,8 +32,8 @@ Diagnostic at_figure(const FigureSpec& figure, const std::vector<std::string>& c
 // Loads the scene at the points of a sweep; if there are more than `most`, at points spread evenly,
 // including the first and the last.
 void check_points(const FigureSpec& figure, std::int64_t most, std::vector<Diagnostic>& errors) {
-    const SweepShown& shown = figure.panel.sweep;
-    const std::int64_t points = shown.from ? 0 : shown.sweep.points();
+    const SweepShown& shown = *sweep_of(figure);
+    const std::int64_t points = runs_sweep(figure) ? shown.sweep.points() : 0;
     const std::int64_t looks = std::min(points, std::max<std::int64_t>(most, 2));
     for (std::int64_t look = 0; look < looks; ++look) {
         const std::int64_t point = looks > 1 ? look * (points - 1) / (looks - 1) : 0;
@@ -51,18 +51,17 @@ void check_points(const FigureSpec& figure, std::int64_t most, std::vector<Diagn
 
 void load_sweep_figures(Scene& scene, const SceneResources& resources) {
     std::vector<Diagnostic> errors;
-    const auto is_sweep = [](const FigureSpec& figure) { return figure.panel.kind == "sweep"; };
-    const auto sweeps = std::ranges::count_if(scene.figures, is_sweep);
+    const auto sweeps = std::ranges::count_if(scene.figures, sweep_of);
     const auto loads = most_read_again.count() / std::max<std::size_t>(read_bytes(scene.source), 1);
     for (FigureSpec& figure : scene.figures) {
-        if (!is_sweep(figure)) continue;
-        figure.panel.sweep.scene_with = [source = scene.source,
-                                         resources](const std::vector<std::string>& changes) {
-            Overrides overrides = source.overrides;
-            overrides.insert(overrides.end(), changes.begin(), changes.end());
-            return std::make_shared<const Scene>(
-                load_run_text(source.text, source.path, resources, overrides));
-        };
+        if (sweep_of(figure) == nullptr) continue;
+        figure.panel.options.change<SweepShown>().scene_with =
+            [source = scene.source, resources](const std::vector<std::string>& changes) {
+                Overrides overrides = source.overrides;
+                overrides.insert(overrides.end(), changes.begin(), changes.end());
+                return std::make_shared<const Scene>(
+                    load_run_text(source.text, source.path, resources, overrides));
+            };
         check_points(figure, static_cast<std::int64_t>(loads) / sweeps, errors);
     }
     if (!errors.empty()) throw SceneError(std::move(errors));

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "captions/claims.h"
+#include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "support/library.h"
 #include "support/resources.h"
 
@@ -34,7 +36,8 @@ std::vector<std::string> texts_of(const Scene& scene) {
     std::vector<std::string> texts{scene.subtitle, scene.description, scene.film.end_card};
     for (const Caption& caption : scene.captions) texts.push_back(caption.words);
     for (const Callout& callout : scene.film.callouts) texts.push_back(callout.words);
-    for (const PanelSpec& panel : scene.film.panels) texts.push_back(panel.words);
+    for (const PanelSpec& panel : scene.film.panels)
+        if (const PanelKind& kind = kind_of(panel); kind.text) texts.push_back(kind.text(panel));
     for (const FigureSpec& figure : scene.figures) texts.push_back(figure.caption.value_or(""));
     return texts;
 }

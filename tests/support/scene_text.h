@@ -14,4 +14,13 @@ inline Scene scene_from(const std::string& text, const Overrides& overrides = {}
     return load_scene_text(text, "test", resources(), overrides, wanted);
 }
 
+/// A panel of a film, as a scene of a gas in a plane writes it.
+inline PanelSpec panel_from(const std::string& written) {
+    return scene_from(
+               "title: T\nbox: {size: [64, 48]}\ngas: [{count: 20, speed: 1}]\n"
+               "run: {until: 10}\nfilm: {panels: [" +
+               written + "]}\n")
+        .film.panels.at(0);
+}
+
 }  // namespace carom::test

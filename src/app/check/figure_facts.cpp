@@ -13,7 +13,7 @@ namespace {
 
 // " at time 4", " over time 6 to 12".
 std::string words_of_time(const FigureSpec& spec) {
-    const PanelKind& kind = *kind_of(panel_kinds(), spec.panel.kind);
+    const PanelKind& kind = kind_of(spec.panel);
     if (kind.has_own_time && kind.has_own_time(spec.panel)) return "";
     const ShownTimes shown = times_of(spec);
     return fmt::format(" {} time {}", shown.over ? "over" : "at",

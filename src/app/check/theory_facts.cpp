@@ -12,9 +12,10 @@ namespace {
 
 void add(const std::string& name, const PanelSpec& panel, const Scene& scene, const BoxedGas& gas,
          std::vector<std::string>& lines) {
-    const PanelKind& kind = *kind_of(panel_kinds(), panel.kind);
+    const PanelKind& kind = kind_of(panel);
     if (!panel.theory || !kind.laws) return;
-    const std::int32_t surface = panel.surfaces.empty() ? 0 : panel.surfaces.front();
+    const SurfaceNumbers surfaces = places_of(panel).surfaces;
+    const std::int32_t surface = surfaces.empty() ? 0 : surfaces.front();
     for (const LawOf quantity : kind.laws(panel, scene.gas)) {
         const Law found = law(gas, quantity, {.cells = 1, .surface = surface});
         if (!found.none) continue;

@@ -51,7 +51,7 @@ void find_barriers(const CheckArguments& arguments, const Scene& scene, CheckedF
 // Checks a figure. The joined sweep that it shows need not exist yet.
 void check_figure(const Scene& scene, const FigureSpec& figure) {
     refuse_long_words(scene, figure);
-    if (figure.panel.kind == "sweep" && !figure.panel.sweep.from) check_swept_figure(scene, figure);
+    if (runs_sweep(figure)) check_swept_figure(scene, figure);
 }
 
 // Counts the run of a scene, which these panels see; tries those that its figures compare, too.

@@ -115,7 +115,7 @@ std::vector<std::string> files_of(const FigureSet& set, const std::string& name)
         for (const FigureSpec& figure : part.scene.figures) {
             for (const ComparedRun& run : figure.compare)
                 if (run.scene) std::ranges::for_each(files_of(*run.scene), add);
-            if (figure.panel.sweep.from) add(path_of_joined(part.scene, figure).string());
+            if (figure.panel.joined) add(path_of_joined(part.scene, figure).string());
         }
     }
     for (const PageTemplate& page : set.pages) add(page.source.name);
@@ -219,7 +219,7 @@ void check_kind(const std::string& kind) {
     for (const PanelKind& one : panel_kinds()) names.push_back(one.name);
     const auto near = nearest_spelling(kind, names);
     throw UsageError(fmt::format("--kind {}: expected a name such as {}", printable(kind),
-                                 near ? *near : "speed-histogram"));
+                                 near ? *near : names.front()));
 }
 
 // A key of the figure, and the option by which it was given.

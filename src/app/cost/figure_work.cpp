@@ -6,6 +6,8 @@
 
 #include "app/cost/work_parts.h"
 #include "figures/figure_drawing.h"
+#include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "scene/time/timeline.h"
 
 namespace carom {
@@ -36,10 +38,7 @@ void add_compared(const FigureSpec& figure, std::vector<FigureRuns>& runs) {
 // The moments of a run that its figures see: the samples of those that measure, and the frames of
 // those that are drawn as in a film.
 double moments_seen(const FigureRuns& runs) {
-    const auto is_drawn = [](const SeeingPanel& one) {
-        return one.panel.kind == "gas" || one.panel.kind == "phase" ||
-               one.panel.kind == "positions";
-    };
+    const auto is_drawn = [](const SeeingPanel& one) { return kind_of(one.panel).draws_particles; };
     const bool draws = std::ranges::any_of(runs.panels, is_drawn);
     const bool measures = !std::ranges::all_of(runs.panels, is_drawn);
     return (draws ? frame_count(runs.scene->film) : 0.0) +
@@ -47,8 +46,9 @@ double moments_seen(const FigureRuns& runs) {
 }
 
 double points_drawn(const Scene& scene, const FigureSpec& figure) {
-    return figure.panel.kind == "gas" ? count_of(scene) * static_cast<double>(figure.times.size())
-                                      : 0.0;
+    return kind_of(figure.panel).draws_box
+               ? count_of(scene) * static_cast<double>(figure.times.size())
+               : 0.0;
 }
 
 // A figure as files: pictures and a table.
@@ -91,7 +91,7 @@ std::vector<FigureRuns> runs_of(const Scene& scene, const std::vector<const Figu
     for (const FigureSpec* figure : figures) {
         if (!figure->compare.empty())
             add_compared(*figure, runs);
-        else if (figure->panel.kind != "sweep")
+        else if (sweep_of(*figure) == nullptr)
             by_seeds[figure->panel.seeds].push_back(seeing(*figure, figure->panel));
     }
     double seeds = 0.0;
@@ -130,8 +130,8 @@ Work work_of_figures(const Scene& scene, std::span<const std::string> names,
     }
     for (const FigureSpec* figure : figures) {
         work.parts.push_back(drawing_part(scene, *figure, formats, work.bytes));
-        const SweepShown& shown = figure->panel.sweep;
-        if (figure->panel.kind != "sweep" || shown.from) continue;
+        if (!runs_sweep(*figure)) continue;
+        const SweepShown& shown = *sweep_of(*figure);
         const Work runs = work_of_sweep(shown.sweep, [&](std::int64_t point) {
             return shown.scene_with(shown.sweep.changes_at(point));
         });

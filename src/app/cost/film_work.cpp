@@ -65,10 +65,11 @@ std::vector<WorkPart> panel_parts(const Scene& scene, const std::vector<SeeingPa
     std::vector<WorkPart> parts;
     for (const auto& [what, panel, pictures] : panels) {
         const double seconds = panel_seconds(scene, panel, frames, pictures, counts);
-        parts.push_back({.what = what,
-                         .reduce = (times > 1.0 ? "`seeds`, " : "") + reduces_panel(panel),
-                         .seconds = times * seconds,
-                         .place = panel.place});
+        parts.push_back(
+            {.what = what,
+             .reduce = (times > 1.0 ? "`seeds`, " : "") + reduces_panel(panel, scene.run),
+             .seconds = times * seconds,
+             .place = panel.place});
     }
     parts.push_back(
         {.what = fmt::format("{} frames of {} particles", about(times * frames),

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
-#include <string_view>
 
 #include "panels/chosen.h"
 #include "panels/correlations/lag_meter.h"
+#include "panels/registry.h"
 #include "physics/placement/draws.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 namespace {
@@ -20,11 +20,11 @@ constexpr double of_open_lag = 0.04e-6;    // of a flight that goes on in a pict
 constexpr double of_pair = 0.14e-6;        // of near particles, for each flight of either
 constexpr double of_neighbours = 0.25e-6;  // of a particle whose neighbours are found
 
-double largest_distance(const Scene& scene, const PanelSpec& panel, const Particles& gas) {
+double largest_distance(const Scene& scene, const PanelWork& work, const Particles& gas) {
     constexpr double usual_diameters = 5.0;
     const double most = 0.5 * scene.gas.box.longest_side();
     const double diameter = gas.count() > 0 ? 2.0 * gas.radius.maxCoeff() : 0.0;
-    return panel.to.value_or(diameter > 0.0 ? std::min(most, usual_diameters * diameter) : most);
+    return work.reach.value_or(diameter > 0.0 ? std::min(most, usual_diameters * diameter) : most);
 }
 
 // The pairs near enough that their flights are followed, for each particle.
@@ -39,12 +39,12 @@ double pairs_near(const Box& box, double particles, double distance) {
 
 // Of a pair correlation, whose flights are cut whenever fast particles have flown half of the
 // largest distance (stats/paths/pair_correlation.cpp), at frames of a window, and where it is read.
-double pair_seconds(const Scene& scene, const PanelSpec& panel, double frames, double pictures,
-                    double flights) {
+double pair_seconds(const Scene& scene, const PanelSpec& panel, const PanelWork& work,
+                    double frames, double pictures, double flights) {
     constexpr double fast = 4.0, way = 0.5;
     const auto [gas, sample] = draw_gas(scene.gas);
     const auto particles = static_cast<double>(gas.count());
-    const double to = largest_distance(scene, panel, gas);
+    const double to = largest_distance(scene, work, gas);
     const double speed = std::sqrt(sample.velocity.square().rowwise().sum().mean());
     const bool is_window = panel.over && panel.over->since == Over::Since::window;
     const double cuts = is_window ? frames : scene.run.until * fast * speed / (way * to) + pictures;
@@ -68,41 +68,27 @@ double share_of(const PanelSpec& panel, const Particles& gas) {
     return sum / std::max(meets.sum(), std::numeric_limits<double>::min());
 }
 
-double longest_lag(const Scene& scene, const PanelSpec& panel) {
-    const double span = scene.run.until - panel.from;
-    return panel.lags.value_or(span / (panel.all_origins ? 4.0 : 10.0));
-}
-
 // A flight for each lag, from 0.6 to 18 megabytes of flights within the longest lag, which are read
 // at as many places as there are lags.
 double seconds_of_lag(double bytes) { return 0.06e-6 + 0.115e-6 * std::log1p(1e-6 * bytes); }
 
 // Of a panel that averages over lags. Where it is read, the flights that go on are added.
-double lag_seconds(const Scene& scene, const PanelSpec& panel, double pictures, double flights) {
+double lag_seconds(const Scene& scene, const PanelSpec& panel, const PanelWork& work,
+                   double pictures, double flights) {
     constexpr double of_piece = 72.0;  // bytes
     const auto [gas, sample] = draw_gas(scene.gas);
     const double share = share_of(panel, gas);
-    const double kept = flights * longest_lag(scene, panel) / scene.run.until * of_piece;
+    const double kept = flights * work.longest_lag / scene.run.until * of_piece;
     return share * lag_count *
            (flights * seconds_of_lag(share * kept) +
             pictures * static_cast<double>(gas.count()) * of_open_lag);
 }
 
-// A flight that a panel follows exactly, or only has recorded.
-double seconds_of_flight(const PanelSpec& panel) {
-    constexpr double followed = 0.28e-6, displaced = 0.2e-6, recorded = 0.1e-6;
-    static const std::map<std::string_view, double> kinds{
-        {"free-path", followed},    {"free-time", followed},
-        {"profile", followed},      {"mean-squared-displacement", displaced},
-        {"flux", recorded},         {"thermometer", recorded},
-        {"contact-time", recorded}, {"counter", recorded},
-        {"collision-map", recorded}};
-    const auto found = kinds.find(panel.kind);
-    return found == kinds.end() ? 0.0 : found->second;
-}
-
-bool has_lags(const PanelSpec& panel) {
-    return panel.kind == "velocity-autocorrelation" || panel.all_origins;
+double seconds_of_flight(PanelWork::Flights flights) {
+    using enum PanelWork::Flights;
+    if (flights == followed) return 0.28e-6;
+    if (flights == displaced) return 0.2e-6;
+    return flights == recorded ? 0.1e-6 : 0.0;
 }
 
 }  // namespace
@@ -112,20 +98,24 @@ double panel_seconds(const Scene& scene, const PanelSpec& panel, double frames, 
     const auto particles = static_cast<double>(total_count(scene.gas));
     const double seen = frames * particles;
     const double flights = 2.0 * counts.collisions.value_or(counts.events) + particles;
-    const double choices =
-        std::max<double>(1.0, static_cast<double>(panel.of.size() + panel.regions.size()));
+    const PanelWork work = work_of(panel, scene.run);
+    const double choices = std::max<double>(
+        1.0, static_cast<double>(panel.of.size() + places_of(panel).regions.size()));
     const double seconds = seen * of_particle * choices;
-    if (has_lags(panel)) return seconds + lag_seconds(scene, panel, pictures, flights);
-    if (panel.kind == "pair-correlation")
-        return seconds + pair_seconds(scene, panel, frames, pictures, flights);
-    if (panel.kind == "orientational-order") return seconds + seen * of_neighbours;
-    return seconds + flights * seconds_of_flight(panel);
+    if (work.flights == PanelWork::Flights::lags)
+        return seconds + lag_seconds(scene, panel, work, pictures, flights);
+    if (work.flights == PanelWork::Flights::pairs)
+        return seconds + pair_seconds(scene, panel, work, frames, pictures, flights);
+    if (work.finds_neighbours) return seconds + seen * of_neighbours;
+    return seconds + flights * seconds_of_flight(work.flights);
 }
 
-std::string reduces_panel(const PanelSpec& panel) {
-    if (has_lags(panel))
+std::string reduces_panel(const PanelSpec& panel, const Run& run) {
+    const PanelWork work = work_of(panel, run);
+    if (work.flights == PanelWork::Flights::lags)
         return "`lags`, `run.until` or the particles, or choose some of them in `of`";
-    if (panel.kind == "pair-correlation") return "`to` of the panel, `run.until` or the particles";
+    if (work.flights == PanelWork::Flights::pairs)
+        return "`to` of the panel, `run.until` or the particles";
     return "`run.until` or the particles";
 }
 

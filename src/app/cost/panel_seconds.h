@@ -1,5 +1,4 @@
-// What it takes that panels see a run: the table of the kinds of panel that take more than a look
-// at each particle of each frame.
+// What it takes that panels see a run, by what they do with it (PanelWork).
 #pragma once
 
 #include <string>
@@ -14,6 +13,6 @@ double panel_seconds(const Scene& scene, const PanelSpec& panel, double frames, 
                      const RunCounts& counts);
 
 /// What makes that less: keys of the panel or of the run.
-std::string reduces_panel(const PanelSpec& panel);
+std::string reduces_panel(const PanelSpec& panel, const Run& run);
 
 }  // namespace carom

@@ -168,10 +168,7 @@ class Trial {
     int bits_ = bits_of_double;
 };
 
-bool is_to_try(const PanelSpec& spec) {
-    const PanelKind* kind = kind_of(panel_kinds(), spec.kind);
-    return spec.test || (kind != nullptr && kind->can(Ability::pair));
-}
+bool is_to_try(const PanelSpec& spec) { return spec.test || kind_of(spec).can(Ability::pair); }
 
 }  // namespace
 

@@ -16,6 +16,8 @@
 #include "figures/figure_words.h"
 #include "figures/sweep_figure.h"
 #include "media/formats.h"
+#include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "util/diagnostics.h"
 #include "util/files/input_file.h"
 #include "util/fingerprint.h"
@@ -58,11 +60,10 @@ std::string inputs_of_film(const Scene& scene) {
 // A figure that compares runs is made from all their scenes, too.
 std::string inputs_of(const Scene& scene, const FigureSpec& figure) {
     std::string all = inputs_of(scene, figure.name);
-    if (figure.compare.empty() && !figure.panel.sweep.from) return all;
+    if (figure.compare.empty() && !figure.panel.joined) return all;
     for (const ComparedRun& run : figure.compare)
         all += all_of({run.label, inputs_of(*run.scene, figure.name)});
-    if (figure.panel.sweep.from)
-        all += fingerprint_of_file(path_of_joined(scene, figure)).value_or("");
+    if (figure.panel.joined) all += fingerprint_of_file(path_of_joined(scene, figure)).value_or("");
     return fingerprint(all);
 }
 
@@ -109,7 +110,8 @@ void refuse_unknown(const FigureSet& set, const std::vector<std::string>& only) 
 std::vector<std::string> figure_files(const FigureSet& set, const FigureSpec& spec) {
     std::vector<std::string> files;
     for (const std::string& format : set.formats)
-        if (format != "csv" || spec.panel.kind != "text") files.push_back(spec.name + "." + format);
+        if (format != "csv" || kind_of(spec.panel).shows_run)
+            files.push_back(spec.name + "." + format);
     return files;
 }
 

@@ -11,9 +11,11 @@
 #include "media/gif_palette.h"
 #include "panels/archived.h"
 #include "panels/precision.h"
+#include "panels/registry.h"
 #include "physics/sample_times.h"
 #include "scene/limits.h"
 #include "scene/load.h"
+#include "scene/panel_kind.h"
 #include "scene/time/timeline.h"
 #include "sound/film_sound.h"
 #include "util/text.h"
@@ -159,12 +161,14 @@ double memory_of_ways(const Scene& scene, double particles) {
                    : chosen.species ? static_cast<double>(scene.gas.species[*chosen.species].count)
                                     : particles,
                    film.trails.seconds);
-    for (const PanelSpec& panel : film.panels)
-        if (panel.all_origins || panel.kind == "velocity-autocorrelation")
+    for (const PanelSpec& panel : film.panels) {
+        const PanelWork work = work_of(panel, scene.run);
+        if (work.flights == PanelWork::Flights::lags)
             bytes += of_lags * particles;
-        else if (panel.kind == "run-distance")  // places of both runs
+        else if (work.keeps_places)  // of both runs
             bytes += sizeof(Vec) * std::min(particles, 2.0 * most_in_both_runs.value) *
                      (frame_count(film) + static_cast<double>(sample_count(scene.run)));
+    }
     return bytes;
 }
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 namespace collision_map {
@@ -26,16 +27,14 @@ struct MapState : PanelState {
 }  // namespace
 
 void CollisionMapPanel::survey(const FrameInput& input) {
-    if (spec_.given) return;
+    if (options().given) return;
     watch_.survey(input);
     if (is_walk()) walk_watch_.survey(input);
 }
 
 void CollisionMapPanel::find_motion() {
-    if (spec_.given) {
-        const auto& [inverse_mass, velocity] = *spec_.given;
-        motion_ = {.inverse_mass = {inverse_mass[0], inverse_mass[1]},
-                   .before = {velocity[0], velocity[1]}};
+    if (const auto& given = options().given) {
+        motion_ = {.inverse_mass = given->inverse_mass, .before = given->velocity};
         motion_.after = (collision_matrix(motion_.inverse_mass) * motion_.before.matrix()).array();
         return;
     }
@@ -55,7 +54,7 @@ void CollisionMapPanel::fix_axes() {
         refuse(spec_.place,
                fmt::format(
                    "a collision with an infinite mass has no ellipse of energy, which `{}` needs",
-                   spec_.scaled == true ? "scaled" : "walk"),
+                   options().scaled == true ? "scaled" : "walk"),
                "leave it out, or give a pair of finite masses");
     if (is_scaled()) factor_ = motion_.inverse_mass.rsqrt();
     if (is_walk()) walk_ = walk_watch_.steps();
@@ -268,8 +267,28 @@ Plot CollisionMapPanel::plot(const PanelState* state) const {
 
 }  // namespace collision_map
 
+namespace {
+
 std::unique_ptr<Panel> make_collision_map(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<collision_map::CollisionMapPanel>(context, spec);
+}
+
+}  // namespace
+
+PanelKind collision_map_kind() {
+    using enum Ability;
+    return {.name = "collision-map",
+            .words = Phrase{"collision map"},
+            .shows =
+                "Collisions of two beads on a line, in the plane of their two velocities: see "
+                "[Figures](figures.md#collision-maps).",
+            .make = make_collision_map,
+            .abilities = {of, pair},
+            .keys = option_keys(collision_map_keys()),
+            .rule = check_collision_map,
+            .has_own_time =
+                [](const PanelSpec& spec) { return !spec.options.as<CollisionMapOptions>().walk; },
+            .work = always(PanelWork{.flights = PanelWork::Flights::recorded})};
 }
 
 }  // namespace carom

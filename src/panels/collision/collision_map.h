@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/collision/collision_map_keys.h"
 #include "panels/collision/pair_collision.h"
 #include "panels/collision/pair_motion.h"
 #include "panels/plot/plot_panel.h"
@@ -42,7 +43,8 @@ class CollisionMapPanel : public PlotPanel {
         : context_(context), spec_(spec), watch_(context, spec), walk_watch_(context, spec) {}
 
     void survey(const FrameInput& input) override;
-    bool surveys_collisions() const override { return !spec_.given; }
+    bool is_of_run() const override { return !options().given; }
+    bool surveys_collisions() const override { return !options().given; }
     void fix_axes() override;
     void archive(Archive& archive) override {
         archive(met_, motion_, number_, walk_, factor_, reach_);
@@ -54,8 +56,9 @@ class CollisionMapPanel : public PlotPanel {
     std::optional<std::array<double, 2>> time_shown(double at) const override;
 
   private:
-    bool is_walk() const { return spec_.walk; }
-    bool is_scaled() const { return spec_.scaled.value_or(is_walk()); }
+    const CollisionMapOptions& options() const { return spec_.options.as<CollisionMapOptions>(); }
+    bool is_walk() const { return options().walk; }
+    bool is_scaled() const { return options().scaled.value_or(is_walk()); }
     void find_motion();
     Counts counts_of(std::size_t steps) const;
     std::string subscripted(const char* letter, std::size_t k) const;

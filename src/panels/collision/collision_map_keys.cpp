@@ -7,8 +7,8 @@
 namespace carom {
 namespace {
 
-GivenPair& given_pair(PanelSpec& panel) {
-    return panel.given ? *panel.given : panel.given.emplace();
+GivenPair& given_pair(CollisionMapOptions& options) {
+    return options.given ? *options.given : options.given.emplace();
 }
 
 // Two velocities describe the motion completely on a wire only.
@@ -38,44 +38,43 @@ void check_given(const Node& node, Errors& errors) {
 
 }  // namespace
 
-std::vector<Binding<PanelSpec>> collision_map_keys() {
+std::vector<Binding<CollisionMapOptions>> collision_map_keys() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto mass = either(number(positive), one_of<double>({{"infinite", infinity}}));
-    const auto fill_masses = [](PanelSpec& panel, const std::vector<double>& masses) {
-        given_pair(panel).inverse_mass = {1.0 / masses.at(0), 1.0 / masses.at(1)};
+    const auto fill_masses = [](CollisionMapOptions& options, const std::vector<double>& masses) {
+        given_pair(options).inverse_mass = {1.0 / masses.at(0), 1.0 / masses.at(1)};
     };
-    const auto fill_velocities = [](PanelSpec& panel, const TwoNumbers& velocity) {
-        given_pair(panel).velocity = velocity;
+    const auto fill_velocities = [](CollisionMapOptions& options, const TwoNumbers& velocity) {
+        given_pair(options).velocity = {velocity[0], velocity[1]};
     };
-    return {bind_with<PanelSpec>("masses", fill_masses, list_of(mass, 2, {2}, "[mass, mass]"),
-                                 "The masses of a pair that need not be in the scene, with "
-                                 "`velocities`; one mass may be `infinite`.")
-                .default_text("those of the pair in the scene"),
-            bind_with<PanelSpec>("velocities", fill_velocities,
-                                 pair_of(any_number, "[velocity, velocity]"),
-                                 "The velocities before the collision of the given `masses`.")
-                .default_text("those of the pair in the scene"),
-            bind_key("walk", &PanelSpec::walk, flag(),
-                     "All collisions of the pair so far, with each other and with walls, as a walk "
-                     "on the ellipse of their energy; otherwise only the first collision."),
-            bind_key("scaled", &PanelSpec::scaled, flag(),
-                     "Multiplies each velocity by the square root of the mass: the ellipse becomes "
-                     "a circle, a collision a reflection.")
-                .default_text("the value of `walk`")};
+    return {
+        bind_with<CollisionMapOptions>("masses", fill_masses, list_of(mass, 2, {2}, "[mass, mass]"),
+                                       "The masses of a pair that need not be in the scene, with "
+                                       "`velocities`; one mass may be `infinite`.")
+            .default_text("those of the pair in the scene"),
+        bind_with<CollisionMapOptions>("velocities", fill_velocities,
+                                       pair_of(any_number, "[velocity, velocity]"),
+                                       "The velocities before the collision of the given `masses`.")
+            .default_text("those of the pair in the scene"),
+        bind_key("walk", &CollisionMapOptions::walk, flag(),
+                 "All collisions of the pair so far, with each other and with walls, as a walk "
+                 "on the ellipse of their energy; otherwise only the first collision."),
+        bind_key("scaled", &CollisionMapOptions::scaled, flag(),
+                 "Multiplies each velocity by the square root of the mass: the ellipse becomes "
+                 "a circle, a collision a reflection.")
+            .default_text("the value of `walk`")};
 }
 
 void check_collision_map(PanelSpec& panel, const Node& node, Reading& reading) {
     check_wire(node.is_mapping() ? *given(node, "kind") : node, reading);
     check_given(node, reading.errors);
     const Node *masses = given(node, "masses"), *velocities = given(node, "velocities");
-    if (masses == nullptr || velocities == nullptr) {
-        panel.given.reset();
-        return;
-    }
-    if (!(panel.given->inverse_mass[0] + panel.given->inverse_mass[1] > 0.0))
+    auto& given_pair = panel.options.change<CollisionMapOptions>().given;
+    if (masses == nullptr || velocities == nullptr) return given_pair.reset();
+    if (!(given_pair->inverse_mass.sum() > 0.0))
         reading.errors.add(*masses, "two infinite masses do not collide",
                            "give at least one finite mass");
-    if (panel.given->velocity[0] == panel.given->velocity[1])
+    if (given_pair->velocity[0] == given_pair->velocity[1])
         reading.errors.add(*velocities, "two beads of equal velocities never collide",
                            "the left bead must be the faster one");
 }

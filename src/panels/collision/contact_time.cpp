@@ -10,6 +10,7 @@
 #include "panels/collision/pair_collision.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
@@ -264,10 +265,23 @@ Plot ContactTimePanel::plot(const PanelState* state) const {
     return plot;
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_contact_time(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<ContactTimePanel>(context, spec);
+}
+
+}  // namespace
+
+PanelKind contact_time_kind() {
+    using enum Ability;
+    return {.name = "contact-time",
+            .words = Phrase{"contact time"},
+            .shows =
+                "The squared distance of two particles against time, and the time of contact "
+                "that follows from it.",
+            .make = make_contact_time,
+            .abilities = {of, pair},
+            .has_own_time = always(true),
+            .work = always(PanelWork{.flights = PanelWork::Flights::recorded})};
 }
 
 }  // namespace carom

@@ -9,6 +9,7 @@
 #include "panels/gas/bead_words.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "util/archive.h"
 #include "util/text.h"
 
@@ -322,10 +323,21 @@ Table SingleCollisionPanel::table(const PanelState&, const Theme&) const {
     return table;
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_single_collision(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<SingleCollisionPanel>(context, spec);
+}
+
+}  // namespace
+
+PanelKind single_collision_kind() {
+    using enum Ability;
+    return {.name = "single-collision",
+            .words = Phrase{"single collision"},
+            .shows = "One collision in a plane: the velocities before, at and after contact.",
+            .make = make_single_collision,
+            .abilities = {of, pair},
+            .has_own_time = always(true),
+            .has_plot = false};
 }
 
 }  // namespace carom

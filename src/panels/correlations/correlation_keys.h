@@ -1,39 +1,51 @@
-// The scene keys that only the correlation panels accept, and the checks of these panels.
+// The options of the panels of correlations, and how far those that have a longest lag or distance
+// go.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "physics/run.h"
 #include "scene/keys/binding.h"
-#include "scene/scene.h"
 
 namespace carom {
 
-std::vector<Binding<PanelSpec>> displacement_keys();
-std::vector<Binding<PanelSpec>> pair_correlation_keys();
-std::vector<Binding<PanelSpec>> autocorrelation_keys();
-std::vector<Binding<PanelSpec>> free_flight_keys();
+/// Of displacements.
+struct DisplacementOptions {
+    double from = 0.0;                    ///< the time from which they are measured
+    std::optional<double> fit_from = {};  ///< start of their line; none: usual
+    bool all_origins = false;             ///< averaged over all starting times
+    std::optional<double> lags = {};      ///< then: the longest time lag; none: usual
+};
 
-/// Reports a panel of displacements for which the run leaves no time to measure or to fit.
-void check_displacements(PanelSpec& panel, const Node& node, Reading& reading);
+/// Of velocities.
+struct AutocorrelationOptions {
+    double from = 0.0;                ///< the time from which they are compared
+    std::optional<double> lags = {};  ///< the longest time lag; none: usual
+};
 
-/// Reports boxes with partitions or obstacles, in which the rings of g(r) have no simple area;
-/// distances beyond that of the nearest periodic images; and more than two choices of particles.
-void check_pair_correlation(PanelSpec& panel, const Node& node, Reading& reading);
+struct PairCorrelationOptions {
+    std::optional<double> to = {};  ///< the largest distance; none: usual
+};
 
-/// Reports lags that are longer than the measured time.
-void check_autocorrelation(PanelSpec& panel, const Node& node, Reading& reading);
+struct FreeFlightOptions {
+    bool logarithmic = false;    ///< whether the vertical axis is logarithmic
+    bool ends_at_walls = false;  ///< whether walls and partitions end a flight, too
+};
 
-/// Reports free flights of a single moment, in which none ends.
-void check_free_flights(PanelSpec& panel, const Node& node, Reading& reading);
+/// The keys `from` and `lags` of kinds whose options have these fields.
+Binding<double> from_key();
+Binding<std::optional<double>> lags_key();
 
-/// Reports a panel of hexagonal order for beads on a line, which have none.
-void check_orientational_order(PanelSpec& panel, const Node& node, Reading& reading);
+/// Reports a time at or after the end of the run; returns whether it did.
+bool is_late(const Node* key, double time, Reading& reading);
 
-/// The largest distance at which g(r) is known: half of the shortest periodic side, or the longest
-/// side if that is less.
-double most_distance(const Box& box);
+/// Reports lags that are longer than the time from `from` to the end of the run.
+void check_lags(std::optional<double> lags, double from, const Node& node, Reading& reading);
 
 /// The longest time lag: as given in the scene, or its default.
-double usual_lags(const PanelSpec& spec, const Run& run);
+double longest_lag(const DisplacementOptions& options, const Run& run);
+double longest_lag(const AutocorrelationOptions& options, const Run& run);
 
 }  // namespace carom

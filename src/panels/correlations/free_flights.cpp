@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "panels/chosen.h"
+#include "panels/correlations/correlation_keys.h"
 #include "panels/correlations/curve_panel.h"
 #include "panels/means/thinning.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "stats/histogram.h"
 #include "stats/paths/sliding_sum.h"
 #include "util/bin_number.h"
@@ -24,6 +26,27 @@ constexpr double percent = 100.0;
 
 enum class Flown { path, time };
 
+const FreeFlightOptions& options_of_flights(const PanelSpec& panel) {
+    return panel.options.as<FreeFlightOptions>();
+}
+
+std::vector<Binding<FreeFlightOptions>> free_flight_keys() {
+    return {
+        bind_key("log", &FreeFlightOptions::logarithmic, flag(),
+                 "Whether the vertical axis is logarithmic: an exponential law is then straight."),
+        bind_key("walls", &FreeFlightOptions::ends_at_walls, flag(),
+                 "Whether walls and partitions end a free flight too; otherwise only other "
+                 "particles and obstacles do.")};
+}
+
+// Reports free flights of a single moment, in which none ends.
+void check_free_flights(PanelSpec& panel, const Node& node, Reading& reading) {
+    const Node* over = given(node, "over");
+    if (over == nullptr || !panel.over || panel.over->since != Over::Since::now) return;
+    reading.errors.add(*over, "no free flight ends at a single moment",
+                       "give `start`, or a time: {window: 5}");
+}
+
 // The `numbers` of each line: the mean from the total path or time, the number of ended flights,
 // and the mean speed.
 class FlightMeter : public CurveMeter {
@@ -32,7 +55,8 @@ class FlightMeter : public CurveMeter {
                 std::optional<double> window)
         : flown_(flown),
           window_(window),
-          flights_(context.scene.gas.box, spec.ends_at_walls, velocity_changes(context.scene.run)),
+          flights_(context.scene.gas.box, options_of_flights(spec).ends_at_walls,
+                   velocity_changes(context.scene.run)),
           lists_(members_that_collide(context, choices(spec))),
           lists_of_(static_cast<std::size_t>(context.particles.count())),
           kept_(lists_.size()),
@@ -179,7 +203,8 @@ struct FlightNotes {
         : context(of), chosen(choices(spec)), flown(what) {
         if (!spec.theory) return;
         has_law = bool(law(of.gas, LawOf::memoryless));
-        const Law path = law(of.gas, LawOf::free_flight, {.ends_at_walls = spec.ends_at_walls});
+        const Law path = law(of.gas, LawOf::free_flight,
+                             {.ends_at_walls = options_of_flights(spec).ends_at_walls});
         if (path) exact_path = path.value;
     }
 
@@ -252,7 +277,7 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
                             : quantities::time.named(Phrase{"free time"});
     subject.up = quantities::per_cent;
     subject.height = [language](double width) { return percent_per(language, width); };
-    subject.logarithmic = spec.logarithmic;
+    subject.logarithmic = options_of_flights(spec).logarithmic;
     subject.account = [language, context, chosen, is_path](const CurveValues& values,
                                                            std::size_t line) -> std::string {
         const double mean = values.numbers[line].front();
@@ -268,14 +293,44 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
     return std::make_unique<CurvePanel>(context, std::move(subject));
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_free_path(const PanelContext& context, const PanelSpec& spec) {
     return make_free_flights(context, spec, Flown::path);
 }
 
 std::unique_ptr<Panel> make_free_time(const PanelContext& context, const PanelSpec& spec) {
     return make_free_flights(context, spec, Flown::time);
+}
+
+}  // namespace
+
+PanelKind free_path_kind() {
+    using enum Ability;
+    return {.name = "free-path",
+            .words = Phrase{"free path"},
+            .shows =
+                "The distribution of the distances that particles fly between collisions, with "
+                "the exponential law of memoryless flight.",
+            .make = make_free_path,
+            .abilities = {of, over, theory, means, comparison},
+            .keys = option_keys(free_flight_keys()),
+            .rule = check_free_flights,
+            .laws = always(std::vector{LawOf::memoryless}),
+            .work = always(PanelWork{.flights = PanelWork::Flights::followed})};
+}
+
+PanelKind free_time_kind() {
+    using enum Ability;
+    return {.name = "free-time",
+            .words = Phrase{"free time"},
+            .shows =
+                "The distribution of the times that particles fly between collisions, with the "
+                "exponential law of memoryless flight.",
+            .make = make_free_time,
+            .abilities = {of, over, theory, means, comparison},
+            .keys = option_keys(free_flight_keys()),
+            .rule = check_free_flights,
+            .laws = always(std::vector{LawOf::memoryless}),
+            .work = always(PanelWork{.flights = PanelWork::Flights::followed})};
 }
 
 }  // namespace carom

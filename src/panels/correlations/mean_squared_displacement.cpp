@@ -12,6 +12,7 @@
 #include "panels/correlations/displacement_meter.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "stats/displacements.h"
 #include "util/text.h"
 
@@ -100,6 +101,54 @@ struct Followed {
     }
 };
 
+const DisplacementOptions& options_of_displacements(const PanelSpec& panel) {
+    return panel.options.as<DisplacementOptions>();
+}
+
+std::vector<Binding<DisplacementOptions>> displacement_keys() {
+    return {
+        bind_within(&DisplacementOptions::from, from_key()),
+        bind_key("origins", &DisplacementOptions::all_origins,
+                 one_of<bool>({{"one", false}, {"all", true}}),
+                 "Displacements since `from`, or their mean over all starting times from then on, "
+                 "against the time lag."),
+        bind_within(&DisplacementOptions::lags, lags_key()),
+        bind_key("fit_from", &DisplacementOptions::fit_from, number(not_negative),
+                 "The time from which the line 2 d D t is fitted; D is the diffusion "
+                 "coefficient. With `origins: all`, the time lag.")
+            .default_text("half-way from `from` to the end; with `origins: all`, half of `lags`")};
+}
+
+// The fitted line needs a part of the run in which displacements are measured.
+void check_displacements(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (!(reading.run.until > 0.0)) return;
+    const auto& options = options_of_displacements(panel);
+    const Node *from = given(node, "from"), *fit_from = given(node, "fit_from");
+    if (is_late(from, options.from, reading)) return;
+    if (options.all_origins) {
+        check_lags(options.lags, options.from, node, reading);
+        const double lags = longest_lag(options, reading.run);
+        if (fit_from != nullptr && *options.fit_from >= lags)
+            reading.errors.add(*fit_from, fmt::format("expected a time below {}", lags),
+                               fmt::format("times since a start go up to {}", lags));
+        return;
+    }
+    if (const Node* lags = given(node, "lags"))
+        reading.errors.add(*lags, "`lags` belongs to `origins: all`", "add that, or leave it out");
+    if (fit_from == nullptr || is_late(fit_from, *options.fit_from, reading)) return;
+    if (*options.fit_from < options.from)
+        reading.errors.add(
+            *fit_from,
+            fmt::format("displacements are measured from {}, which is later", options.from),
+            "give a time from there on, or an earlier `from`");
+}
+
+PanelWork work_of_displacements(const PanelSpec& panel, const Run& run) {
+    const auto& options = options_of_displacements(panel);
+    if (!options.all_origins) return {.flights = PanelWork::Flights::displaced};
+    return {.flights = PanelWork::Flights::lags, .longest_lag = longest_lag(options, run)};
+}
+
 // Whether places at the start say nothing of those at the end: the plateau is the mean over both.
 bool starts_anywhere(const PanelContext& context) {
     return context.scene.run.equilibrate > 0.0 ||
@@ -118,16 +167,18 @@ LineLaw law_of_line(const std::vector<LineLaw>& of_run, std::size_t line,
 }
 
 std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec& spec) {
-    const double fit_from = spec.fit_from.value_or(0.5 * (spec.from + context.scene.run.until));
+    const auto& options = options_of_displacements(spec);
+    const double fit_from =
+        options.fit_from.value_or(0.5 * (options.from + context.scene.run.until));
     const double fit_until = std::min(first_reversal(context.scene.run), context.scene.run.until);
     const double middle = 0.5 * (fit_from + fit_until);
     const std::vector<Chosen> chosen = choices(spec);
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Mean squared displacement"});
     const auto followed = std::make_shared<Followed>(Followed{
-        members_that_collide(context, chosen), Displacements(context.scene.gas.box, spec.from),
+        members_that_collide(context, chosen), Displacements(context.scene.gas.box, options.from),
         SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
         SlopesOfParticles(middle, fit_until),
-        PartnerCounts(context.scene.gas.box, context.particles, spec.from, fit_from)});
+        PartnerCounts(context.scene.gas.box, context.particles, options.from, fit_from)});
     subject.measure = [followed](const FrameInput& input) { return followed->see(input); };
     subject.numbers = [followed, dimension = context.scene.gas.box.dimension] {
         return followed->numbers(dimension);
@@ -142,8 +193,8 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     subject.quantity = mean_square;
     subject.needs_collisions = true;
     if (!spec.theory) return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
-    subject.add = [context, chosen, fit_from, from = spec.from](const SeriesRecord& record,
-                                                                plot::Plot& whole) {
+    subject.add = [context, chosen, fit_from, from = options.from](const SeriesRecord& record,
+                                                                   plot::Plot& whole) {
         const bool compares = record.compares();
         std::vector<Finding> all;
         for (std::size_t k = 0; k < record.runs.size(); ++k)
@@ -258,11 +309,12 @@ class LagTheory {
 std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
-    const double lags = usual_lags(spec, context.scene.run);
-    const double fit_from = spec.fit_from.value_or(0.5 * lags);
-    CurveSubject subject{.points = lag_count, .from = spec.from};
-    subject.meter = [context, lists = members_that_collide(context, chosen), from = spec.from, lags,
-                     fit_from] {
+    const auto& options = options_of_displacements(spec);
+    const double lags = longest_lag(options, context.scene.run);
+    const double fit_from = options.fit_from.value_or(0.5 * lags);
+    CurveSubject subject{.points = lag_count, .from = options.from};
+    subject.meter = [context, lists = members_that_collide(context, chosen), from = options.from,
+                     lags, fit_from] {
         return std::make_unique<DisplacementMeter>(context, lists, from, lags, fit_from);
     };
     name_curves(subject, context, spec, say(language, "Mean squared displacement"), "");
@@ -288,11 +340,30 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     return std::make_unique<CurvePanel>(context, std::move(subject));
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& context,
                                                       const PanelSpec& spec) {
-    return spec.all_origins ? over_all_origins(context, spec) : since_a_time(context, spec);
+    return options_of_displacements(spec).all_origins ? over_all_origins(context, spec)
+                                                      : since_a_time(context, spec);
+}
+
+}  // namespace
+
+PanelKind mean_squared_displacement_kind() {
+    using enum Ability;
+    return {.name = "mean-squared-displacement",
+            .words = Phrase{"mean squared displacement"},
+            .shows =
+                "The mean squared displacement, unwrapped across periodic sides, with the fitted "
+                "line 2*dDt*, the diffusion coefficient *D* with its error (or the reason why "
+                "there is none, and the plateau between walls), and the parabola of free flight; "
+                "with `origins: all` averaged over all starting times.",
+            .make = make_mean_squared_displacement,
+            .abilities = {of, theory, means, comparison},
+            .tried_as = {"msd"},
+            .keys = option_keys(displacement_keys()),
+            .rule = check_displacements,
+            .laws = always(std::vector{LawOf::displacement}),
+            .work = work_of_displacements};
 }
 
 }  // namespace carom

@@ -2,10 +2,20 @@
 // global order of the whole gas, in which crystals of different orientations cancel.
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "stats/paths/bond_order.h"
 #include "util/text.h"
 
 namespace carom {
+namespace {
+
+// Beads on a line have no hexagonal order.
+void check_orientational_order(PanelSpec&, const Node& node, Reading& reading) {
+    if (reading.gas.box.dimension == 2) return;
+    reading.errors.add(node.is_mapping() ? *given(node, "kind") : node,
+                       "beads on a line have no hexagonal order",
+                       "give a box with a `size`, or another panel");
+}
 
 std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
                                                 const PanelSpec& spec) {
@@ -25,6 +35,21 @@ std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
     title_with_names(subject, language, title);
     subject.compared_title = title;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind orientational_order_kind() {
+    using enum Ability;
+    return {
+        .name = "orientational-order",
+        .words = Phrase{"hexagonal order"},
+        .shows =
+            "The hexagonal order against time: of each disk's neighbours, and of the whole gas.",
+        .make = make_orientational_order,
+        .abilities = {means, comparison},
+        .rule = check_orientational_order,
+        .work = always(PanelWork{.finds_neighbours = true})};
 }
 
 }  // namespace carom

@@ -2,6 +2,8 @@
 // the theoretical contact value for equal disks.
 #include "stats/paths/pair_correlation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,6 +13,7 @@
 #include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
@@ -18,6 +21,44 @@ namespace {
 
 constexpr double usual_diameters = 5.0;  // up to where g(r) is shown
 constexpr double rings_along = 100.0;    // about
+
+std::vector<Binding<PairCorrelationOptions>> pair_correlation_keys() {
+    return {bind_key("to", &PairCorrelationOptions::to, number(positive), "The largest distance.")
+                .default_text("five diameters, or less in a smaller box; for points half of the "
+                              "largest distance")};
+}
+
+// The largest distance at which g(r) is known: half of the shortest periodic side, or the longest
+// side if that is less.
+double most_distance(const Box& box) {
+    double nearest = INFINITY, longest = 0.0;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+        if (box.is_periodic(axis)) nearest = std::min(nearest, 0.5 * box.length(axis));
+        longest = std::max(longest, box.length(axis));
+    }
+    return std::min(nearest, longest);
+}
+
+// Reports boxes with partitions or obstacles, in which the rings of g(r) have no simple area;
+// distances beyond that of the nearest periodic images; and more than two choices of particles.
+void check_pair_correlation(PanelSpec& panel, const Node& node, Reading& reading) {
+    const Box& box = reading.gas.box;
+    const Node& place = node.is_mapping() ? *given(node, "kind") : node;
+    if (!box.surfaces.partitions.empty() || !box.surfaces.obstacles.empty())
+        reading.errors.add(
+            place, "`pair-correlation` needs a box without partitions and obstacles",
+            "leave it out, or remove these: with them its normalisation is not known exactly");
+    if (panel.of.size() > 2)
+        reading.errors.add(*given(node, "of"), "`of` takes at most two choices, for pairs",
+                           "for more, add a panel for each pair");
+    const Node* to = given(node, "to");
+    if (to == nullptr || !(box.size[0] > 0.0) ||
+        *panel.options.as<PairCorrelationOptions>().to <= most_distance(box))
+        return;
+    reading.errors.add(*to, "`to` is too large for this box",
+                       fmt::format("give at most {}: half of a periodic side, or the longest side",
+                                   most_distance(box)));
+}
 
 // What determines the rings for a scene.
 struct Rings {
@@ -34,7 +75,7 @@ Rings rings_of(const PanelContext& context, const PanelSpec& spec,
     rings.contact = context.particles.radius[lists.front().front()] +
                     context.particles.radius[lists.back().front()];
     const double usual = rings.contact > 0.0 ? usual_diameters * rings.contact : 0.5 * most;
-    const double to = spec.to.value_or(std::min(usual, most));
+    const double to = spec.options.as<PairCorrelationOptions>().to.value_or(std::min(usual, most));
     double width = to / rings_along;
     if (rings.contact > width) width = rings.contact / std::round(rings.contact / width);
     rings.count = std::max(1, static_cast<int>(std::floor(to / width * (1.0 + 1e-12))));
@@ -89,8 +130,6 @@ void add_contact(Language language, double contact, double value, plot::Plot& pl
                                        .mark = mark}}});
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
@@ -138,6 +177,27 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
         };
     }
     return std::make_unique<CurvePanel>(context, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind pair_correlation_kind() {
+    using enum Ability;
+    return {.name = "pair-correlation",
+            .words = Phrase{"pair correlation"},
+            .shows =
+                "*g*(*r*): the number of pairs at each distance, relative to that of random "
+                "points in the same box, with Henderson's value for equal disks at contact.",
+            .make = make_pair_correlation,
+            .abilities = {of, over, theory, means, comparison},
+            .tried_as = {"rdf"},
+            .keys = option_keys(pair_correlation_keys()),
+            .rule = check_pair_correlation,
+            .laws = always(std::vector{LawOf::contact}),
+            .work = [](const PanelSpec& panel, const Run&) {
+                return PanelWork{.flights = PanelWork::Flights::pairs,
+                                 .reach = panel.options.as<PairCorrelationOptions>().to};
+            }};
 }
 
 }  // namespace carom

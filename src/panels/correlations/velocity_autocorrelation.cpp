@@ -7,6 +7,7 @@
 #include "panels/correlations/correlation_keys.h"
 #include "panels/correlations/lag_meter.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
@@ -128,15 +129,25 @@ void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, 
     plot.notes.push_back(std::move(note));
 }
 
-}  // namespace
+std::vector<Binding<AutocorrelationOptions>> autocorrelation_keys() {
+    return {bind_within(&AutocorrelationOptions::lags, lags_key()),
+            bind_within(&AutocorrelationOptions::from, from_key())};
+}
+
+void check_autocorrelation(PanelSpec& panel, const Node& node, Reading& reading) {
+    const auto& options = panel.options.as<AutocorrelationOptions>();
+    if (!(reading.run.until > 0.0) || is_late(given(node, "from"), options.from, reading)) return;
+    check_lags(options.lags, options.from, node, reading);
+}
 
 std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context,
                                                      const PanelSpec& spec) {
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
-    const double lags = usual_lags(spec, context.scene.run);
-    CurveSubject subject{.points = lag_count, .from = spec.from};
-    subject.meter = [context, lists = members_that_collide(context, chosen), from = spec.from,
+    const auto& options = spec.options.as<AutocorrelationOptions>();
+    const double lags = longest_lag(options, context.scene.run);
+    CurveSubject subject{.points = lag_count, .from = options.from};
+    subject.meter = [context, lists = members_that_collide(context, chosen), from = options.from,
                      lags] {
         return std::make_unique<AutocorrelationMeter>(context, lists, from, lags);
     };
@@ -161,6 +172,28 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
             add_slopes(context, chosen, lags, values, plot);
         };
     return std::make_unique<CurvePanel>(context, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind velocity_autocorrelation_kind() {
+    using enum Ability;
+    return {.name = "velocity-autocorrelation",
+            .words = Phrase{"velocity autocorrelation"},
+            .shows =
+                "The mean of **v**(0)·**v**(*t*) over all starting times, divided by that of "
+                "*v*², with the initial slope that collisions give it in equilibrium.",
+            .make = make_velocity_autocorrelation,
+            .abilities = {of, theory, means, comparison},
+            .tried_as = {"vacf"},
+            .keys = option_keys(autocorrelation_keys()),
+            .rule = check_autocorrelation,
+            .laws = always(std::vector{LawOf::autocorrelation}),
+            .work = [](const PanelSpec& panel, const Run& run) {
+                return PanelWork{
+                    .flights = PanelWork::Flights::lags,
+                    .longest_lag = longest_lag(panel.options.as<AutocorrelationOptions>(), run)};
+            }};
 }
 
 }  // namespace carom

@@ -9,9 +9,60 @@
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 namespace {
+
+/// What a counter counts at walls and partitions.
+enum class Counted { hits, crossings };
+
+struct CounterOptions {
+    CrossedAt at = {};
+    std::optional<Counted> counted = {};  ///< none: depends on the surfaces
+};
+
+std::vector<Binding<CounterOptions>> counter_keys() {
+    return joined<CounterOptions>(
+        bind_within(&CounterOptions::at, crossed_keys()),
+        std::vector{
+            bind_key(
+                "count", &CounterOptions::counted,
+                one_of<Counted>({{"hits", Counted::hits}, {"crossings", Counted::crossings}}),
+                "What it counts: collisions with walls and partitions, or crossings of partitions "
+                "in each direction.")
+                .default_text("crossings of partitions that let particles through, else hits")});
+}
+
+// Unless the scene says what to count, a counter counts crossings if there is something to cross,
+// and otherwise hits on all walls.
+void check_counter(PanelSpec& panel, const Node& node, Reading& reading) {
+    auto& [at, counted] = panel.options.change<CounterOptions>();
+    if (is_written(node, "line")) {
+        check_line(node, reading);
+        if (counted == Counted::hits)
+            reading.errors.add(*given(node, "count"), "nothing hits a `line`: it is no wall",
+                               "leave out `count`, or name walls by `surfaces`");
+        return;
+    }
+    const bool is_named = is_written(node, "surfaces");
+    const SuitableSurface passable = passable_surfaces(reading);
+    if (!counted) {
+        SurfaceNumbers all = at.surfaces;
+        if (!is_named)
+            for (std::int32_t k = reading.gas.box.surfaces.first_partition();
+                 k < reading.gas.box.surfaces.first_obstacle(); ++k)
+                all.push_back(k);
+        const bool some = std::ranges::any_of(all, passable.suits);
+        const bool every = std::ranges::all_of(all, passable.suits);
+        counted = some && (every || !is_named) ? Counted::crossings : Counted::hits;
+    }
+    const SuitableSurface solid{
+        [&](std::int32_t surface) { return is_named || reading.gas.box.surfaces.is_side(surface); },
+        "a solid wall of the box", "make a wall solid, or count at `line: {x: PLACE}`"};
+    keep_suitable(panel, at.surfaces, counted == Counted::crossings ? passable : solid, node,
+                  reading);
+}
 
 struct CounterSize {
     static constexpr double name_space = 1.5, inner = 0.35, rim = 0.09;  // units
@@ -122,13 +173,13 @@ class HitMeter {
 // Counts for each choice of particles, each line and each direction.
 class CrossingMeter {
   public:
-    CrossingMeter(const PanelContext& context, const PanelSpec& spec,
+    CrossingMeter(const PanelContext& context, const CrossedAt& at,
                   const std::vector<Chosen>& chosen) {
         const Box& box = context.scene.gas.box;
-        const std::size_t lines = spec.line ? 1 : spec.surfaces.size();
+        const std::size_t lines = at.line ? 1 : at.surfaces.size();
         for (const Chosen& one : chosen)
             for (std::size_t k = 0; k < lines; ++k)
-                lines_.emplace_back(box, context.particles, crossed_line(box, spec, k),
+                lines_.emplace_back(box, context.particles, crossed_line(box, at, k),
                                     members(context, one), velocity_changes(context.scene.run));
     }
 
@@ -150,7 +201,8 @@ void add_plates(DialSubject& subject, const PanelContext& context, const PanelSp
                 const std::vector<Chosen>& chosen, bool crossings) {
     const Language language = context.language();
     const Box& box = context.scene.gas.box;
-    const std::size_t places = spec.line ? 1 : spec.surfaces.size();
+    const CrossedAt& at = spec.options.as<CounterOptions>().at;
+    const std::size_t places = at.line ? 1 : at.surfaces.size();
     const auto with = [](const std::string& first, const std::string& between,
                          const std::string& second) {
         return first.empty() || second.empty() ? first + second : first + between + second;
@@ -162,16 +214,16 @@ void add_plates(DialSubject& subject, const PanelContext& context, const PanelSp
                 subject.lines.push_back({column, name, role_among(context, chosen, c)});
             };
             if (!crossings) {
-                const std::int32_t surface = spec.surfaces[k];
+                const std::int32_t surface = at.surfaces[k];
                 add(with(which, ", ", box.surfaces.names()[static_cast<std::size_t>(surface)]),
                     with(which, ", ", short_name(language, box, surface)));
                 continue;
             }
-            const std::string at = name_of_line(box, spec, k);
-            const int axis = crossed_line(box, spec, k).axis;
-            const std::string before = with(which, ", ", places > 1 ? at : "");
+            const std::string line = name_of_line(box, at, k);
+            const int axis = crossed_line(box, at, k).axis;
+            const std::string before = with(which, ", ", places > 1 ? line : "");
             for (const std::size_t way : {std::size_t{0}, std::size_t{1}})
-                add(with(with(which, ", ", at), ", ",
+                add(with(with(which, ", ", line), ", ",
                          std::string(ways_across(axis).at(way).english)),
                     before.empty() ? say(language, ways_across(axis).at(way))
                                    : before + " " + arrows_across(axis).at(way));
@@ -181,28 +233,45 @@ void add_plates(DialSubject& subject, const PanelContext& context, const PanelSp
         subject.lines[k].role = surface_role(k, subject.lines.size());
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_counter(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.scene.gas.box;
-    const bool crossings = spec.line || spec.counted == Counted::crossings;
+    const auto& [at, counted] = spec.options.as<CounterOptions>();
+    const bool crossings = at.line || counted == Counted::crossings;
     const std::vector<Chosen> chosen = choices(spec);
     DialSubject subject{.part = "counter", .counts = true, .needs_collisions = true};
     add_plates(subject, context, spec, chosen, crossings);
     subject.enough = 2.0 + 6.0 * static_cast<double>((subject.lines.size() + 1) / 2);
-    const bool is_one = crossings && (spec.line || spec.surfaces.size() == 1);
+    const bool is_one = crossings && (at.line || at.surfaces.size() == 1);
     if (crossings) {
         subject.quantity = quantities::count.named(Phrase{"crossings"});
-        subject.title = is_one ? say(language, "Crossings of {}", name_of_line(box, spec))
+        subject.title = is_one ? say(language, "Crossings of {}", name_of_line(box, at))
                                : say(language, "Crossings");
-        subject.measure = CrossingMeter(context, spec, chosen);
+        subject.measure = CrossingMeter(context, at, chosen);
     } else {
         subject.quantity = quantities::count.named(Phrase{"hits"});
         subject.title = say(language, "Hits");
-        subject.measure = HitMeter(context, chosen, spec.surfaces);
+        subject.measure = HitMeter(context, chosen, at.surfaces);
     }
     return std::make_unique<CounterPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind counter_kind() {
+    using enum Ability;
+    return {.name = "counter",
+            .words = Phrase{"counter"},
+            .shows =
+                "The number of hits on walls and partitions, or of crossings of partitions or a "
+                "`line` in each direction, in large digits.",
+            .make = make_counter,
+            .abilities = {of, means, comparison},
+            .keys = option_keys(counter_keys()),
+            .rule = check_counter,
+            .measured_at = crossed_at(&CounterOptions::at),
+            .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
+            .has_plot = false};
 }
 
 }  // namespace carom

@@ -38,9 +38,9 @@ class GaugePanel : public DialPanel {
 };
 
 // If no surfaces are named: all sides that are not periodic, as one.
-std::vector<std::int32_t> gauged_surfaces(const Box& box, const PanelSpec& spec) {
-    if (!spec.surfaces.empty()) return spec.surfaces;
-    std::vector<std::int32_t> sides;
+SurfaceNumbers gauged_surfaces(const Box& box, const SurfaceNumbers& named) {
+    if (!named.empty()) return named;
+    SurfaceNumbers sides;
     for (std::int32_t side = 0; side < 2 * box.dimension; ++side)
         if (!box.is_periodic(side / 2)) sides.push_back(side);
     return sides;
@@ -52,8 +52,9 @@ std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const Pa
     const Language language = context.language();
     const Box& box = context.scene.gas.box;
     const Over over = spec.over.value_or(usual_window(context.scene.run));
-    const std::vector<std::int32_t> surfaces = gauged_surfaces(box, spec);
-    const bool is_one = spec.surfaces.empty();
+    const SurfaceNumbers& named = spec.options.as<PressureOptions>().surfaces;
+    const SurfaceNumbers surfaces = gauged_surfaces(box, named);
+    const bool is_one = named.empty();
     DialSubject subject{
         .title = say(language, "Pressure"),
         .note = words_of_window(language, over, Phrase{"mean since the last sample"}),

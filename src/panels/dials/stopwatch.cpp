@@ -8,11 +8,24 @@
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "scene/describe.h"
+#include "scene/instruments/instrument_reading.h"
+#include "scene/panel_kind.h"
 #include "scene/time/timeline.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
+
+struct StopwatchOptions {
+    WatchStart since = {};
+};
+
+std::vector<Binding<StopwatchOptions>> stopwatch_keys() {
+    return {bind_key("since", &StopwatchOptions::since, watch_start_notation(),
+                     "When it starts: a time, or the first event of this name: `reversal`, `heat`, "
+                     "or the wall or partition that the event acts on.")
+                .default_text("start")};
+}
 
 class StopwatchPanel : public DialPanel {
   public:
@@ -53,20 +66,32 @@ std::string words_of_start(const PanelContext& context, const WatchStart& since)
     return what.empty() ? when : say(language, "{}: {}", when, what);
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_stopwatch(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
+    const WatchStart& since = spec.options.as<StopwatchOptions>().since;
     DialSubject subject{.lines = {{"stopwatch", ""}},
                         .title = say(language, "Stopwatch"),
-                        .note = words_of_start(context, spec.since),
+                        .note = words_of_start(context, since),
                         .quantity = quantities::time,
                         .part = "stopwatch",
                         .enough = 11.0};
-    subject.measure = [run = context.scene.run, since = spec.since](const FrameInput& o) {
+    subject.measure = [run = context.scene.run, since](const FrameInput& o) {
         return std::vector{time_on_watch(run, since, o.tick.time)};
     };
     return std::make_unique<StopwatchPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind stopwatch_kind() {
+    using enum Ability;
+    return {.name = "stopwatch",
+            .words = Phrase{"stopwatch"},
+            .shows = "The time since the start, since a time, or since an event.",
+            .make = make_stopwatch,
+            .abilities = {comparison},
+            .keys = option_keys(stopwatch_keys()),
+            .has_plot = false};
 }
 
 }  // namespace carom

@@ -13,10 +13,26 @@
 #include "panels/plot/layers.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
+#include "scene/instruments/instrument_reading.h"
+#include "scene/keys/check.h"
+#include "scene/panel_kind.h"
 #include "stats/paths/thermal_times.h"
 
 namespace carom {
 namespace {
+
+struct ThermometerOptions {
+    std::vector<NamedRegion> regions = {};  ///< instead of choices of particles
+};
+
+std::vector<Binding<ThermometerOptions>> thermometer_keys() {
+    return {bind_within(&ThermometerOptions::regions, regions_key())};
+}
+
+void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (!panel.options.as<ThermometerOptions>().regions.empty() && is_written(node, "of"))
+        refuse_together(reading.errors, *find(node, "of"), {"of", "regions"});
+}
 
 // Units.
 struct ThermometerSize {
@@ -171,8 +187,6 @@ class TemperatureMeter {
     bool is_of_moment_;
 };
 
-}  // namespace
-
 std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Over over = spec.over.value_or(usual_window(context.scene.run));
@@ -182,12 +196,12 @@ std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const Panel
                         .part = "thermometer",
                         .needs_collisions = true};
     std::vector<ThermalPart> parts;
-    for (const NamedRegion& one : spec.regions) {
-        subject.lines.push_back(
-            {one.name, one.name, surface_role(parts.size(), spec.regions.size())});
+    const std::vector<NamedRegion>& regions = spec.options.as<ThermometerOptions>().regions;
+    for (const NamedRegion& one : regions) {
+        subject.lines.push_back({one.name, one.name, surface_role(parts.size(), regions.size())});
         parts.push_back({members(context, Chosen{}), one.region});
     }
-    if (spec.regions.empty()) {
+    if (regions.empty()) {
         const std::vector<Chosen> chosen = choices(spec);
         for (std::size_t k = 0; k < chosen.size(); ++k) {
             subject.lines.push_back({column_name_of(context.scene, chosen[k]),
@@ -198,6 +212,24 @@ std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const Panel
     }
     subject.measure = TemperatureMeter(context, std::move(parts), over);
     return std::make_unique<ThermometerPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind thermometer_kind() {
+    using enum Ability;
+    return {.name = "thermometer",
+            .words = Phrase{"thermometer"},
+            .shows =
+                "The temperature of all particles, of those that `of` names, or of those in "
+                "`regions` of the box, as thermometers with a common scale.",
+            .make = make_thermometer,
+            .abilities = {of, over, means, comparison},
+            .keys = option_keys(thermometer_keys()),
+            .rule = check_thermometer,
+            .measured_at = measured_at(&ThermometerOptions::regions),
+            .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
+            .has_plot = false};
 }
 
 }  // namespace carom

@@ -2,6 +2,8 @@
 // and the root-mean-square distance of the particles, on a logarithmic axis, against the time or
 // the collisions since the reversal, with the law by which such distances grow. For compared runs,
 // only the largest distance.
+#include "panels/echo/return_distance.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 
 #include "panels/echo/echo_record.h"
 #include "panels/plot/plot_panel.h"
-#include "panels/registry.h"
 #include "util/text.h"
 
 namespace carom {
@@ -65,7 +66,10 @@ constexpr Distance root_mean_square{Phrase{"root mean square"}, Phrase{"rms"},
 class ReturnDistancePanel : public RecordPanel<EchoRuns> {
   public:
     ReturnDistancePanel(const PanelContext& context, const PanelSpec& spec)
-        : context_(context), spec_(spec), echo_(context) {}
+        : context_(context),
+          spec_(spec),
+          against_collisions_(spec.options.as<ReturnDistanceOptions>().against_collisions),
+          echo_(context) {}
 
     void survey(const FrameInput& input) override { echo_.survey(input); }
     bool wants_return_distances() const override { return true; }
@@ -84,7 +88,7 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
         return {.role = {compares() ? Role::Of::muted : Role::Of::accent}, .width = law_width};
     }
     double along(const Step& step) const {
-        return spec_.against_collisions ? step.collisions : step.since;
+        return against_collisions_ ? step.collisions : step.since;
     }
     Steps law(const Echo& run, std::size_t reversal) const;
     bool has_law() const;
@@ -103,6 +107,7 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
 
     PanelContext context_;
     PanelSpec spec_;
+    bool against_collisions_;  // along the horizontal axis
     EchoRecord echo_;
     double low_ = -16.0, high_ = 0.0;  // powers of ten
     double last_ = 1.0;                // of the horizontal axis
@@ -237,7 +242,7 @@ Line ReturnDistancePanel::line(const char* part, const std::string& of, const St
     line.of = of;
     Column along = column(since_column, std::move(since));
     Column other = column(collisions_column, std::move(collisions));
-    if (spec_.against_collisions) std::swap(along, other);
+    if (against_collisions_) std::swap(along, other);
     line.x = std::move(along);
     line.y = column(log_column, std::move(log));
     line.more = {column(reversal_column, std::move(reversal)), std::move(other),
@@ -312,7 +317,7 @@ void ReturnDistancePanel::add_level(Plot& plot) const {
     level.part = "level";
     level.of = "mean radius";
     level.column = log_column;
-    level.x_column = spec_.against_collisions ? collisions_column : since_column;
+    level.x_column = against_collisions_ ? collisions_column : since_column;
     level.value = power;
     level.more = {column(distance_column, {first.radius})};
     level.still = true;
@@ -410,14 +415,14 @@ void ReturnDistancePanel::add_words(Plot& plot) const {
 Plot ReturnDistancePanel::plot(const PanelState* state) const {
     const Language language = context_.language();
     const Quantity across =
-        spec_.against_collisions
+        against_collisions_
             ? quantities::count.named(Phrase{"collisions per particle since the reversal"})
             : quantities::time.named(Phrase{"time since the reversal"});
     Plot plot{
         .language = language,
         .x = axis_of(language, across, 0.0, last_),
         .y = {.low = low_, .high = high_, .kind = Axis::Kind::powers, .has_zero_place = true}};
-    if (spec_.against_collisions) plot.x.short_title = say(language, "collisions per particle");
+    if (against_collisions_) plot.x.short_title = say(language, "collisions per particle");
     plot.y.quantity = log_column.quantity;
     plot.columns = {reversal_column, since_column, distance_column, collisions_column, log_column};
     add_words(plot);

@@ -7,6 +7,9 @@
 #include "panels/chosen.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
+#include "scene/limits.h"
+#include "scene/panel_kind.h"
+#include "scene/reading/gas_reading.h"
 #include "util/text.h"
 
 namespace carom {
@@ -228,10 +231,32 @@ plot::Plot RunDistancePanel::plot(const PanelState* state) const {
     return now;
 }
 
-}  // namespace
+void check_run_distance(PanelSpec& panel, const Node& node, Reading& reading) {
+    std::int64_t count = panel.of.empty() ? particles_in(reading.gas).value_or(0) : 0;
+    for (const Chosen& chosen : panel.of) count += count_of(chosen, reading.gas).value_or(0);
+    if (count > static_cast<std::int64_t>(most_in_both_runs.count()))
+        reading.errors.add(node, fmt::format("`run-distance` of {} particles", count),
+                           to_text(most_in_both_runs) + ": name some in `of`");
+}
 
 std::unique_ptr<Panel> make_run_distance(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<RunDistancePanel>(context, spec);
+}
+
+}  // namespace
+
+PanelKind run_distance_kind() {
+    using enum Ability;
+    return {.name = "run-distance",
+            .words = Phrase{"distance between the runs"},
+            .shows =
+                "The distance between two runs (`beside` of the film, or `compare` of the figure), "
+                "as the root mean square over the particles that `of` names, on a logarithmic "
+                "axis; where it grows exponentially, with the exponent.",
+            .make = make_run_distance,
+            .abilities = {of, two_runs, comparison},
+            .rule = check_run_distance,
+            .work = always(PanelWork{.keeps_places = true})};
 }
 
 }  // namespace carom

@@ -6,8 +6,11 @@
 #include "panels/means/thinning.h"
 #include "panels/means/trailing.h"
 #include "panels/registry.h"
+#include "panels/surfaces/place_options.h"
 #include "physics/run.h"
 #include "physics/sample_times.h"
+#include "scene/panel_kind.h"
+#include "scene/reading/overlay_reading.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
 
@@ -51,13 +54,13 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
     : context_(context),
       spec_(spec),
       axis_(spec.component == Component::y ? 1 : 0),
-      cells_(slabs(context.scene.gas.box, axis_, spec.bins.value_or(usual_slabs))),
+      cells_(slabs(context.scene.gas.box, axis_, options().cells.value_or(usual_slabs))),
       over_(spec.over.value_or(usual_window_of_profile(context.scene.run))),
       choices_(choices(spec)) {
     for (const std::vector<Eigen::Index>& list : carom::members(context, choices_)) {
         std::vector<bool> members(static_cast<std::size_t>(context.particles.count()));
         for (const Eigen::Index i : list) members[static_cast<std::size_t>(i)] = true;
-        surveyed_.emplace_back(context, cells_, spec.quantity, std::nullopt, window_of(over_),
+        surveyed_.emplace_back(context, cells_, options().quantity, std::nullopt, window_of(over_),
                                members);
     }
     shown_ = surveyed_;
@@ -96,7 +99,7 @@ std::optional<Eigen::ArrayXd> ProfilePanel::errors_of(const CellQuantity& quanti
 }
 
 void ProfilePanel::survey(const FrameInput& input) {
-    if (frames_seen_ == 0 && spec_.theory && spec_.quantity == FieldOf::density) add_laws();
+    if (frames_seen_ == 0 && spec_.theory && options().quantity == FieldOf::density) add_laws();
     const auto slabs = static_cast<double>(cells_.all());
     for (CellQuantity& one : surveyed_) {
         one.see(input);
@@ -177,8 +180,70 @@ std::optional<std::array<double, 2>> ProfilePanel::time_shown(double at) const {
     return {{*start, at}};
 }
 
+namespace {
+
+std::vector<Binding<ProfileOptions>> profile_keys() {
+    return {bind_key("quantity", &ProfileOptions::quantity, quantity_notation(false),
+                     "What it shows; `flow` is the mean velocity along the axis."),
+            cells_key(&ProfileOptions::cells),
+            bind_key("around", &ProfileOptions::around, plane_vector(not_negative),
+                     "A point: the density then is shown in rings around it, against the distance "
+                     "from it, up to the nearest side of the box.")
+                .default_text("none: along an axis"),
+            bind_key("mark_front", &ProfileOptions::front, flag(),
+                     "With `around`: whether to mark the distance at which the density is highest, "
+                     "as the mean over three neighbouring rings, where it exceeds the mean density "
+                     "of the box by more than three standard deviations of a gas at rest.")};
+}
+
+void check_profile(PanelSpec& panel, const Node& node, Reading& reading) {
+    const Box& box = reading.gas.box;
+    const auto& options = panel.options.as<ProfileOptions>();
+    const auto refuse_key = [&](const char* key, const char* message, const char* hint) {
+        if (const Node* written = given(node, key)) reading.errors.add(*written, message, hint);
+    };
+    if (!options.around) {
+        if (options.front)
+            refuse_key("mark_front",
+                       "`mark_front` needs `around`, the point that it runs away from",
+                       "for instance around: [20, 15]");
+        return;
+    }
+    if (box.dimension == 1)
+        return refuse_key("around", "on a wire there are no rings around a point",
+                          "leave it out: a profile along the wire shows the density");
+    for (const char* key : {"component", "quantity"})
+        refuse_key(key, "a profile `around` a point is of the density in rings", "leave it out");
+    const bool is_inside = on_each_axis(box.dimension, [&](int axis) {
+        const double size = box.size[axis], at = (*options.around)[axis];
+        return size <= 0.0 || (at > 0.0 && at < size);  // a size of 0 is reported
+    });
+    if (!is_inside)
+        refuse_key("around", "this point is not inside the box",
+                   "rings reach from the point to the nearest side");
+}
+
 std::unique_ptr<Panel> make_profile(const PanelContext& context, const PanelSpec& spec) {
+    if (spec.options.as<ProfileOptions>().around) return make_radial_profile(context, spec);
     return std::make_unique<ProfilePanel>(context, spec);
+}
+
+}  // namespace
+
+PanelKind profile_kind() {
+    using enum Ability;
+    return {.name = "profile",
+            .words = Phrase{"profile"},
+            .shows =
+                "Density, temperature, mean speed or flow (`quantity`) in slabs along an axis, "
+                "which is vertical for y. A density in gravity comes with that of an ideal gas "
+                "of as many disks that share a fixed energy. With `around`, the density in rings "
+                "around a point against the distance from it.",
+            .make = make_profile,
+            .abilities = {of, over, component, theory, means, comparison},
+            .keys = option_keys(profile_keys()),
+            .rule = check_profile,
+            .work = always(PanelWork{.flights = PanelWork::Flights::followed})};
 }
 
 }  // namespace carom

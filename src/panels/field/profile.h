@@ -18,6 +18,13 @@
 
 namespace carom {
 
+struct ProfileOptions {
+    FieldOf quantity = FieldOf::density;
+    std::optional<int> cells = {};              ///< none: usual
+    std::optional<Vec> around = {};  ///< of distances from this point
+    bool front = false;                         ///< marks the front of these distances
+};
+
 struct ProfileState : PanelState {
     using Values = std::vector<Eigen::ArrayXd>;         // choice x slab; NaN: too few particles
     std::vector<Values> runs;                           // one, or the compared runs
@@ -82,10 +89,11 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
     void add_laws();
     bool is_changed_in_window(double until) const;
     std::optional<Eigen::ArrayXd> errors_of(const CellQuantity& quantity, double time) const;
+    const ProfileOptions& options() const { return spec_.options.as<ProfileOptions>(); }
     bool is_up() const { return axis_ == 1; }
     // A slab without particles has a density, 0, but no temperature.
     Eigen::ArrayXd values_of(const CellQuantity& quantity) const {
-        return quantity.values(axis_, spec_.quantity == FieldOf::density ? 0.0 : least_in_cell);
+        return quantity.values(axis_, options().quantity == FieldOf::density ? 0.0 : least_in_cell);
     }
     plot::Line curve(std::size_t run, std::size_t choice, const char* part,
                      std::vector<double> along, std::vector<double> up) const;

@@ -10,7 +10,8 @@ namespace carom {
 std::vector<plot::Text> ProfilePanel::titles() const {
     if (spec_.title) return {escape_markup(*spec_.title)};
     const Language language = context_.language();
-    std::string name = capitalised(name_of_quantity(language, context_.scene, spec_.quantity, {}));
+    std::string name =
+        capitalised(name_of_quantity(language, context_.scene, options().quantity, {}));
     if (context_.scene.gas.box.dimension == 2)
         name = is_up() ? say(language, "{} along y", name) : say(language, "{} along x", name);
     if (spec_.of.empty()) return {name};
@@ -104,11 +105,11 @@ plot::Note ProfilePanel::note() const {
 void ProfilePanel::make_axes() {
     const Scene& scene = context_.scene;
     const Language language = context_.language();
-    const Quantity quantity = quantity_of_field(scene, spec_.quantity);
+    const Quantity quantity = quantity_of_field(scene, options().quantity);
     const std::string place = scene.gas.box.dimension == 1 ? "position" : is_up() ? "y" : "x";
     const double most = std::ranges::max_element(record_.runs, {}, &ProfileRun::most)->most;
     const double top = round_up_for_axis(1.02 * most);
-    const double low = spec_.quantity == FieldOf::flow ? -top : 0.0;
+    const double low = options().quantity == FieldOf::flow ? -top : 0.0;
     plot::Axis places{
         .title = scene.gas.box.dimension == 1 ? say(language, "position") : place,
         .low = 0.0,
@@ -175,7 +176,7 @@ std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t c
         return known.any() ? say(language, "between {} and {}", low, high)
                            : say(language, "unknown");
     if (!known.any()) return "";
-    const std::string what = name_of_quantity(language, context_.scene, spec_.quantity, {});
+    const std::string what = name_of_quantity(language, context_.scene, options().quantity, {});
     const std::string axis = is_up() ? "y" : "x", time = words_of_moments(language, spec_, over_);
     if (spec_.of.empty())
         return say(language, "{} along {}, {}: between {} and {}.", what, axis, time, low, high);

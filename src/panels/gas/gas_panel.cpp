@@ -7,7 +7,10 @@
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/gas/drawn_radius.h"
+#include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
+#include "scene/panel_kind.h"
+#include "scene/reading/overlay_reading.h"
 
 namespace carom {
 namespace {
@@ -228,6 +231,40 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     }
     if (gas.field) field_.add_rows(table, *gas.field, 3, 4);
     return table;
+}
+
+namespace {
+
+struct GasOptions {
+    std::optional<View> view = {};  // in a figure; none: as in the film
+};
+
+std::vector<Binding<GasOptions>> gas_keys() {
+    return {bind_key("view", &GasOptions::view, view_notation(),
+                     "What the figure shows: the whole `box`, or a part of it.")
+                .default_text("as the film's camera shows it at that time")};
+}
+
+std::unique_ptr<Panel> make_gas(const PanelContext& context, const PanelSpec& spec) {
+    return make_gas_panel(context, spec.options.as<GasOptions>().view);
+}
+
+}  // namespace
+
+PanelKind gas_kind() {
+    using enum Ability;
+    return {
+        .name = "gas",
+        .words = Phrase{"gas"},
+        .shows =
+            "The box and everything in it, at one moment, or at several side by side (`strip`).",
+        .make = make_gas,
+        .abilities = {strip},
+        .keys = option_keys(gas_keys()),
+        .draws_box = true,
+        .draws_particles = true,
+        .in_films_instead = "the box is in every film; the template says where",
+        .palettes = palette_names()};
 }
 
 }  // namespace carom

@@ -8,6 +8,7 @@
 
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
@@ -53,8 +54,6 @@ void fill_stack(const SeriesRecord& record, const std::vector<Part>& parts, plot
     }
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_energy_account(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const std::vector<Part> parts = parts_of(context);
@@ -77,6 +76,18 @@ std::unique_ptr<Panel> make_energy_account(const PanelContext& context, const Pa
         fill_stack(record, parts, whole);
     };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind energy_account_kind() {
+    using enum Ability;
+    return {.name = "energy-account",
+            .words = Phrase{"energy account"},
+            .shows =
+                "Kinetic energy, potential energy and the energy of pistons against time, stacked.",
+            .make = make_energy_account,
+            .abilities = {means, comparison}};
 }
 
 }  // namespace carom

@@ -10,9 +10,44 @@
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 namespace {
+
+/// What particles transport across a line.
+enum class Carried { particles, energy, mean_energy };
+
+struct FluxOptions {
+    CrossedAt at = {};
+    Carried carried = Carried::particles;
+};
+
+const FluxOptions& options_of_flux(const PanelSpec& panel) {
+    return panel.options.as<FluxOptions>();
+}
+
+std::vector<Binding<FluxOptions>> flux_keys() {
+    return joined<FluxOptions>(
+        bind_within(&FluxOptions::at, crossed_keys()),
+        std::vector{bind_key("carried", &FluxOptions::carried,
+                             one_of<Carried>({{"particles", Carried::particles},
+                                              {"energy", Carried::energy},
+                                              {"mean-energy", Carried::mean_energy}}),
+                             "What it shows of the particles that cross: number per unit of time, "
+                             "energy per unit of time, or mean energy.")});
+}
+
+// A flux needs a partition that lets particles through, or a line.
+void check_flux(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (panel.of.size() > 1)
+        reading.errors.add(*find(node, "of"), "a flux takes one item in `of`",
+                           "keep one, or give a panel for each");
+    if (is_written(node, "line")) return check_line(node, reading);
+    SurfaceNumbers& surfaces = panel.options.change<FluxOptions>().at.surfaces;
+    keep_suitable(panel, surfaces, passable_surfaces(reading), node, reading);
+    require_one(panel, surfaces, node, reading);
+}
 
 // What has crossed up to a time, and what should have crossed according to theory.
 struct FluxAccount {
@@ -39,11 +74,11 @@ class FluxMeter {
     FluxMeter(const PanelContext& context, const PanelSpec& spec, Over over,
               std::shared_ptr<FluxTheory> theory)
         : crossings_(context.scene.gas.box, context.particles,
-                     crossed_line(context.scene.gas.box, spec),
+                     crossed_line(context.scene.gas.box, options_of_flux(spec).at),
                      members(context, choices(spec).front()), velocity_changes(context.scene.run)),
           theory_(std::move(theory)),
           accounts_(over),
-          carried_(spec.carried) {}
+          carried_(options_of_flux(spec).carried) {}
 
     // The flux in each direction; then, if there is a theory, its prediction for each direction.
     std::vector<double> operator()(const FrameInput& o) {
@@ -123,29 +158,29 @@ Quantity flux_quantity(Carried carried) {
     return {};
 }
 
-}  // namespace
 
 std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.scene.gas.box;
+    const auto& [at, carried] = options_of_flux(spec);
     const Over over = spec.over.value_or(usual_window(context.scene.run));
-    const CrossedLine line = crossed_line(box, spec);
+    const CrossedLine line = crossed_line(box, at);
     std::shared_ptr<FluxTheory> theory;
     if (spec.theory)
         theory = flux_theory(
             context, line,
-            spec.line ? std::optional<std::int32_t>() : std::optional(spec.surfaces.front()),
+            at.line ? std::optional<std::int32_t>() : std::optional(at.surfaces.front()),
             members(context, choices(spec).front()));
-    SeriesSubject subject{.quantity = flux_quantity(spec.carried)};
+    SeriesSubject subject{.quantity = flux_quantity(carried)};
     const std::array<Phrase, 2> ways = ways_across(line.axis);
     for (std::size_t way = 0; way < 2; ++way) {
         subject.names.push_back(say(language, ways.at(way)));
         subject.lines.push_back(
             {std::string(ways.at(way).english), {.of = plot::Role::Of::run, .index = way}});
     }
-    title_with_names(subject, language, say(language, flux_title(spec.carried)));
+    title_with_names(subject, language, say(language, flux_title(carried)));
     subject.compared_title =
-        say(language, "{} {}", say(language, flux_title(spec.carried)), say(language, ways[0]));
+        say(language, "{} {}", say(language, flux_title(carried)), say(language, ways[0]));
     subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
     if (theory) {
         for (std::size_t way = 0; way < 2; ++way)
@@ -156,6 +191,24 @@ std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& s
     subject.measure = FluxMeter(context, spec, over, std::move(theory));
     subject.needs_collisions = true;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind flux_kind() {
+    using enum Ability;
+    return {.name = "flux",
+            .words = Phrase{"flux"},
+            .shows =
+                "Particles that cross a partition or a `line` per unit of time, in each "
+                "direction, the energy that they carry, or their mean energy (`carried`), with "
+                "the values of kinetic theory.",
+            .make = make_flux,
+            .abilities = {of, over, theory, means, comparison},
+            .keys = option_keys(flux_keys()),
+            .rule = check_flux,
+            .measured_at = crossed_at(&FluxOptions::at),
+            .work = always(PanelWork{.flights = PanelWork::Flights::recorded})};
 }
 
 }  // namespace carom

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "panels/surfaces/surface_words.h"
+#include "scene/instruments/instrument_reading.h"
 
 namespace carom {
 namespace {
@@ -75,6 +76,18 @@ double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32
 double enclosed_area(const Box& box, const std::vector<SurfaceState>& states) {
     const double along = width_along(box, states, 0);
     return box.dimension == 1 ? along : along * width_along(box, states, 1);
+}
+
+std::vector<Binding<PanelSpec>> moving_keys() {
+    return option_keys(std::vector{bind_within(&MovingOptions::surfaces, surfaces_key())});
+}
+
+void check_moving(PanelSpec& panel, const Node& node, Reading& reading) {
+    keep_suitable(panel, panel.options.change<MovingOptions>().surfaces,
+                  {[&](std::int32_t surface) { return may_move(reading, surface); },
+                   "a wall or a partition that moves",
+                   "give it a `mass` or a `velocity`, or an event of the run that moves it"},
+                  node, reading);
 }
 
 }  // namespace carom

@@ -12,6 +12,14 @@
 
 namespace carom {
 
+/// The surfaces of a panel that shows walls and partitions that move; its keys, and the check that
+/// there are some.
+struct MovingOptions {
+    SurfaceNumbers surfaces = {};
+};
+std::vector<Binding<PanelSpec>> moving_keys();
+void check_moving(PanelSpec& panel, const Node& node, Reading& reading);
+
 /// "left wall", or the name that the scene gives.
 std::string short_name(Language language, const Box& box, std::int32_t surface);
 

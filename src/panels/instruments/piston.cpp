@@ -7,16 +7,18 @@
 #include "panels/instruments/piston_over_gas.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
+namespace {
 
 std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     SeriesSubject subject{.quantity = quantities::position};
-    name_surfaces(subject, language, context.scene.gas.box, spec.surfaces,
-                  say(language, "Position"));
+    const SurfaceNumbers& all = spec.options.as<MovingOptions>().surfaces;
+    name_surfaces(subject, language, context.scene.gas.box, all, say(language, "Position"));
     const auto known = std::make_shared<std::optional<PistonOverGas>>();
-    subject.measure = [context, surfaces = spec.surfaces, known,
+    subject.measure = [context, surfaces = all, known,
                        is_first = true](const FrameInput& o) mutable {
         if (std::exchange(is_first, false) && surfaces.size() == 1)
             *known = piston_over_gas(context, surfaces.front(), o);
@@ -46,6 +48,24 @@ std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec&
         };
     }
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind piston_kind() {
+    using enum Ability;
+    return {.name = "piston",
+            .words = Phrase{"piston"},
+            .shows =
+                "The position of moving walls and partitions against time; for a free piston, "
+                "with the mean position over an ideal gas, its standard deviation as a band, and "
+                "the period of the slow oscillations.",
+            .make = make_piston,
+            .abilities = {theory, means, comparison},
+            .keys = moving_keys(),
+            .rule = check_moving,
+            .laws = always(std::vector{LawOf::piston}),
+            .measured_at = measured_at(&MovingOptions::surfaces)};
 }
 
 }  // namespace carom

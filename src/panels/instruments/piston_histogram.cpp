@@ -11,6 +11,8 @@
 #include "panels/instruments/piston_over_gas.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
+#include "scene/instruments/instrument_reading.h"
+#include "scene/panel_kind.h"
 #include "stats/paths/residence.h"
 
 namespace carom {
@@ -172,11 +174,14 @@ plot::Line curve_of(const PistonOverGas& piston, const plot::Plot& plot) {
     return line;
 }
 
-}  // namespace
+void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
+    check_moving(panel, node, reading);
+    require_one(panel, panel.options.as<MovingOptions>().surfaces, node, reading);
+}
 
 std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const std::int32_t surface = spec.surfaces.front();
+    const std::int32_t surface = spec.options.as<MovingOptions>().surfaces.front();
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = shown_bins};
     subject.meter = [context, surface] { return std::make_unique<PistonMeter>(context, surface); };
     SeriesSubject named;
@@ -205,6 +210,23 @@ std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const 
                     curve_of(LawNumbers(values->numbers.front()).piston(), plot));
         };
     return std::make_unique<CurvePanel>(context, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind piston_histogram_kind() {
+    using enum Ability;
+    return {.name = "piston-histogram",
+            .words = Phrase{"piston histogram"},
+            .shows =
+                "The share of the time that a moving wall or partition spends at each position, "
+                "with the exact distribution for a free piston over an ideal gas.",
+            .make = make_piston_histogram,
+            .abilities = {theory, means, comparison},
+            .keys = moving_keys(),
+            .rule = check_piston_histogram,
+            .laws = always(std::vector{LawOf::piston}),
+            .measured_at = measured_at(&MovingOptions::surfaces)};
 }
 
 }  // namespace carom

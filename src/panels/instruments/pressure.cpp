@@ -14,10 +14,33 @@
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "panels/surfaces/place_options.h"
 #include "physics/mechanics.h"
+#include "scene/instruments/instrument_reading.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 namespace {
+
+std::vector<Binding<PressureOptions>> pressure_keys() {
+    return {bind_within(&PressureOptions::surfaces, surfaces_key()),
+            bind_key("gauge", &PressureOptions::gauge, flag(),
+                     "Whether to show the mean over a time before the present on round gauges: one "
+                     "for each surface, or one for all walls.")};
+}
+
+// A gauge needs a solid wall.
+void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (!panel.options.as<PressureOptions>().gauge || is_written(node, "surfaces")) return;
+    if (!has_solid_side(reading.gas.box))
+        reading.errors.add(*given(node, "gauge"), "a gauge needs a solid wall of the box",
+                           "make a wall solid, or name a partition by `surfaces`");
+}
+
+std::vector<LawOf> laws_of_pressure(const PanelSpec& panel, const Gas&) {
+    if (!panel.options.as<PressureOptions>().surfaces.empty()) return {};
+    return {LawOf::pressure};
+}
 
 // The pressures over the time that the scene asks for.
 class Gauge {
@@ -116,10 +139,10 @@ std::vector<plot::Text> titles(Language language, bool has_walls) {
             short_title(say(language, "collisions")), short_title(say(language, "virial"))};
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec) {
-    if (!spec.surfaces.empty()) return make_surface_pressure(context, spec);
+    const auto& options = spec.options.as<PressureOptions>();
+    if (options.gauge) return make_pressure_gauge(context, spec);
+    if (!options.surfaces.empty()) return make_surface_pressure(context, spec);
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     const Box& box = context.scene.gas.box;
     const bool walls = !box.is_periodic(0) || (box.dimension == 2 && !box.is_periodic(1));
@@ -137,6 +160,23 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
         .compared = 1,
         .compared_title = say(language, "Pressure from collisions")};
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind pressure_kind() {
+    using enum Ability;
+    return {.name = "pressure",
+            .words = Phrase{"pressure"},
+            .shows =
+                "The pressure on all walls, or on single `surfaces`, against time; with `gauge: "
+                "true` on round gauges.",
+            .make = make_pressure,
+            .abilities = {over, means, comparison},
+            .keys = option_keys(pressure_keys()),
+            .rule = check_pressure,
+            .laws = laws_of_pressure,
+            .measured_at = measured_at(&PressureOptions::surfaces)};
 }
 
 }  // namespace carom

@@ -13,7 +13,10 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
+#include "panels/surfaces/place_options.h"
 #include "physics/mechanics.h"
+#include "scene/instruments/instrument_reading.h"
+#include "scene/panel_kind.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 
@@ -120,12 +123,38 @@ plot::Line curve(const plot::Plot& plot, std::string name, const plot::Stroke& s
     return line;
 }
 
+struct PressureVolumeOptions {
+    SurfaceNumbers surfaces = {};
+    std::vector<double> levels = {};  // lines, in units of the pressure at the start
+};
+
+std::vector<Binding<PressureVolumeOptions>> pressure_volume_keys() {
+    return {bind_within(&PressureVolumeOptions::surfaces, surfaces_key()),
+            bind_key("levels", &PressureVolumeOptions::levels,
+                     list_of(number(positive), 1, most_chosen, "a list of numbers"),
+                     "Multiples of the pressure *p* of the start, by theory, at which lines are "
+                     "drawn: [1, 2] for *p* and 2 *p*.")
+                .default_text("none")};
+}
+
+void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading) {
+    SurfaceNumbers& surfaces = panel.options.change<PressureVolumeOptions>().surfaces;
+    keep_suitable(
+        panel, surfaces,
+        {[&](std::int32_t surface) {
+             return reading.gas.box.surfaces.is_side(surface) && may_move(reading, surface);
+         },
+         "a wall of the box that moves", "give a side in `box.walls` a `velocity` or a `mass`"},
+        node, reading);
+    require_one(panel, surfaces, node, reading);
+}
+
 class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
   public:
     PressureVolumePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context),
           spec_(spec),
-          meter_(context.scene.gas.box, {spec.surfaces.front()}, over()) {}
+          meter_(context.scene.gas.box, {options().surfaces.front()}, over()) {}
 
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
@@ -136,6 +165,9 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
 
   private:
     const Box& box() const { return context_.scene.gas.box; }
+    const PressureVolumeOptions& options() const {
+        return spec_.options.as<PressureVolumeOptions>();
+    }
     Over over() const { return spec_.over.value_or(usual_window(context_.scene.run)); }
 
     // Only over a whole window: soon after the start, single hits would give vertical strokes.
@@ -156,7 +188,7 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
 void PressureVolumePanel::survey(const FrameInput& input) {
     PressureVolumeRun& run = record_.runs.front();
     const double area = enclosed_area(box(), input.advanced.surfaces);
-    if (run.area.empty()) run.theory = compression_of(context_, spec_.surfaces.front());
+    if (run.area.empty()) run.theory = compression_of(context_, options().surfaces.front());
     double pressure = meter_(input).front();
     if (!is_measured(input.tick.time)) pressure = std::numeric_limits<double>::quiet_NaN();
     if (input.is_sample) {
@@ -208,7 +240,7 @@ void PressureVolumePanel::make_axes() {
 
 void PressureVolumePanel::add_curves(const Compression& theory) {
     const Language language = context_.language();
-    for (const double times : spec_.levels) {
+    for (const double times : options().levels) {
         plot::Level level;
         level.part = "level";
         level.still = true;
@@ -312,10 +344,28 @@ plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
     return now;
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_pressure_volume(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<PressureVolumePanel>(context, spec);
+}
+
+}  // namespace
+
+PanelKind pressure_volume_kind() {
+    using enum Ability;
+    return {.name = "pressure-volume",
+            .words = Phrase{"pressure and volume"},
+            .shows =
+                "The pressure on a moving wall against the area, as a path; if the gas fills the "
+                "area and there is no gravity, with the isotherm and the adiabat of hard disks or "
+                "rods from the same start, or with an isotherm at each temperature to which heat "
+                "baths change together; where the radii of disks differ or they are very few, with "
+                "those of an ideal gas.",
+            .make = make_pressure_volume,
+            .abilities = {over, theory, comparison},
+            .keys = option_keys(pressure_volume_keys()),
+            .rule = check_pressure_volume,
+            .laws = always(std::vector{LawOf::isotherm}),
+            .measured_at = measured_at(&PressureVolumeOptions::surfaces)};
 }
 
 }  // namespace carom

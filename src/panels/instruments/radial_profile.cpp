@@ -6,6 +6,7 @@
 
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"
+#include "panels/field/profile.h"
 #include "panels/means/running_mean.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
@@ -138,7 +139,7 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
     RadialProfilePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context),
           spec_(spec),
-          rings_(context.scene.gas.box, *spec.around, spec.bins.value_or(usual_rings)),
+          rings_(context.scene.gas.box, *options().around, options().cells.value_or(usual_rings)),
           over_(spec.over.value_or(usual_window_of_profile(context.scene.run))),
           mean_(over_),
           choices_(choices(spec)),
@@ -165,6 +166,7 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
     }
 
   private:
+    const ProfileOptions& options() const { return spec_.options.as<ProfileOptions>(); }
     std::vector<double> of_choice(const std::vector<double>& all, std::size_t choice) const {
         const auto from = all.begin() + std::ptrdiff_t(choice) * rings_.count();
         return {from, from + rings_.count()};
@@ -341,7 +343,7 @@ plot::Plot RadialProfilePanel::plot(const PanelState* state) const {
                                say(language, "{} around a point, {}: {}.",
                                    capitalised(say(language, "density")),
                                    words_of_moments(language, spec_, over_), between);
-            if (spec_.front && !record_.compares() && k == 0) add_front(now, values);
+            if (options().front && !record_.compares() && k == 0) add_front(now, values);
         }
     }
     return now;

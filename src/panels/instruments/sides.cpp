@@ -11,9 +11,52 @@
 #include "panels/registry.h"
 #include "panels/surfaces/box_parts.h"
 #include "physics/mechanics.h"
+#include "scene/instruments/instrument_reading.h"
+#include "scene/keys/check.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 namespace {
+
+/// The quantity that is measured for the particles in each part of the box.
+enum class PartMeasure { count, temperature, mean_energy, center };
+
+struct SidesOptions {
+    MeasuredAt parts = {};
+    PartMeasure measure = PartMeasure::count;
+};
+
+std::vector<Binding<SidesOptions>> sides_keys() {
+    return joined<SidesOptions>(
+        bind_within(&SidesOptions::parts, part_keys()),
+        std::vector{bind_key("measure", &SidesOptions::measure,
+                             one_of<PartMeasure>({{"count", PartMeasure::count},
+                                                  {"temperature", PartMeasure::temperature},
+                                                  {"mean-energy", PartMeasure::mean_energy},
+                                                  {"center", PartMeasure::center}}),
+                             "What it shows of the particles in each part: their number, "
+                             "temperature, mean energy, or centre of mass along `component`.")});
+}
+
+// A panel of sides needs a partition or regions.
+void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
+    MeasuredAt& parts = panel.options.change<SidesOptions>().parts;
+    if (!parts.regions.empty()) {
+        if (!parts.surfaces.empty())
+            refuse_together(reading.errors, place_of_surfaces(node), {"surfaces", "regions"});
+        return;
+    }
+    if (is_written(node, "regions")) return;  // reported
+    keep_suitable(
+        panel, parts.surfaces,
+        {[&](std::int32_t surface) { return !reading.gas.box.surfaces.is_side(surface); }, "a partition of the box",
+         reading.gas.box.dimension == 1
+             ? "give the panel `regions: [{name: left, within: [x0, x1]}]`"
+             : "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, "
+               "y0, x1, y1]}]`"},
+        node, reading);
+    require_one(panel, parts.surfaces, node, reading);
+}
 
 struct MeasuredInParts {
     Phrase title;
@@ -39,13 +82,20 @@ LawOf law_of(PartMeasure measure) {
     return measure == PartMeasure::temperature ? LawOf::side_temperature : LawOf::side_energy;
 }
 
+std::vector<LawOf> laws_of_sides(const PanelSpec& panel, const Gas&) {
+    const auto& [parts, measure] = panel.options.as<SidesOptions>();
+    if (!parts.regions.empty() || measure == PartMeasure::center) return {};
+    return {law_of(measure)};
+}
+
 // What theory knows of the two sides of a partition.
-ReferenceLevels levels_of_sides(const PanelContext& context, const PanelSpec& spec) {
-    if (!spec.regions.empty() || spec.measure == PartMeasure::center) return {};
-    const Law found = law(context.gas, law_of(spec.measure), {.surface = spec.surfaces.front()});
+ReferenceLevels levels_of_sides(const PanelContext& context, const SidesOptions& options) {
+    const auto& [parts, measure] = options;
+    if (!parts.regions.empty() || measure == PartMeasure::center) return {};
+    const Law found = law(context.gas, law_of(measure), {.surface = parts.surfaces.front()});
     if (!found) return {};
-    ReferenceLevel level = spec.measure == PartMeasure::count ? ReferenceLevel{"half of all"}
-                                                              : ReferenceLevel{"equipartition"};
+    ReferenceLevel level = measure == PartMeasure::count ? ReferenceLevel{"half of all"}
+                                                         : ReferenceLevel{"equipartition"};
     level.value = found.value;
     level.deviation = found.deviation;
     return {level};
@@ -72,12 +122,11 @@ double measured(const PanelContext& context, const FrameInput& o, PartMeasure me
     return weight > 0.0 ? sum / weight : none;
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const BoxParts parts(context.scene.gas.box, spec);
-    const auto [title, quantity] = measured_in_parts(spec.measure);
+    const auto& options = spec.options.as<SidesOptions>();
+    const BoxParts parts(context.scene.gas.box, options.parts);
+    const auto [title, quantity] = measured_in_parts(options.measure);
     SeriesSubject subject{.quantity = quantity, .over = spec.over};
     subject.names = parts.names(language);
     const std::vector<std::string> columns = parts.names(Language::english);
@@ -85,14 +134,32 @@ std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& 
         subject.lines.push_back({columns[k], surface_role(k, parts.count())});
     title_with_names(subject, language, say(language, title));
     const int axis = spec.component == Component::y ? 1 : 0;
-    subject.measure = [context, parts, measure = spec.measure, axis](const FrameInput& o) {
+    subject.measure = [context, parts, measure = options.measure, axis](const FrameInput& o) {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : parts.members(o))
             now.push_back(measured(context, o, measure, axis, list));
         return now;
     };
-    subject.references = [context, spec] { return levels_of_sides(context, spec); };
+    subject.references = [context, options] { return levels_of_sides(context, options); };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind sides_kind() {
+    using enum Ability;
+    return {.name = "sides",
+            .words = Phrase{"sides"},
+            .shows =
+                "The number of particles on each side of a partition, or in `regions` of the "
+                "box, against time; or their temperature, mean energy or centre of mass "
+                "(`measure`).",
+            .make = make_sides,
+            .abilities = {over, component, means, comparison},
+            .keys = option_keys(sides_keys()),
+            .rule = check_sides,
+            .laws = laws_of_sides,
+            .measured_at = measured_at(&SidesOptions::parts)};
 }
 
 }  // namespace carom

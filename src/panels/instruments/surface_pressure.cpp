@@ -52,12 +52,13 @@ double SurfacePressures::of_all() const {
 std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.scene.gas.box;
+    const SurfaceNumbers& surfaces = spec.options.as<PressureOptions>().surfaces;
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     SeriesSubject subject{.quantity = quantities::pressure(box.dimension)};
-    subject.measure = SurfacePressures(box, spec.surfaces, over);
-    name_surfaces(subject, language, box, spec.surfaces, say(language, "Pressure"));
+    subject.measure = SurfacePressures(box, surfaces, over);
+    name_surfaces(subject, language, box, surfaces, say(language, "Pressure"));
     subject.is_signed = !std::ranges::all_of(
-        spec.surfaces, [&](std::int32_t surface) { return box.surfaces.is_side(surface); });
+        surfaces, [&](std::int32_t surface) { return box.surfaces.is_side(surface); });
     subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
 }

@@ -8,8 +8,14 @@
 
 #include "panels/means/trailing.h"
 #include "panels/panel.h"
+#include "scene/instruments/places.h"
 
 namespace carom {
+
+struct PressureOptions {
+    SurfaceNumbers surfaces = {};  ///< none: all walls together
+    bool gauge = false;            ///< on dials instead of a plot
+};
 
 /// Measures the pressure on sides and partitions: the normal momentum that particles give to a
 /// surface, divided by time and length (in one dimension, by time). It counts outward on sides; on

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "scene/scene.h"
+#include "scene/panel_spec.h"
 #include "util/language.h"
 
 namespace carom {

@@ -6,6 +6,7 @@
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
@@ -55,8 +56,6 @@ std::vector<plot::Text> titles(const PanelContext& context) {
             named(capitalised(say(language, "energy")), Joint::commas), title};
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject{
         .measure = [context](const FrameInput& o) { return means(context, o.energy); },
@@ -74,6 +73,24 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
     }
     if (species.size() > 1) subject.references = [context] { return levels(context); };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind energy_by_species_kind() {
+    using enum Ability;
+    return {.name = "energy-by-species",
+            .words = Phrase{"energy by species"},
+            .shows = "The mean kinetic energy of each species against time.",
+            .make = make_energy_by_species,
+            .abilities = {over, means},
+            .tried_as = {"energy"},
+            .suits = [](const Gas& gas, const Run&) { return gas.species.size() > 1; },
+            .laws =
+                [](const PanelSpec&, const Gas& gas) {
+                    return gas.species.size() < 2 ? std::vector<LawOf>{}
+                                                  : std::vector{LawOf::mean_energy};
+                }};
 }
 
 }  // namespace carom

@@ -3,9 +3,11 @@
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
 #include "physics/theory/theory.h"
+#include "scene/panel_kind.h"
 #include "stats/paths/course.h"
 
 namespace carom {
+namespace {
 
 std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const PanelSpec& spec) {
     HistogramSubject subject{.title = Phrase{"Energy distribution"},
@@ -21,6 +23,21 @@ std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const 
     if (context.scene.gas.box.dimension == 1)  // infinite at 0
         subject.probability = energy_probability;
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind energy_histogram_kind() {
+    using enum Ability;
+    return histogram_kind(
+        {.name = "energy-histogram",
+         .words = Phrase{"energy histogram"},
+         .shows = "A histogram of the kinetic energies of the particles, with the equilibrium "
+                  "distribution.",
+         .make = make_energy_histogram,
+         .abilities = {bars, of, over, theory, equilibrium, means, comparison},
+         .tried_as = {"energy"}},
+        true);
 }
 
 }  // namespace carom

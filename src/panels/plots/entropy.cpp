@@ -9,10 +9,43 @@
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "panels/surfaces/place_options.h"
 #include "physics/theory/velocity_entropy.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 namespace {
+
+/// The distribution whose entropy is shown.
+enum class EntropyOf { velocities, positions, both };
+
+struct EntropyOptions {
+    EntropyOf of = EntropyOf::velocities;
+    std::optional<int> cells = {};  ///< none: by rule
+};
+
+std::vector<Binding<EntropyOptions>> entropy_keys() {
+    return {bind_key("space", &EntropyOptions::of,
+                     one_of<EntropyOf>({{"velocities", EntropyOf::velocities},
+                                        {"positions", EntropyOf::positions},
+                                        {"both", EntropyOf::both}}),
+                     "Which entropy it shows: of the velocities, of the positions, or both."),
+            cells_key(&EntropyOptions::cells)};
+}
+
+std::optional<SeveralShown> several_entropies(const PanelSpec& panel) {
+    if (panel.options.as<EntropyOptions>().of != EntropyOf::both) return std::nullopt;
+    return SeveralShown{"space", "one of the two",
+                        "make a figure for `velocities`, and one for `positions`"};
+}
+
+std::vector<LawOf> laws_of_entropy(const PanelSpec& spec, const Gas&) {
+    const EntropyOf of = spec.options.as<EntropyOptions>().of;
+    std::vector<LawOf> laws;
+    if (of != EntropyOf::positions) laws.push_back(LawOf::velocity_entropy);
+    if (of != EntropyOf::velocities) laws.push_back(LawOf::position_entropy);
+    return laws;
+}
 
 // Data that are known once the gas has been seen.
 struct Entropies {
@@ -48,12 +81,11 @@ void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
     }
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec& spec) {
-    const EntropyOf what = spec.entropy_of;
+    const EntropyOf what = spec.options.as<EntropyOptions>().of;
     const auto known = std::make_shared<Entropies>();
-    const PositionEntropy places(context.scene.gas.box, context.particles, spec.bins);
+    const PositionEntropy places(context.scene.gas.box, context.particles,
+                                 spec.options.as<EntropyOptions>().cells);
     SeriesSubject subject{.quantity = quantities::entropy};
     if (what != EntropyOf::positions) subject.lines.push_back({"velocities", of_velocities});
     if (what != EntropyOf::velocities) subject.lines.push_back({"positions", of_positions});
@@ -83,6 +115,22 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
         return levels;
     };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind entropy_kind() {
+    using enum Ability;
+    return {.name = "entropy",
+            .words = Phrase{"entropy"},
+            .shows =
+                "The entropy of the velocities, of the positions, or both (`space`), against "
+                "time.",
+            .make = make_entropy,
+            .abilities = {means, comparison},
+            .keys = option_keys(entropy_keys()),
+            .laws = laws_of_entropy,
+            .several = several_entropies};
 }
 
 }  // namespace carom

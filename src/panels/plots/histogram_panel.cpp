@@ -81,10 +81,10 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
       spec_(spec),
       subject_(std::move(subject)),
       paths_(context.scene.gas.box, velocity_changes(context.scene.run)) {
-    record_.time = with_samples(context.language(), time_words(context.language(), spec), spec,
-                                context.scene.run);
+    record_.time = with_samples(context.language(), time_words(context.language(), spec),
+                                options().by_clock, context.scene.run);
     record_.pools.resize(1);
-    if (spec.shows_parts()) parts_.emplace(context.scene.gas.box, spec);
+    if (options().parts.any()) parts_.emplace(context.scene.gas.box, options().parts);
     for (std::size_t k = 0; parts_ && k < parts_->count(); ++k) {
         choices_.push_back({.chosen = {}, .members = {}, .within = parts_->regions({})[k]});
         record_.series.push_back({.name = parts_->names(Language::english)[k],
@@ -179,14 +179,14 @@ void HistogramPanel::find_members(const FrameInput& input) {
 
 // The sides of a closed partition are gases of their own, whose energies are known at the start.
 void HistogramPanel::find_law_of_parts(const FrameInput& input) {
-    if (!parts_ || spec_.surfaces.empty()) return;
+    if (!parts_ || options().parts.surfaces.empty()) return;
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         const std::vector<Eigen::Index>& members = choices_[k].members;
         const Law found = law(context_.gas, LawOf::side_distribution,
                               {.of = members,
                                .thermal = thermal_motion(context_.scene.gas.box, context_.particles,
                                                          input.sample, members),
-                               .surface = spec_.surfaces.front()});
+                               .surface = options().parts.surfaces.front()});
         if (found) record_.series[k].equilibria.push_back(*found.equilibrium);
     }
 }
@@ -202,8 +202,8 @@ void HistogramPanel::finish_record() {
 }
 
 HistogramRules HistogramPanel::rules() const {
-    HistogramRules rules{.range = spec_.range,
-                         .bins = spec_.bins,
+    HistogramRules rules{.range = options().range,
+                         .bins = options().bins,
                          .symmetric = subject_.symmetric,
                          .window = window()};
     if (!rules.range) rules.range = subject_.extent;
@@ -232,9 +232,9 @@ void HistogramPanel::take_axes(const RecordPanel& of) {
 void HistogramPanel::begin_counting() {
     record_ = {};
     const Run& run = context_.scene.run;
-    bars_.assign(
-        choices_.size(),
-        HistogramOverTime(axes_.bins, window(), {sample_interval(run), run.until}, spec_.by_clock));
+    bars_.assign(choices_.size(),
+                 HistogramOverTime(axes_.bins, window(), {sample_interval(run), run.until},
+                                   options().by_clock));
     for (std::size_t k = 0; k < count(); ++k) roles_.push_back(roles_of(k));
     make_plot();
 }

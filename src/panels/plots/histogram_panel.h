@@ -12,13 +12,24 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/histogram_record.h"
 #include "panels/surfaces/box_parts.h"
-#include "scene/keys/binding.h"
+#include "scene/panel_kind.h"
 #include "stats/goodness.h"
 #include "stats/histogram_over_time.h"
 #include "stats/paths/paths.h"
 #include "stats/paths/stays.h"
 
 namespace carom {
+
+/// The options of all histograms of particles.
+struct HistogramOptions {
+    std::optional<int> bins = {};  ///< none: by rule
+    std::optional<std::pair<double, double>> range = {};
+    bool fit = false;
+    std::optional<bool> mean_now = {};  ///< none: by kind
+    std::optional<bool> mean_start = {};
+    bool by_clock = false;  ///< of the samples of the run alone
+    MeasuredAt parts = {};  ///< of the box, instead of choices of particles
+};
 
 /// A view of numbers in a frame's input, without a copy: a row for each particle.
 using ValuesOfInput = Eigen::Map<const Eigen::ArrayXXd>;
@@ -77,6 +88,9 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     bool wants_collisions() const override { return window() != 0.0; }
     void take_colors(const GasColors& colors) override;
     bool explains_colors() const override { return whole_.ramp != nullptr; }
+    std::vector<std::string> parts() const override {
+        return parts_ ? parts_->names(context_.language()) : std::vector<std::string>{};
+    }
     void see(const FrameInput& input) override;
     bool surveys_positions() const override {
         return subject_.position_axis.has_value() || parts_.has_value();
@@ -137,11 +151,14 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::optional<ChiSquared> test_of(const HistogramCounts& now, std::size_t series) const;
     std::string test_words(const HistogramCounts& now) const;
 
+    const HistogramOptions& options() const { return spec_.options.as<HistogramOptions>(); }
     bool fills_the_middle() const { return subject_.symmetric || subject_.extent.has_value(); }
     bool compares() const { return axes_.compares; }
-    bool marks_mean_now() const { return spec_.mean_now.value_or(subject_.means && !compares()); }
+    bool marks_mean_now() const {
+        return options().mean_now.value_or(subject_.means && !compares());
+    }
     bool marks_mean_start() const {
-        return spec_.mean_start.value_or(subject_.means && !compares());
+        return options().mean_start.value_or(subject_.means && !compares());
     }
     std::size_t count() const { return axes_.series.size(); }
     Heading from_column() const;
@@ -190,13 +207,11 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::vector<std::vector<int>> taller_until_;  ///< last frame, for each bar of each series
 };
 
-/// The law of the equilibrium curves of a histogram.
-std::vector<LawOf> laws_of_histogram(const PanelSpec& panel, const Gas& gas);
-
-/// Report mistakes in the keys of histograms, such as a test of too few values: of one number per
-/// particle, of velocity components, and of positions.
-void check_scalar_histogram(PanelSpec& panel, const Node& node, Reading& reading);
-void check_velocity_histogram(PanelSpec& panel, const Node& node, Reading& reading);
-void check_position_histogram(PanelSpec& panel, const Node& node, Reading& reading);
+/// Completes a kind of histogram by what all of them share: keys, their check, and what else is
+/// known of them; for one with an equilibrium, the law of its curves and the check of a test.
+/// `is_from_zero`: its values are never negative, and neither is `range`; `values_each`: how many
+/// of each particle are counted.
+PanelKind histogram_kind(PanelKind kind, bool is_from_zero = false,
+                         std::function<int(const PanelSpec&, const Gas&)> values_each = always(1));
 
 }  // namespace carom

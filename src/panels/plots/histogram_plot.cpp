@@ -206,7 +206,7 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
     if (!axes_.curves[k].empty()) add(layers_[k].curve);
     if (state == nullptr) return;
     const MeanHistogram& one = state->counts.series[k];
-    if (spec_.fit) {
+    if (options().fit) {
         Line fit = line_of(
             "fit",
             normal_curve(axes_.bins, one, parts_ ? one.values() : series.unit * series.values()),
@@ -271,7 +271,7 @@ plot::BarNotes HistogramPanel::bar_notes(const HistogramCounts* now) const {
                    .beyond = say(context_.language(), "off scale")};
     notes.are_in_a_row = count() > 1;
     if (!compares()) notes.names = mean_names(now);
-    if (spec_.fit && !notes.may_be_beside) notes.names.clear();
+    if (options().fit && !notes.may_be_beside) notes.names.clear();
     for (int i = 0; i < axes_.bins.count; ++i)
         notes.highest.push_back(
             {axes_.bins.edge(i), axes_.bins.edge(i + 1), axes_.highest.at(std::size_t(i))});
@@ -351,7 +351,7 @@ plot::Label HistogramPanel::name_of_curve(std::size_t k) const {
 void HistogramPanel::add_names() {
     if (compares() || (!parts_ && !axes_.has_curves())) return;
     const bool has_gap = std::ranges::any_of(axes_.curves, &HistogramCurve::empty);
-    if (count() == 1 ? has_gap : spec_.fit || (!parts_ && has_gap)) return;
+    if (count() == 1 ? has_gap : options().fit || (!parts_ && has_gap)) return;
     for (std::size_t k = 0; k < count(); ++k) whole_.layers.emplace_back(name_of_curve(k));
     if (count() == 1) return;
     const Language language = context_.language();
@@ -422,7 +422,7 @@ Plot HistogramPanel::plot(const PanelState* state) const {
     const HistogramCounts* now = shown ? &shown->counts : nullptr;
     const HistogramCounts* told = shown ? shown->readouts.get() : nullptr;
     Plot plot = whole_;
-    for (std::size_t k = 0; spec_.fit && k < std::min(count(), most_fit_rows); ++k)
+    for (std::size_t k = 0; options().fit && k < std::min(count(), most_fit_rows); ++k)
         plot.notes.push_back(fit_note(k, told ? &told->series[k] : nullptr));
     plot.bar_notes = bar_notes(told);
     for (std::size_t k = 0; k < count(); ++k) add_series(plot, k, shown);

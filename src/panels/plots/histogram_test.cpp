@@ -1,17 +1,26 @@
-// What is checked of a histogram: its keys, and the goodness of its fit, by Pearson's chi-squared
+// What the kinds of histogram share: their keys, and the test of their fit, Pearson's chi-squared
 // test, with conservation laws taken into account.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
 
 #include "panels/plot/clock_samples.h"
 #include "panels/plots/histogram_panel.h"
+#include "panels/plots/suits.h"
 #include "scene/instruments/instrument_reading.h"
+#include "scene/keys/check.h"
 #include "scene/reading/gas_reading.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
+
+LawOf law_of_bars(const PanelSpec& panel) {
+    const bool has_parts = panel.options.as<HistogramOptions>().parts.any();
+    return has_parts ? LawOf::side_distribution : LawOf::distribution;
+}
 
 // The message below states these values.
 static_assert(fewest_classes == 3 && least_expected == 5.0);
@@ -20,7 +29,7 @@ static_assert(fewest_classes == 3 && least_expected == 5.0);
 void check_test_of(const PanelSpec& panel, int values_each, const Node& node, Reading& reading) {
     const Node* asked = given(node, "test");
     std::optional<std::int64_t> fewest = particles_in(reading.gas);
-    if (asked == nullptr || !panel.test || !fewest || panel.sweep.from) return;
+    if (asked == nullptr || !panel.test || !fewest || panel.joined) return;
     for (const Chosen& chosen : panel.of) fewest = std::min(fewest, count_of(chosen, reading.gas));
     if (static_cast<double>(*fewest * panel.seeds * values_each) < fewest_classes * least_expected)
         reading.errors.add(*asked,
@@ -28,26 +37,116 @@ void check_test_of(const PanelSpec& panel, int values_each, const Node& node, Re
                            "leave it out, show more particles, or take more `seeds`");
 }
 
+Notation<std::pair<double, double>> histogram_range() {
+    const auto rising = [](const TwoNumbers& ends, const Node& node, Reading& reading) {
+        constexpr double least_width = 1e-9;  // of the numbers: edges have sixteen digits
+        if (ends[0] >= ends[1])
+            reading.errors.add(node, "expected [low, high] with low < high for `range`",
+                               "write the smaller one first");
+        else if (ends[1] - ends[0] < least_width * std::max(std::abs(ends[0]), std::abs(ends[1])))
+            reading.errors.add(node,
+                               "the edges of `range` agree in nine digits: bars would be "
+                               "narrower than rounding errors",
+                               "take a wider range");
+    };
+    return mapped(checked(pair_of(any_number, "[low, high]"), rising),
+                  [](const TwoNumbers& ends) { return std::pair(ends[0], ends[1]); });
+}
+
+// These stand before the key of theory.
+std::vector<Binding<HistogramOptions>> bar_keys() {
+    return {bind_key("bins", &HistogramOptions::bins, whole(1, most_bins), "The number of bars.")
+                .default_text("chosen by rule from the whole run"),
+            bind_key("range", &HistogramOptions::range, histogram_range(),
+                     "The first and the last edge of the bars.")
+                .default_text("chosen by rule from the whole run"),
+            bind_key("fit", &HistogramOptions::fit, flag(),
+                     "Whether to draw the normal curve with the same mean and standard deviation, "
+                     "and show both values."),
+            bind_key("mean_now", &HistogramOptions::mean_now, flag(), "Whether to mark the mean.")
+                .default_text("true for speeds and energies"),
+            bind_key("mean_start", &HistogramOptions::mean_start, flag(),
+                     "Whether to mark the mean at the start.")
+                .default_text("true for speeds and energies")};
+}
+
+std::vector<Binding<HistogramOptions>> histogram_keys() {
+    return joined<HistogramOptions>(std::vector{samples_key(&HistogramOptions::by_clock)},
+                                    bind_within(&HistogramOptions::parts, part_keys()));
+}
+
+void check_range(const HistogramOptions& options, const Node& node, Reading& reading) {
+    const auto& range = options.range;
+    if (!range || range->first >= 0.0 || range->first >= range->second) return;
+    const Node& written = *given(node, "range");
+    reading.errors.add(written,
+                       fmt::format("expected [low, high] from 0 on for `range`, found {}",
+                                   in_quotes(written.items[0].text)),
+                       "speeds and energies are never negative");
+}
+
+// Reports a missing equilibrium curve only if the scene asks for it; if it is merely the default,
+// it is left out, and `check` lists it.
+void check_equilibrium(const PanelSpec& panel, const Node& node, Reading& reading) {
+    const Node* asked = given(node, "theory");
+    if (asked == nullptr || !panel.theory) return;
+    if (asked->source->origin == Origin::template_file || reading.gas.species.empty()) return;
+    const SurfaceNumbers& surfaces = panel.options.as<HistogramOptions>().parts.surfaces;
+    const Asked of{.surface = surfaces.empty() ? 0 : surfaces.front()};
+    if (const auto reason = why_no_law(reading.gas, reading.run, law_of_bars(panel), of))
+        reading.errors.add(*asked,
+                           "there is no equilibrium curve for this gas: " +
+                               to_text(Language::english, *reason, reading.gas.species),
+                           "leave out `theory`; the curve is then drawn where there is one");
+}
+
+// A histogram takes particles, regions, or the sides of a partition that stays in its place.
+void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
+    const bool has_surfaces = is_written(node, "surfaces");
+    const char* parts = has_surfaces ? "surfaces" : "regions";
+    if (!is_written(node, parts)) return;
+    const std::vector<const char*> others =
+        has_surfaces ? std::vector{"of", "regions", "compare"} : std::vector{"of", "test"};
+    for (const char* other : others)
+        if (is_written(node, other))
+            return refuse_together(reading.errors, *find(node, other), {other, parts});
+    if (!has_surfaces) return;
+    const SuitableSurface fixed{
+        [&](std::int32_t surface) {
+            return !reading.gas.box.surfaces.is_side(surface) && !may_move(reading, surface);
+        },
+        "a partition that does not move",
+        reading.gas.box.dimension == 1
+            ? "name another one, or parts by `regions: [{name: left, within: [x0, x1]}]`"
+            : "name another one, or parts by `regions: [{name: left, within: [x0, y0, x1, y1]}]`"};
+    SurfaceNumbers& surfaces = panel.options.change<HistogramOptions>().parts.surfaces;
+    keep_suitable(panel, surfaces, fixed, node, reading);
+    require_one(panel, surfaces, node, reading);
+}
+
 }  // namespace
 
-void check_scalar_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
-    check_position_histogram(panel, node, reading);
-    check_test_of(panel, 1, node, reading);
-}
-
-void check_velocity_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
-    const bool both = panel.component.value_or(Component::both) == Component::both;
-    check_position_histogram(panel, node, reading);
-    check_test_of(panel, both ? reading.gas.box.dimension : 1, node, reading);
-}
-
-void check_position_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
-    check_parts(panel, node, reading);
-    check_samples_of_bars(panel, node, reading);
-}
-
-std::vector<LawOf> laws_of_histogram(const PanelSpec& panel, const Gas&) {
-    return {panel.shows_parts() ? LawOf::side_distribution : LawOf::distribution};
+PanelKind histogram_kind(PanelKind kind, bool is_from_zero,
+                         std::function<int(const PanelSpec&, const Gas&)> values_each) {
+    kind.bar_keys = option_keys(bar_keys());
+    kind.keys = option_keys(histogram_keys());
+    const bool has_law = kind.can(Ability::equilibrium);
+    kind.rule = [=](PanelSpec& panel, const Node& node, Reading& reading) {
+        const auto& options = panel.options.as<HistogramOptions>();
+        if (is_from_zero) check_range(options, node, reading);
+        if (has_law) check_equilibrium(panel, node, reading);
+        check_parts(panel, node, reading);
+        if (options.by_clock) check_samples_of_bars(panel, node, reading);
+        if (has_law) check_test_of(panel, values_each(panel, reading.gas), node, reading);
+    };
+    if (has_law) {
+        kind.suits = speeds_spread;
+        kind.laws = [](const PanelSpec& panel, const Gas&) {
+            return std::vector{law_of_bars(panel)};
+        };
+    }
+    kind.measured_at = measured_at(&HistogramOptions::parts);
+    return kind;
 }
 
 // The expected counts in all runs together.

@@ -37,7 +37,7 @@ plot::Text HistogramPanel::names_of_choices(Joint joint) const {
 }
 
 // Whether marks of means have the names of choices.
-bool HistogramPanel::marks_name_choices() const { return marks_mean_now() && !spec_.fit; }
+bool HistogramPanel::marks_name_choices() const { return marks_mean_now() && !options().fit; }
 
 // The note on what a short title omits: the names of choices, and that the curves are those of
 // equilibrium.

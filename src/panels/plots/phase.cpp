@@ -3,9 +3,12 @@
 
 #include "panels/chosen.h"
 #include "panels/gas/flights.h"
+#include "panels/plot/clock_samples.h"
 #include "panels/plots/points_panel.h"
 #include "panels/registry.h"
 #include "panels/surfaces/side_extent.h"
+#include "scene/panel_kind.h"
+#include "scene/reading/gas_reading.h"
 
 namespace carom {
 namespace {
@@ -19,7 +22,25 @@ std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spe
             names_of(context, chosen, plot::Sample::disk)};  // the axes say the rest
 }
 
-}  // namespace
+// The number of points in a sample; 0 if it is not known yet.
+double points_in_each(const PanelSpec& panel, const Gas& gas) {
+    const auto all = static_cast<double>(particles_in(gas).value_or(0));
+    double sum = panel.of.empty() ? all : 0.0;
+    for (const Chosen& one : panel.of) {
+        if (one.particle)
+            sum += 1.0;
+        else if (one.species)
+            sum += static_cast<double>(gas.species[*one.species].count);
+        else
+            sum += all;
+    }
+    return sum;
+}
+
+void check_phase(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (panel.options.as<PointOptions>().by_clock)
+        check_samples_of_points(points_in_each(panel, reading.gas), node, reading);
+}
 
 std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.scene.gas.box;
@@ -71,6 +92,23 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
             {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
     show_samples(context, spec, subject);
     return std::make_unique<PointsPanel>(std::move(subject));
+}
+
+}  // namespace
+
+PanelKind phase_kind() {
+    using enum Ability;
+    return {.name = "phase",
+            .words = Phrase{"phase space"},
+            .shows =
+                "Position and velocity along one axis, a point for each particle; a single "
+                "particle leaves a path that fades with age.",
+            .make = make_phase,
+            .abilities = {of, component},
+            .keys = point_keys(),
+            .rule = check_phase,
+            .suits = [](const Gas& gas, const Run&) { return gas.box.dimension == 1; },
+            .draws_particles = true};
 }
 
 }  // namespace carom

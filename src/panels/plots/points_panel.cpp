@@ -33,7 +33,8 @@ const plot::Stroke faint{.role = {.of = Role::Of::muted}, .width = 0.06, .dashes
 }  // namespace
 
 void show_samples(const PanelContext& context, const PanelSpec& spec, PointsSubject& subject) {
-    if (!spec.by_clock) return;
+    const bool by_clock = spec.options.as<PointOptions>().by_clock;
+    if (!by_clock) return;
     subject.is_sample = [&run = context.scene.run](double time) {
         return is_sample_time(run, time);
     };
@@ -41,8 +42,12 @@ void show_samples(const PanelContext& context, const PanelSpec& spec, PointsSubj
     subject.corners = nullptr;
     PanelSpec so_far = spec;
     so_far.over = Over{Over::Since::start, 0.0};
-    subject.remark = with_samples(subject.language, time_words(subject.language, so_far), spec,
+    subject.remark = with_samples(subject.language, time_words(subject.language, so_far), by_clock,
                                   context.scene.run);
+}
+
+std::vector<Binding<PanelSpec>> point_keys() {
+    return option_keys(std::vector{samples_key(&PointOptions::by_clock)});
 }
 
 // The part of a path that a film with many frames or many collisions shows.

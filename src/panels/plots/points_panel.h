@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panels/plot/plot_panel.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 
@@ -41,8 +42,15 @@ struct PointsSubject {
     std::pair<Heading, Heading> columns = {};  ///< of a table, and what the axes show
 };
 
+struct PointOptions {
+    bool by_clock = false;  ///< of the samples of the run alone
+};
+
 /// With `samples: clock`, shows the points of the samples of the run so far.
 void show_samples(const PanelContext& context, const PanelSpec& spec, PointsSubject& subject);
+
+/// The keys of points.
+std::vector<Binding<PanelSpec>> point_keys();
 
 class PointsPanel : public PlotPanel {
   public:

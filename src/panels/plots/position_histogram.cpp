@@ -1,9 +1,11 @@
 // The histogram of the positions of particles along one axis.
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "stats/paths/course.h"
 
 namespace carom {
+namespace {
 
 std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.scene.gas.box;
@@ -30,6 +32,20 @@ std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, cons
         subject.short_curve = Phrase{"binomial"};
     }
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind position_histogram_kind() {
+    using enum Ability;
+    return histogram_kind(
+        {.name = "position-histogram",
+         .words = Phrase{"position histogram"},
+         .shows = "A histogram of the positions along one axis; on a Galton board of pegs with the "
+                  "binomial distribution that balls would have if each row sent them to the left "
+                  "or to the right independently.",
+         .make = make_position_histogram,
+         .abilities = {bars, of, over, component, means, comparison}});
 }
 
 }  // namespace carom

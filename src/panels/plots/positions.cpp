@@ -1,12 +1,13 @@
 // One particle's position against another's along one axis, with the path so far.
 #include "panels/chosen.h"
 #include "panels/gas/flights.h"
+#include "panels/plot/clock_samples.h"
 #include "panels/plots/points_panel.h"
 #include "panels/registry.h"
 #include "panels/surfaces/side_extent.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
-
 namespace {
 
 // The name of the only particle of its kind says more than its number.
@@ -15,7 +16,9 @@ std::string name_on_axis(const PanelContext& context, const Chosen& chosen) {
     return escape_markup(single.empty() ? name_of(context.scene, chosen) : single);
 }
 
-}  // namespace
+void check_positions(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (panel.options.as<PointOptions>().by_clock) check_samples_of_points(1.0, node, reading);
+}
 
 std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.scene.gas.box;
@@ -61,6 +64,20 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
                      quantities::length}}};
     show_samples(context, spec, subject);
     return std::make_unique<PointsPanel>(std::move(subject));
+}
+
+}  // namespace
+
+PanelKind positions_kind() {
+    using enum Ability;
+    return {.name = "positions",
+            .words = Phrase{"positions"},
+            .shows = "The position of one particle against that of another, with the path so far.",
+            .make = make_positions,
+            .abilities = {of, two, component},
+            .keys = point_keys(),
+            .rule = check_positions,
+            .draws_particles = true};
 }
 
 }  // namespace carom

@@ -5,12 +5,24 @@
 #include "draw/palette.h"
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
+#include "panels/plots/suits.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
 namespace {
+
+struct SpeedClassOptions {
+    bool is_by_start = false;  // classes by the initial mean, not the present one
+};
+
+std::vector<Binding<SpeedClassOptions>> speed_class_keys() {
+    return {bind_key("reference", &SpeedClassOptions::is_by_start,
+                     one_of<bool>({{"now", false}, {"initial", true}}),
+                     "The mean speed that defines slow and fast: at present, or at the start.")};
+}
 
 // Samples in print take the room of words.
 std::vector<plot::Text> titles(Language language, const std::vector<SeriesSubject::Line>& lines) {
@@ -26,10 +38,9 @@ std::vector<plot::Text> titles(Language language, const std::vector<SeriesSubjec
         joined(language, names, Joint::commas)};
 }
 
-}  // namespace
-
 std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
+    const auto& options = spec.options.as<SpeedClassOptions>();
     SeriesSubject subject{
         .measure = {},
         .lines = {{"slow"}, {"medium"}, {"fast"}},
@@ -37,7 +48,7 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
         .names = {say(language, "slow"), say(language, "medium"), say(language, "fast")},
         .plain_title = say(language, "{} (per cent)", capitalised(say(language, "share"))),
         .notes =
-            spec.reference_initial
+            options.is_by_start
                 ? std::vector{say(language, "slow: &lt; ½ mean speed at the start; fast: &gt; 1½"),
                               say(language, "slow: &lt; ½ initial mean; fast: &gt; 1½"),
                               say(language, "&lt; ½, &gt; 1½ of the initial mean")}
@@ -54,15 +65,30 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
     subject.titles = titles(language, subject.lines);
     // Called for every frame in order: the first gives the mean at the start.
     subject.measure = [first = std::optional<double>{}, &particles = context.particles,
-                       spec](const FrameInput& o) mutable -> std::vector<double> {
+                       options](const FrameInput& o) mutable -> std::vector<double> {
         const double now = mean_of_speeds(particles, o.speed);
         if (!first) first = now;
         std::vector<double> percent;
-        for (const double share : class_shares(o.speed, spec.reference_initial ? *first : now))
+        for (const double share : class_shares(o.speed, options.is_by_start ? *first : now))
             percent.push_back(100.0 * share);
         return percent;
     };
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind speed_classes_kind() {
+    using enum Ability;
+    return {.name = "speed-classes",
+            .words = Phrase{"speed classes"},
+            .shows =
+                "The shares of slow (below half of the mean speed), medium and fast particles "
+                "(above one and a half times it) against time.",
+            .make = make_speed_classes,
+            .abilities = {over, means},
+            .keys = option_keys(speed_class_keys()),
+            .suits = speeds_spread};
 }
 
 }  // namespace carom

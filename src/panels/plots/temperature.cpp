@@ -3,10 +3,14 @@
 
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
+#include "panels/plots/suits.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
+namespace {
+
 std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Temperature"});
     subject.measure = [context, of = members(context, choices(spec))](const FrameInput& o) {
@@ -22,6 +26,18 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
     subject.over = spec.over;
     subject.needs_positions = false;
     return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind temperature_kind() {
+    using enum Ability;
+    return {.name = "temperature",
+            .words = Phrase{"temperature"},
+            .shows = "The temperature against time, of all particles or of those that `of` names.",
+            .make = make_temperature,
+            .abilities = {of, over, means, comparison},
+            .suits = acts_on_gas};
 }
 
 }  // namespace carom

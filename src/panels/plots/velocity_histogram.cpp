@@ -3,8 +3,15 @@
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
 #include "physics/theory/theory.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
+namespace {
+
+// The numbers of a particle that are counted.
+int velocities_each(const PanelSpec& panel, const Gas& gas) {
+    return panel.component.value_or(Component::both) == Component::both ? gas.box.dimension : 1;
+}
 
 std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Component component = spec.component.value_or(Component::both);
@@ -35,6 +42,20 @@ std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, cons
             take({piece.from, piece.to, {piece.velocity[axis], piece.acceleration[axis], 0.0}});
     };
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
+}
+
+}  // namespace
+
+PanelKind velocity_histogram_kind() {
+    using enum Ability;
+    return histogram_kind(
+        {.name = "velocity-histogram",
+         .words = Phrase{"velocity histogram"},
+         .shows = "A histogram of the velocities along one axis, or of both components together, "
+                  "with the equilibrium distribution.",
+         .make = make_velocity_histogram,
+         .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison}},
+        false, velocities_each);
 }
 
 }  // namespace carom

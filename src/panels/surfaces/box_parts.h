@@ -7,6 +7,7 @@
 
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
+#include "panels/surfaces/place_options.h"
 
 namespace carom {
 
@@ -14,11 +15,11 @@ namespace carom {
 /// colour of bars.
 plot::Role surface_role(std::size_t place, std::size_t count);
 
-/// In the order of the panel's `regions`, or below and above the place of its first surface.
+/// In the order of `regions`, or below and above the place of the first surface.
 class BoxParts {
   public:
-    BoxParts(const Box& box, const PanelSpec& spec)
-        : box_(box), surfaces_(spec.surfaces), regions_(spec.regions) {}
+    BoxParts(const Box& box, const MeasuredAt& parts)
+        : box_(box), surfaces_(parts.surfaces), regions_(parts.regions) {}
 
     std::size_t count() const { return regions_.empty() ? 2 : regions_.size(); }
     std::vector<std::string> names(Language language) const;
@@ -35,7 +36,7 @@ class BoxParts {
     int axis() const { return box_.surfaces.axis_of(surfaces_.front()); }
 
     Box box_;
-    std::vector<std::int32_t> surfaces_;
+    SurfaceNumbers surfaces_;
     std::vector<NamedRegion> regions_;
 };
 

@@ -37,8 +37,7 @@ void check_vary(const Sweep& sweep, const Node& node, Reading& reading) {
 }
 
 // Reports a horizontal axis that is neither a varied key nor a property that is known of each gas.
-void check_across(const PanelSpec& panel, const Node& node, Reading& reading) {
-    const SweepShown& shown = panel.sweep;
+void check_across(const SweepShown& shown, const Node& node, Reading& reading) {
     if (shown.against == across_packing || shown.against == across_density) return;
     std::vector<std::string> names{across_packing, across_density};
     for (const SweepAxis& axis : shown.sweep.axes) names.push_back(axis.key);
@@ -51,20 +50,20 @@ void check_across(const PanelSpec& panel, const Node& node, Reading& reading) {
 
 }  // namespace
 
-std::vector<Binding<PanelSpec>> sweep_keys() {
+std::vector<Binding<SweepShown>> sweep_keys() {
     const auto axis = parsed(text(3, most_title_letters).called("KEY=FIRST:LAST:N"), read_axis);
-    const auto fill_number = [](PanelSpec& panel, std::string number) {
-        panel.sweep.number = std::move(number);
+    const auto fill_number = [](SweepShown& shown, std::string number) {
+        shown.number = std::move(number);
     };
-    const auto fill_vary = [](PanelSpec& panel, const std::vector<SweepAxis>& axes) {
-        std::vector<SweepAxis>& all = panel.sweep.sweep.axes;
+    const auto fill_vary = [](SweepShown& shown, const std::vector<SweepAxis>& axes) {
+        std::vector<SweepAxis>& all = shown.sweep.axes;
         all.insert(all.begin(), axes.begin(), axes.end());
     };
     // If all runs share the value, the axis has one value only.
-    const auto fill_set = [](PanelSpec& panel, const std::vector<std::string>& changes) {
+    const auto fill_set = [](SweepShown& shown, const std::vector<std::string>& changes) {
         for (const std::string& change : changes) {
             const std::size_t sign = change.find('=');
-            panel.sweep.sweep.axes.push_back({change.substr(0, sign), {change.substr(sign + 1)}});
+            shown.sweep.axes.push_back({change.substr(0, sign), {change.substr(sign + 1)}});
         }
     };
     const auto change = checked(
@@ -75,49 +74,50 @@ std::vector<Binding<PanelSpec>> sweep_keys() {
                     node, fmt::format("expected KEY.PATH=VALUE, found {}", in_quotes(written)),
                     "for instance run.until=40");
         });
-    const auto fill_across = [](PanelSpec& panel, std::string key) {
-        panel.sweep.against = std::move(key);
+    const auto fill_across = [](SweepShown& shown, std::string key) {
+        shown.against = std::move(key);
     };
-    const auto fill_title = [](PanelSpec& panel, std::string words) {
-        panel.sweep.across = std::move(words);
+    const auto fill_title = [](SweepShown& shown, std::string words) {
+        shown.across = std::move(words);
     };
     const auto line = text(1, most_title_letters);
     return {
-        bind_with<PanelSpec>("number", fill_number, line,
-                             "The number that it shows of each run, as `carom join` names it: "
-                             "`temperature`, `virial pressure`, `collision rate`.")
+        bind_with<SweepShown>("number", fill_number, line,
+                              "The number that it shows of each run, as `carom join` names it: "
+                              "`temperature`, `virial pressure`, `collision rate`.")
             .default_text("required for a sweep"),
-        bind_with<PanelSpec>("vary", fill_vary,
-                             one_or_list(axis, most_compared, "a list of KEY=FIRST:LAST:N"),
-                             "The keys that it varies, each with N equally spaced values, or with "
-                             "those listed as KEY=VALUE,VALUE,... Each point is the mean over "
-                             "`seeds` runs.")
+        bind_with<SweepShown>("vary", fill_vary,
+                              one_or_list(axis, most_compared, "a list of KEY=FIRST:LAST:N"),
+                              "The keys that it varies, each with N equally spaced values, or with "
+                              "those listed as KEY=VALUE,VALUE,... Each point is the mean over "
+                              "`seeds` runs.")
             .default_text("required without `seeds: {from: FOLDER}`"),
-        bind_with<PanelSpec>("set", fill_set,
-                             one_or_list(change, most_changes, "a list of KEY.PATH=VALUE"),
-                             "Values that differ from the scene's in all runs.")
+        bind_with<SweepShown>("set", fill_set,
+                              one_or_list(change, most_changes, "a list of KEY.PATH=VALUE"),
+                              "Values that differ from the scene's in all runs.")
             .default_text("nothing"),
-        bind_with<PanelSpec>("across", fill_across, line,
-                             "The horizontal axis: a key that is varied, or `packing` or `density` "
-                             "of the gas. Each combination of the other varied keys is a line.")
+        bind_with<SweepShown>(
+            "across", fill_across, line,
+            "The horizontal axis: a key that is varied, or `packing` or `density` "
+            "of the gas. Each combination of the other varied keys is a line.")
             .default_text("the first key that is varied"),
-        bind_with<PanelSpec>("across_title", fill_title, line, "The title of the horizontal axis.")
+        bind_with<SweepShown>("across_title", fill_title, line, "The title of the horizontal axis.")
             .default_text("made from the key")};
 }
 
 void check_sweep_figure(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!node.is_mapping()) return;
-    SweepShown& shown = panel.sweep;
+    auto& shown = panel.options.change<SweepShown>();
     if (find(node, "number") == nullptr)
         reading.errors.add(node, "a figure of kind `sweep` needs `number`",
                            "for instance {kind: sweep, number: virial pressure, vary: "
                            "\"gas.0.radius=0.1:0.4:7\", seeds: 8}");
     const Node* vary = find(node, "vary");
-    if (vary == nullptr && !shown.from)
+    if (vary == nullptr && !panel.joined)
         reading.errors.add(node, "a figure of kind `sweep` needs `vary` or `seeds: {from: FOLDER}`",
                            "it runs what `vary` says, or shows a sweep that is joined already");
     for (const char* key : {"vary", "set"})
-        if (const Node* written = given(node, key); written != nullptr && shown.from)
+        if (const Node* written = given(node, key); written != nullptr && panel.joined)
             reading.errors.add(*written, fmt::format("a joined sweep has its own `{}`", key),
                                fmt::format("leave out `{}`", key));
     for (const char* key : {"at", "over"})
@@ -132,7 +132,7 @@ void check_sweep_figure(PanelSpec& panel, const Node& node, Reading& reading) {
         shown.against = shown.sweep.axes.front().key;
     if (vary == nullptr || !vary->valid || shown.sweep.axes.empty()) return;
     check_vary(shown.sweep, *vary, reading);
-    if (const Node* across = given(node, "across")) check_across(panel, *across, reading);
+    if (const Node* across = given(node, "across")) check_across(shown, *across, reading);
 }
 
 }  // namespace carom

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "scene/keys/binding.h"
-#include "scene/scene.h"
+#include "scene/panel_spec.h"
+#include "scene/sweep.h"
 
 namespace carom {
 
@@ -13,7 +14,7 @@ namespace carom {
 inline constexpr const char* across_packing = "packing";
 inline constexpr const char* across_density = "density";
 
-std::vector<Binding<PanelSpec>> sweep_keys();
+std::vector<Binding<SweepShown>> sweep_keys();
 
 void check_sweep_figure(PanelSpec& panel, const Node& node, Reading& reading);
 

@@ -9,6 +9,8 @@
 
 #include "draw/axis.h"
 #include "panels/registry.h"
+#include "panels/sweep/sweep_keys.h"
+#include "scene/panel_kind.h"
 #include "util/text.h"
 
 namespace carom {
@@ -219,8 +221,37 @@ void SweepPanel::show(const SweptNumbers& numbers) {
     }
 }
 
+namespace {
+
 std::unique_ptr<Panel> make_sweep(const PanelContext& context, const PanelSpec& spec) {
     return std::make_unique<SweepPanel>(context, spec);
+}
+
+// The words of its axes, and the values in its legend.
+std::vector<std::string> names_of_sweep(const PanelSpec& panel) {
+    const auto& shown = panel.options.as<SweepShown>();
+    std::vector<std::string> names{shown.across};
+    for (const SweepAxis& axis : shown.sweep.axes)
+        names.insert(names.end(), axis.values.begin(), axis.values.end());
+    return names;
+}
+
+}  // namespace
+
+PanelKind sweep_kind() {
+    using enum Ability;
+    return {.name = "sweep",
+            .words = Phrase{"sweep"},
+            .shows =
+                "A number measured in many runs against a key that is varied, with its standard "
+                "error and theory: see [Figures](figures.md#sweeps).",
+            .make = make_sweep,
+            .abilities = {theory, means, sweep},
+            .keys = option_keys(sweep_keys()),
+            .rule = check_sweep_figure,
+            .has_own_time = always(true),
+            .names = names_of_sweep,
+            .in_films_instead = "a sweep is of many runs; it is a kind of figure"};
 }
 
 }  // namespace carom

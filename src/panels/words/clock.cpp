@@ -17,7 +17,7 @@ constexpr int bold = 600;                 // of slow motion
 
 class ClockPanel : public MonitorsPanel {
   public:
-    ClockPanel(const PanelContext& context, const PanelSpec& spec) : MonitorsPanel(context, spec) {}
+    explicit ClockPanel(const PanelContext& context) : MonitorsPanel(context, {Monitor::time}) {}
 
     void draw_ground(Canvas&, const DrawContext&) const override {}
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
@@ -78,8 +78,7 @@ void ClockPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& s
 }  // namespace
 
 std::unique_ptr<Panel> make_clock(const PanelContext& context) {
-    return std::make_unique<ClockPanel>(context,
-                                        PanelSpec{.kind = "monitors", .numbers = {Monitor::time}});
+    return std::make_unique<ClockPanel>(context);
 }
 
 }  // namespace carom

@@ -231,13 +231,9 @@ double MonitorsPanel::column_width(double unit) const {
     return widest;
 }
 
-// An empty list stands for the default: the numbers that apply to any gas, without those of
-// classes.
-MonitorsPanel::MonitorsPanel(const PanelContext& context, const PanelSpec& spec)
-    : context_(context),
-      are_asked_(!spec.numbers.empty()),
-      numbers_(spec.numbers),
-      title_(spec.title) {
+MonitorsPanel::MonitorsPanel(const PanelContext& context, const std::vector<Monitor>& numbers,
+                             const std::optional<std::string>& title)
+    : context_(context), are_asked_(!numbers.empty()), numbers_(numbers), title_(title) {
     smallest_.fill(infinity);
     largest_[index_of(Monitor::time)] = farthest_time(context.scene.run);
     if (numbers_.empty())
@@ -413,8 +409,9 @@ Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
     return table;
 }
 
-std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpec& spec) {
-    return std::make_unique<MonitorsPanel>(context, spec);
+std::unique_ptr<Panel> make_monitors(const PanelContext& context,
+                                     const std::vector<Monitor>& numbers) {
+    return std::make_unique<MonitorsPanel>(context, numbers);
 }
 
 }  // namespace carom

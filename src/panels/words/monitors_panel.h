@@ -17,6 +17,10 @@
 
 namespace carom {
 
+struct MonitorOptions {
+    std::vector<Monitor> numbers = {};  ///< those shown; none: usual
+};
+
 using MonitorNumbers = std::array<double, enum_words<Monitor>.size()>;
 
 inline std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
@@ -36,7 +40,9 @@ void draw_time_arrow(Canvas& canvas, Point center, double size, double turn, Col
 
 class MonitorsPanel : public Panel {
   public:
-    MonitorsPanel(const PanelContext& context, const PanelSpec& spec);
+    /// Shows these numbers; none stand for those that apply to any gas, without those of classes.
+    MonitorsPanel(const PanelContext& context, const std::vector<Monitor>& numbers,
+                  const std::optional<std::string>& title = {});
 
     void survey(const FrameInput& input) override;
     bool surveys_positions() const override { return echo_.has_value(); }

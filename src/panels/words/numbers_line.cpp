@@ -15,8 +15,8 @@ constexpr std::size_t most_numbers = 2;
 
 class NumbersLine : public MonitorsPanel {
   public:
-    NumbersLine(const PanelContext& context, const PanelSpec& spec)
-        : MonitorsPanel(context, spec) {}
+    NumbersLine(const PanelContext& context, const std::vector<Monitor>& numbers)
+        : MonitorsPanel(context, numbers) {}
 
     void draw_ground(Canvas&, const DrawContext&) const override {}
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const override;
@@ -95,8 +95,7 @@ void NumbersLine::draw(Canvas& canvas, const DrawContext& dc, const PanelState& 
 
 std::unique_ptr<Panel> make_numbers_line(const PanelContext& context,
                                          const std::vector<Monitor>& numbers) {
-    return std::make_unique<NumbersLine>(context,
-                                         PanelSpec{.kind = "monitors", .numbers = numbers});
+    return std::make_unique<NumbersLine>(context, numbers);
 }
 
 }  // namespace carom

@@ -13,9 +13,9 @@ namespace {
 // A name, and the numbers after it in one line, each in a place of its own.
 class RunLinePanel : public MonitorsPanel {
   public:
-    RunLinePanel(const PanelContext& context, const PanelSpec& spec,
+    RunLinePanel(const PanelContext& context, const std::vector<Monitor>& numbers,
                  const std::array<std::string, 2>& labels, std::size_t run)
-        : MonitorsPanel(context, spec), labels_(labels), run_(run) {
+        : MonitorsPanel(context, numbers), labels_(labels), run_(run) {
         std::erase(numbers_, Monitor::time);
     }
 
@@ -102,9 +102,10 @@ void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState&
 
 }  // namespace
 
-std::unique_ptr<Panel> make_run_line(const PanelContext& context, const PanelSpec& spec,
+std::unique_ptr<Panel> make_run_line(const PanelContext& context,
+                                     const std::vector<Monitor>& numbers,
                                      const std::array<std::string, 2>& labels, std::size_t run) {
-    return std::make_unique<RunLinePanel>(context, spec, labels, run);
+    return std::make_unique<RunLinePanel>(context, numbers, labels, run);
 }
 
 }  // namespace carom

@@ -6,6 +6,8 @@
 #include "draw/formula/words.h"
 #include "panels/layout.h"
 #include "panels/registry.h"
+#include "scene/limits.h"
+#include "scene/panel_kind.h"
 #include "util/formula/formula.h"
 
 namespace carom {
@@ -91,7 +93,8 @@ class TextPanel : public Panel {
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override {
         if (spec_.title) draw_panel_title(canvas, dc, escape_markup(*spec_.title));
         const Rect area = below_title(dc.area, dc.unit, spec_.title.has_value());
-        const auto set = set_words(spec_.words, area.width, area.height, dc.unit);
+        const auto set =
+            set_words(spec_.options.as<TextOptions>().words, area.width, area.height, dc.unit);
         if (!set) return;  // problem_of_words() has seen to it
         TextStyle style = style_of(set->size);
         style.color = dc.theme.ink;
@@ -136,8 +139,10 @@ std::optional<SetWords> set_words(const std::string& text, double width, double 
 }
 
 std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit) {
+    const auto* text = spec.options.find<TextOptions>();
+    if (text == nullptr) return std::nullopt;
     const Rect area = below_title(place, unit, spec.title.has_value());
-    if (set_words(spec.words, area.width, area.height, unit)) return std::nullopt;
+    if (set_words(text->words, area.width, area.height, unit)) return std::nullopt;
     Diagnostic problem = spec.place;
     problem.message = "these `words` do not fit into the panel's place at any size";
     return problem;
@@ -148,7 +153,6 @@ void refuse_long_words(const Scene& scene, const std::vector<Slot>& places) {
     std::vector<Diagnostic> errors;
     for (std::size_t i = 0; i < std::min(places.size(), scene.film.panels.size()); ++i) {
         const PanelSpec& spec = scene.film.panels[i];
-        if (spec.kind != "text") continue;
         auto problem = problem_of_words(spec, grid.place(places[i]), grid.unit());
         if (!problem) continue;
         problem->hint =
@@ -167,8 +171,38 @@ void refuse_long_words(const Scene& scene) {
     refuse_long_words(scene, places);
 }
 
+namespace {
+
+std::vector<Binding<TextOptions>> text_keys() {
+    return {
+        bind_key("words", &TextOptions::words, with_formulas(lines(1, most_words_letters)),
+                 "The text of the panel; an empty line separates paragraphs. Formulae are written "
+                 "between `$` signs; one that is a paragraph of its own is large.")
+            .default_text("required for a text")};
+}
+
+void check_text(PanelSpec&, const Node& node, Reading& reading) {
+    if (!node.is_mapping() || find(node, "words") == nullptr)
+        reading.errors.add(node, "a panel of kind `text` needs `words`",
+                           "for instance {kind: text, words: \"Watch the red disk.\"}");
+}
+
 std::unique_ptr<Panel> make_text(const PanelContext&, const PanelSpec& spec) {
     return std::make_unique<TextPanel>(spec);
+}
+
+}  // namespace
+
+PanelKind text_kind() {
+    return {.name = "text",
+            .words = Phrase{"text"},
+            .shows = "Your own text, with formulae.",
+            .make = make_text,
+            .keys = option_keys(text_keys()),
+            .rule = check_text,
+            .text = [](const PanelSpec& panel) { return panel.options.as<TextOptions>().words; },
+            .shows_run = false,
+            .has_plot = false};
 }
 
 }  // namespace carom

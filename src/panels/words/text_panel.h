@@ -10,6 +10,10 @@
 
 namespace carom {
 
+struct TextOptions {
+    std::string words = {};  ///< with formulae
+};
+
 /// A text set in lines; an empty line is a gap between paragraphs.
 struct SetWords {
     std::vector<std::string> lines;
@@ -24,7 +28,7 @@ std::optional<SetWords> set_words(const std::string& words, double width, double
 /// The height of set words, pixels.
 double height_of(const SetWords& set);
 
-/// The error, with its place in the scene file, if the words of a panel do not fit into `place`
+/// The error, with its place in the scene file, if the panel has words that do not fit into `place`
 /// (pixels) in any of the sizes; otherwise none.
 std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit);
 

@@ -7,7 +7,6 @@
 
 #include "physics/surfaces/behaviours.h"
 #include "scene/keys/binding.h"
-#include "scene/keys/check.h"
 #include "scene/limits.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/yaml/scalar.h"
@@ -49,10 +48,21 @@ std::optional<std::int32_t> surface_called(const std::string& name, const Node& 
     return std::nullopt;
 }
 
-// Returns whether a surface moves at some time of the run.
+}  // namespace
+
 bool may_move(const Reading& reading, std::int32_t surface) {
     const auto all = behaviours_in_time(reading.gas.box.surfaces, reading.run);
     return std::ranges::any_of(all.at(static_cast<std::size_t>(surface)), moves);
+}
+
+bool has_solid_side(const Box& box) {
+    const std::vector<std::string> names = measurable(box);
+    return std::any_of(names.begin(), names.begin() + box.surfaces.first_partition(),
+                       [](const std::string& name) { return !name.empty(); });
+}
+
+bool is_written(const Node& node, const char* key) {
+    return node.is_mapping() && find(node, key) != nullptr;
 }
 
 const Node& place_of_surfaces(const Node& node) {
@@ -60,33 +70,31 @@ const Node& place_of_surfaces(const Node& node) {
     return written != nullptr ? *written : node;
 }
 
-// Checks that the panel can measure at the surfaces that the scene names; if it names none, takes
-// all suitable ones of the box.
-template <class Suits>
-void keep_suitable(PanelSpec& panel, const Node& node, Reading& reading, const Suits& suits,
-                   const std::string& what, const std::string& hint) {
+void keep_suitable(const PanelSpec& panel, SurfaceNumbers& surfaces, const SuitableSurface& what,
+                   const Node& node, Reading& reading) {
     const std::vector<std::string> names = measurable(reading.gas.box);
-    const bool is_named = node.is_mapping() && find(node, "surfaces") != nullptr;
-    if (is_named && panel.surfaces.empty()) return;  // reported
-    for (const std::int32_t surface : panel.surfaces)
-        if (!suits(surface))
+    const bool is_named = is_written(node, "surfaces");
+    if (is_named && surfaces.empty()) return;  // reported
+    for (const std::int32_t surface : surfaces)
+        if (!what.suits(surface))
             reading.errors.add(
                 place_of_surfaces(node),
-                fmt::format("`{}` is not {}", names[static_cast<std::size_t>(surface)], what),
-                hint);
+                fmt::format("`{}` is not {}", names[static_cast<std::size_t>(surface)], what.what),
+                what.hint);
     if (is_named) return;
     for (std::size_t k = 0; k < names.size(); ++k)
-        if (!names[k].empty() && suits(static_cast<std::int32_t>(k)))
-            panel.surfaces.push_back(static_cast<std::int32_t>(k));
-    if (panel.surfaces.empty())
-        reading.errors.add(node, fmt::format("a panel of kind `{}` needs {}", panel.kind, what),
-                           hint);
+        if (!names[k].empty() && what.suits(static_cast<std::int32_t>(k)))
+            surfaces.push_back(static_cast<std::int32_t>(k));
+    if (surfaces.empty())
+        reading.errors.add(
+            node, fmt::format("a panel of kind `{}` needs {}", panel.kind, what.what), what.hint);
 }
 
-void require_one(PanelSpec& panel, const Node& node, Reading& reading) {
-    if (panel.surfaces.size() < 2) return;
+void require_one(const PanelSpec& panel, const SurfaceNumbers& surfaces, const Node& node,
+                 Reading& reading) {
+    if (surfaces.size() < 2) return;
     std::vector<std::string> names;
-    for (const std::int32_t surface : panel.surfaces)
+    for (const std::int32_t surface : surfaces)
         names.push_back(reading.gas.box.surfaces.names()[static_cast<std::size_t>(surface)]);
     reading.errors.add(
         place_of_surfaces(node),
@@ -94,8 +102,6 @@ void require_one(PanelSpec& panel, const Node& node, Reading& reading) {
         "choose one by `surfaces`: " + listed(names, "or", "`"));
 }
 
-// Returns whether particles can pass through a surface at some time of the run, while the surface
-// stays in one place.
 bool lets_through(const Reading& reading, std::int32_t surface) {
     const Partition* line = reading.gas.box.surfaces.partition(surface);
     if (line == nullptr || may_move(reading, surface)) return false;
@@ -107,6 +113,8 @@ bool lets_through(const Reading& reading, std::int32_t surface) {
                (given && given->first == surface && membrane_of(given->second));
     });
 }
+
+namespace {
 
 // Returns the first event of a run that a word stands for: a reversal, heat, or an event that acts
 // on the surface of that name.
@@ -131,25 +139,6 @@ std::optional<WatchStart> event_called(const std::string& word, const Node& node
                        fmt::format("`since` takes a time{}{}", there.size() == 1 ? " or " : ", ",
                                    listed(there, "or", "`")));
     return std::nullopt;
-}
-
-void check_line(const PanelSpec& panel, const Node& node, Reading& reading) {
-    if (node.is_mapping() && find(node, "surfaces") != nullptr)
-        refuse_together(reading.errors, place_of_surfaces(node), {"surfaces", "line"});
-    if (panel.counted == Counted::hits)
-        reading.errors.add(*given(node, "count"), "nothing hits a `line`: it is no wall",
-                           "leave out `count`, or name walls by `surfaces`");
-}
-
-bool is_written(const Node& node, const char* key) {
-    return node.is_mapping() && find(node, key) != nullptr;
-}
-
-constexpr const char* passable = "a partition that lets particles through and does not move";
-const char* how_to_pass(const Box& box) {
-    return box.dimension == 1 ? "count at `line: {x: PLACE}`"
-                              : "give a partition `gaps` or `passes`, let an event open it, or "
-                                "count at `line: {x: PLACE}`";
 }
 
 }  // namespace
@@ -216,12 +205,12 @@ Notation<WatchStart> watch_start_notation() {
     return parsed(word, read);
 }
 
-Notation<std::vector<std::int32_t>> surfaces_notation() {
+Notation<SurfaceNumbers> surfaces_notation() {
     auto name = text(1, most_name_letters).called("the name of a wall or a partition");
     name.forms.front().words = {"left"};
-    Notation<std::vector<std::int32_t>> all =
+    Notation<SurfaceNumbers> all =
         one_or_list(parsed(name, surface_called), most_chosen, "a list of walls and partitions");
-    all.write = [](const std::vector<std::int32_t>&) { return std::string(); };
+    all.write = [](const SurfaceNumbers&) { return std::string(); };
     return all;
 }
 
@@ -236,120 +225,6 @@ Notation<std::vector<NamedRegion>> regions_notation() {
                      .required()}};
     return list_of(mapping(table, "{name, within: [x0, y0, x1, y1]}"), 1, most_chosen,
                    "a list of {name, within}");
-}
-
-void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading) {
-    keep_suitable(
-        panel, node, reading,
-        [&](std::int32_t surface) {
-            return reading.gas.box.surfaces.is_side(surface) && may_move(reading, surface);
-        },
-        "a wall of the box that moves", "give a side in `box.walls` a `velocity` or a `mass`");
-    require_one(panel, node, reading);
-}
-
-void check_piston(PanelSpec& panel, const Node& node, Reading& reading) {
-    keep_suitable(
-        panel, node, reading, [&](std::int32_t surface) { return may_move(reading, surface); },
-        "a wall or a partition that moves",
-        "give it a `mass` or a `velocity`, or an event of the run that moves it");
-}
-
-void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading) {
-    check_piston(panel, node, reading);
-    require_one(panel, node, reading);
-}
-
-void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
-    if (!panel.regions.empty()) {
-        if (!panel.surfaces.empty())
-            refuse_together(reading.errors, place_of_surfaces(node), {"surfaces", "regions"});
-        return;
-    }
-    if (node.is_mapping() && find(node, "regions") != nullptr) return;  // reported
-    keep_suitable(
-        panel, node, reading,
-        [&](std::int32_t surface) { return !reading.gas.box.surfaces.is_side(surface); },
-        "a partition of the box",
-        reading.gas.box.dimension == 1
-            ? "give the panel `regions: [{name: left, within: [x0, x1]}]`"
-            : "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, y0, "
-              "x1, y1]}]`");
-    require_one(panel, node, reading);
-}
-
-void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
-    const bool has_surfaces = is_written(node, "surfaces");
-    const char* parts = has_surfaces ? "surfaces" : "regions";
-    if (!is_written(node, parts)) return;
-    const std::vector<const char*> others =
-        has_surfaces ? std::vector{"of", "regions", "compare"} : std::vector{"of", "test"};
-    for (const char* other : others)
-        if (is_written(node, other))
-            return refuse_together(reading.errors, *find(node, other), {other, parts});
-    if (!has_surfaces) return;
-    keep_suitable(
-        panel, node, reading,
-        [&](std::int32_t surface) {
-            return !reading.gas.box.surfaces.is_side(surface) && !may_move(reading, surface);
-        },
-        "a partition that does not move",
-        reading.gas.box.dimension == 1
-            ? "name another one, or parts by `regions: [{name: left, within: [x0, x1]}]`"
-            : "name another one, or parts by `regions: [{name: left, within: [x0, y0, x1, y1]}]`");
-    require_one(panel, node, reading);
-}
-
-void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
-    if (!panel.gauge || is_written(node, "surfaces")) return;
-    const std::vector<std::string> names = measurable(reading.gas.box);
-    if (std::ranges::none_of(names.begin(),
-                             names.begin() + reading.gas.box.surfaces.first_partition(),
-                             [](const std::string& name) { return !name.empty(); }))
-        reading.errors.add(*given(node, "gauge"), "a gauge needs a solid wall of the box",
-                           "make a wall solid, or name a partition by `surfaces`");
-}
-
-void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading) {
-    if (!panel.regions.empty() && is_written(node, "of"))
-        refuse_together(reading.errors, *find(node, "of"), {"of", "regions"});
-}
-
-void check_flux(PanelSpec& panel, const Node& node, Reading& reading) {
-    if (panel.of.size() > 1)
-        reading.errors.add(*find(node, "of"), "a flux takes one item in `of`",
-                           "keep one, or give a panel for each");
-    if (is_written(node, "line")) return check_line(panel, node, reading);
-    keep_suitable(
-        panel, node, reading, [&](std::int32_t surface) { return lets_through(reading, surface); },
-        passable, how_to_pass(reading.gas.box));
-    require_one(panel, node, reading);
-}
-
-void check_counter(PanelSpec& panel, const Node& node, Reading& reading) {
-    if (is_written(node, "line")) return check_line(panel, node, reading);
-    const bool is_named = is_written(node, "surfaces");
-    const auto can_pass = [&](std::int32_t surface) { return lets_through(reading, surface); };
-    if (!panel.counted) {
-        std::vector<std::int32_t> all = panel.surfaces;
-        if (!is_named)
-            for (std::int32_t k = reading.gas.box.surfaces.first_partition();
-                 k < reading.gas.box.surfaces.first_obstacle(); ++k)
-                all.push_back(k);
-        const bool some = std::ranges::any_of(all, can_pass);
-        const bool every = std::ranges::all_of(all, can_pass);
-        panel.counted = some && (every || !is_named) ? Counted::crossings : Counted::hits;
-    }
-    if (panel.counted == Counted::crossings) {
-        keep_suitable(panel, node, reading, can_pass, passable, how_to_pass(reading.gas.box));
-    } else {
-        keep_suitable(
-            panel, node, reading,
-            [&](std::int32_t surface) {
-                return is_named || reading.gas.box.surfaces.is_side(surface);
-            },
-            "a solid wall of the box", "make a wall solid, or count at `line: {x: PLACE}`");
-    }
 }
 
 }  // namespace carom

@@ -1,17 +1,20 @@
-// The surfaces and regions of the box at which panels measure, and the checks that each kind of
-// panel can use them.
+// The surfaces and regions of the box at which panels measure: how scenes write them, and whether
+// the box has those that a panel needs.
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <string>
 #include <vector>
 
+#include "scene/instruments/places.h"
 #include "scene/keys/notation.h"
-#include "scene/scene.h"
+#include "scene/panel_spec.h"
 
 namespace carom {
 
 /// The name of a wall or a partition of the box, or a list of these.
-Notation<std::vector<std::int32_t>> surfaces_notation();
+Notation<SurfaceNumbers> surfaces_notation();
 
 /// A list of {name, within}.
 Notation<std::vector<NamedRegion>> regions_notation();
@@ -23,27 +26,37 @@ Notation<CountingLine> counting_line_notation();
 /// or a partition, which stands for the first event that acts on it.
 Notation<WatchStart> watch_start_notation();
 
-/// Checks of what the kinds of panel need of the box: a piston, a surface that moves at some time
-/// of the run; a pressure against a volume, a wall that moves; the sides, a partition or regions.
-/// If the scene names no surface, those that fit are filled in; kinds that show one surface require
-/// that only one fits. Errors are reported. The node is the panel's mapping, or the name of its
-/// kind alone.
-void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading);
-void check_piston(PanelSpec& panel, const Node& node, Reading& reading);
-void check_piston_histogram(PanelSpec& panel, const Node& node, Reading& reading);
-void check_sides(PanelSpec& panel, const Node& node, Reading& reading);
+/// Whether a surface moves at some time of the run.
+bool may_move(const Reading& reading, std::int32_t surface);
 
-/// A histogram takes particles, regions, or the sides of a partition that stays in its place.
-void check_parts(PanelSpec& panel, const Node& node, Reading& reading);
+/// Whether particles can pass through a surface at some time of the run, while the surface stays in
+/// one place.
+bool lets_through(const Reading& reading, std::int32_t surface);
 
-/// A gauge needs a solid wall; a thermometer takes particles or regions, not both.
-void check_pressure(PanelSpec& panel, const Node& node, Reading& reading);
-void check_thermometer(PanelSpec& panel, const Node& node, Reading& reading);
+/// Whether the box has a side that is not periodic.
+bool has_solid_side(const Box& box);
 
-/// A flux needs a partition that lets particles through, or a line. A counter takes these, too, or
-/// counts hits. Unless the scene says what to count, a counter counts crossings if there is
-/// something to cross, and otherwise hits on all walls.
-void check_flux(PanelSpec& panel, const Node& node, Reading& reading);
-void check_counter(PanelSpec& panel, const Node& node, Reading& reading);
+/// Whether a panel's mapping gives a key; the node may also be the name of its kind alone, here and
+/// below.
+bool is_written(const Node& node, const char* key);
+
+/// Where the scene names the surfaces of a panel, or else the panel.
+const Node& place_of_surfaces(const Node& node);
+
+/// The surfaces at which a panel can measure, and what messages say of them: "a partition that does
+/// not move".
+struct SuitableSurface {
+    std::function<bool(std::int32_t)> suits;
+    std::string what, hint;
+};
+
+/// Reports surfaces that the scene names and that do not suit the panel. If it names none, takes
+/// all that do, of which there must be one.
+void keep_suitable(const PanelSpec& panel, SurfaceNumbers& surfaces, const SuitableSurface& what,
+                   const Node& node, Reading& reading);
+
+/// Reports more than one surface, of a panel that shows one.
+void require_one(const PanelSpec& panel, const SurfaceNumbers& surfaces, const Node& node,
+                 Reading& reading);
 
 }  // namespace carom

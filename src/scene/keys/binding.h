@@ -126,6 +126,39 @@ Binding<T> bind_with(std::string name, Fill fill, const Notation<V>& notation,
             }};
 }
 
+/// Returns a key of a T, or several, as keys of a whole, in which `part` finds the T:
+/// `part(Whole&)`, which returns a reference to it, or the member that it is.
+template <typename Whole, typename T, typename Part>
+Binding<Whole> bind_within(Part part, Binding<T> binding) {
+    return {
+        std::move(binding.key),
+        [part, read = std::move(binding.read)](Whole& into, const Node& node, Reading& reading) {
+            read(std::invoke(part, into), node, reading);
+        },
+        binding.reads_default};
+}
+template <typename Whole, typename T>
+Binding<Whole> bind_within(T Whole::*member, Binding<T> binding) {
+    return bind_within<Whole>(std::mem_fn(member), std::move(binding));
+}
+
+template <typename Whole, typename T>
+std::vector<Binding<Whole>> bind_within(T Whole::*member, std::vector<Binding<T>> keys) {
+    std::vector<Binding<Whole>> all;
+    for (Binding<T>& key : keys) all.push_back(bind_within(member, std::move(key)));
+    return all;
+}
+
+/// A key that fills a whole value, with the initial value as its default.
+template <typename V>
+Binding<V> bind_value(std::string name, const Notation<V>& notation, std::string meaning) {
+    Binding<V> bound = bind_with<V>(
+        std::move(name), [](V& into, V value) { into = std::move(value); }, notation,
+        std::move(meaning));
+    bound.key.default_value = binding::initial_text(notation, V{});
+    return bound;
+}
+
 /// Returns the bindings of a T and of its bases in one list.
 template <typename T, typename... Bases>
 std::vector<Binding<T>> joined(std::vector<Binding<Bases>>... parts) {

@@ -11,6 +11,7 @@
 #include "scene/keys/made_once.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/panel_reading.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -195,21 +196,23 @@ void check_test(const PanelSpec& panel, const Node& node, Reading& reading) {
 
 // Checks that a comparison draws one line for each run: its legend names the runs, not several
 // things drawn for each.
-void check_one_line(const PanelSpec& panel, const Node& node, Reading& reading) {
-    const auto refuse = [&](bool has_several, const char* key, const char* takes,
-                            const char* hint = "make a figure for each") {
-        const Node* its = given(node, key);
-        if (its == nullptr || !has_several) return;
-        reading.errors.add(
-            *its,
-            fmt::format("a comparison shows one line for each run: `{}` takes {}", key, takes),
-            hint);
+void check_one_line(const PanelSpec& panel, const PanelKind* kind, const Node& node,
+                    Reading& reading) {
+    const auto refuse = [&](const SeveralShown& several) {
+        if (const Node* its = given(node, several.key))
+            reading.errors.add(
+                *its,
+                fmt::format("a comparison shows one line for each run: `{}` takes {}", several.key,
+                            several.takes),
+                several.hint);
     };
-    refuse(panel.of.size() > 1, "of", "one species or particle");
-    refuse(panel.surfaces.size() > 1, "surfaces", "one");
-    refuse(panel.regions.size() > 1, "regions", "one");
-    refuse(panel.kind == "entropy" && panel.entropy_of == EntropyOf::both, "space",
-           "one of the two", "make a figure for `velocities`, and one for `positions`");
+    if (panel.of.size() > 1) refuse({"of", "one species or particle"});
+    if (kind == nullptr) return;
+    const MeasuredAt at = kind->measured_at ? kind->measured_at(panel) : MeasuredAt{};
+    if (at.surfaces.size() > 1) refuse({"surfaces", "one"});
+    if (at.regions.size() > 1) refuse({"regions", "one"});
+    if (kind->several)
+        if (const auto several = kind->several(panel)) refuse(*several);
 }
 
 // Only the command line may give another path.
@@ -238,7 +241,7 @@ Binding<PanelSpec> seeds_key() {
                      .required()}};
     const auto fill = [](PanelSpec& panel, const Runs& runs) {
         if (const auto* sweep = std::get_if<Joined>(&runs))
-            panel.sweep.from = sweep->from;
+            panel.joined = sweep->from;
         else
             panel.seeds = static_cast<int>(std::get<std::int64_t>(runs));
     };
@@ -306,15 +309,16 @@ std::vector<Binding<FigureSpec>> page_keys() {
 
 void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, Reading& reading) {
     complete_panel(figure, node, kinds, reading);
-    if (figure.sweep.from && figure.kind != "sweep")
+    const PanelKind* kind = kind_of(kinds, figure.kind);
+    if (figure.joined && (kind == nullptr || !kind->can(Ability::sweep)))
         reading.errors.add(*given(node, "seeds"),
-                           "only a figure of kind `sweep` reads the runs of a joined sweep",
+                           fmt::format("only a figure of kind {} reads the runs of a joined sweep",
+                                       listed(kinds_that_can(kinds, Ability::sweep), "or", "`")),
                            "give the number of runs, which the figure then does itself");
     complete_times(figure, node, reading);
     check_test(figure, node, reading);
     if (find(node, "compare") != nullptr || find(node, "scenes") != nullptr)
-        check_one_line(figure, node, reading);
-    const PanelKind* kind = kind_of(kinds, figure.kind);
+        check_one_line(figure, kind, node, reading);
     constexpr std::size_t two = 2;
     if (kind != nullptr && kind->can(Ability::two_runs) && figure.compare.size() != two)
         reading.errors.add(node,

@@ -169,8 +169,9 @@ std::vector<Binding<FilmDraft>> picture_keys() {
 
 // Keys for the drawing of the gas.
 std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
-    const PanelKind* gas = kind_of(kinds, "gas");
-    const auto palettes = word(gas != nullptr ? gas->palettes : std::vector<std::string>{});
+    std::vector<std::string> palettes;
+    for (const PanelKind& kind : kinds)
+        if (kind.draws_box) palettes = kind.palettes;
     return {
         bind_key("color_by", &Film::color_by,
                  one_of<ColorBy>().with_elsewhere({{"velocity", "did you mean `speed`?"},
@@ -178,7 +179,7 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
                                                    {"kinetic-energy", "did you mean `energy`?"},
                                                    {"angle", "did you mean `direction`?"}}),
                  "What the colour of a disk means."),
-        bind_key("palette", &Film::palette, palettes, "The colours from slow to fast.")
+        bind_key("palette", &Film::palette, word(palettes), "The colours from slow to fast.")
             .default_text("the theme's"),
         bind_key("labels", &Film::labels, one_of<Labels>(),
                  "What is written on the disks or beads where there is room: their mass, or their "

@@ -467,9 +467,10 @@ void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& 
         return;
     const std::vector<std::string> able = kinds_that_can(kinds, Ability::comparison);
     for (std::size_t i = 0; i < film.panels.size() && i < panels->items.size(); ++i) {
-        const std::string& kind = film.panels[i].kind;
-        if (kind == "text" || std::ranges::count(able, kind) > 0) continue;
-        errors.add(panels->items[i], fmt::format("a panel of kind `{}` cannot show two runs", kind),
+        const PanelKind* kind = kind_of(kinds, film.panels[i].kind);
+        if (kind != nullptr && (!kind->shows_run || kind->can(Ability::comparison))) continue;
+        errors.add(panels->items[i],
+                   fmt::format("a panel of kind `{}` cannot show two runs", film.panels[i].kind),
                    "these can: " + listed(able, "and", "`"));
     }
 }

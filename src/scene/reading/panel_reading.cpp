@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
-#include "physics/theory/law.h"
 #include "scene/limits.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/overlay_reading.h"
@@ -47,56 +47,57 @@ std::optional<Chosen> chosen(const std::string&, const Node& node, Reading& read
     return std::nullopt;
 }
 
-using Interval = std::pair<double, double>;
+using OwnKeys = std::vector<Binding<PanelSpec>> PanelKind::*;
 
-Notation<Interval> range_notation() {
-    const auto rising = [](const TwoNumbers& ends, const Node& node, Reading& reading) {
-        constexpr double least_width = 1e-9;  // of the numbers: edges have sixteen digits
-        if (ends[0] >= ends[1])
-            reading.errors.add(node, "expected [low, high] with low < high for `range`",
-                               "write the smaller one first");
-        else if (ends[1] - ends[0] < least_width * std::max(std::abs(ends[0]), std::abs(ends[1])))
-            reading.errors.add(node,
-                               "the edges of `range` agree in nine digits: bars would be "
-                               "narrower than rounding errors",
-                               "take a wider range");
-    };
-    return mapped(checked(pair_of(any_number, "[low, high]"), rising),
-                  [](const TwoNumbers& ends) { return Interval(ends[0], ends[1]); });
-}
+// A key that several kinds have, each for its own options. For a kind that does not take it, which
+// is reported, its value is checked in itself.
+class ReaderOfKinds {
+  public:
+    void add(const std::string& kind, const Binding<PanelSpec>& key) {
+        readers_.push_back({kind, key.read});
+    }
+    void operator()(PanelSpec& panel, const Node& node, Reading& reading) const {
+        for (const auto& [kind, read] : readers_)
+            if (kind == panel.kind) return read(panel, node, reading);
+        PanelSpec other{.kind = readers_.front().first};
+        readers_.front().second(other, node, reading);
+    }
 
-std::vector<Binding<PanelSpec>> bar_keys(PanelKinds kinds) {
-    std::vector<Binding<PanelSpec>> keys{
-        bind_key("bins", &PanelSpec::bins, whole(1, most_bins), "The number of bars.")
-            .default_text("chosen by rule from the whole run"),
-        bind_key("range", &PanelSpec::range, range_notation(),
-                 "The first and the last edge of the bars.")
-            .default_text("chosen by rule from the whole run"),
-        bind_key("fit", &PanelSpec::fit, flag(),
-                 "Whether to draw the normal curve with the same mean and standard deviation, and "
-                 "show both values."),
-        bind_key("mean_now", &PanelSpec::mean_now, flag(), "Whether to mark the mean.")
-            .default_text("true for speeds and energies"),
-        bind_key("mean_start", &PanelSpec::mean_start, flag(),
-                 "Whether to mark the mean at the start.")
-            .default_text("true for speeds and energies")};
-    for (Binding<PanelSpec>& key : keys) key.key.kinds = kinds_that_can(kinds, Ability::bars);
-    return keys;
-}
+  private:
+    std::vector<std::pair<std::string, SharedFunction<void(PanelSpec&, const Node&, Reading&)>>>
+        readers_;
+};
 
 // Keys that are specific to certain kinds; several kinds may have keys of the same name.
-std::vector<Binding<PanelSpec>> own_keys(PanelKinds kinds) {
+std::vector<Binding<PanelSpec>> own_keys(PanelKinds kinds, OwnKeys keys_of_kind) {
     std::vector<Binding<PanelSpec>> keys;
+    std::vector<ReaderOfKinds> readers;
     for (const PanelKind& kind : kinds)
-        for (const Binding<PanelSpec>& own : kind.keys) {
+        for (const Binding<PanelSpec>& own : kind.*keys_of_kind) {
             const auto other = std::ranges::find_if(
                 keys, [&](const Binding<PanelSpec>& key) { return key.key.name == own.key.name; });
-            if (other == keys.end())
+            const auto place = static_cast<std::size_t>(other - keys.begin());
+            if (other == keys.end()) {
                 keys.push_back(Binding(own).only_with({kind.name}));
-            else
+                readers.emplace_back();
+            } else {
                 other->key.kinds.push_back(kind.name);
+            }
+            readers[place].add(kind.name, own);
         }
+    for (std::size_t k = 0; k < keys.size(); ++k) keys[k].read = std::move(readers[k]);
     return keys;
+}
+
+// Names that users may try for kinds, and the kinds that they may mean: "`a`, or `b`".
+std::map<std::string, std::string> tried_kinds(PanelKinds kinds) {
+    std::map<std::string, std::string> meant;
+    for (const PanelKind& kind : kinds)
+        for (const std::string& name : kind.tried_as) {
+            std::string& all = meant[name];
+            all += (all.empty() ? "`" : ", or `") + kind.name + "`";
+        }
+    return meant;
 }
 
 Notation<std::string> film_kinds(PanelKinds kinds) {
@@ -109,10 +110,8 @@ Notation<std::string> film_kinds(PanelKinds kinds) {
             elsewhere.push_back({kind.name, kind.in_films_instead});
     elsewhere.push_back(
         {"wire", "the wire with its beads is in every film; the template says where"});
-    elsewhere.push_back({"msd", "did you mean `mean-squared-displacement`?"});
-    elsewhere.push_back({"vacf", "did you mean `velocity-autocorrelation`?"});
-    elsewhere.push_back({"rdf", "did you mean `pair-correlation`?"});
-    elsewhere.push_back({"energy", "did you mean `energy-histogram`, or `energy-by-species`?"});
+    for (const auto& [tried, meant] : tried_kinds(kinds))
+        elsewhere.push_back({tried, fmt::format("did you mean {}?", meant)});
     elsewhere.push_back({"world-lines", "they are under the wire in every film of one dimension"});
     return word(names).with_elsewhere(std::move(elsewhere));
 }
@@ -129,18 +128,6 @@ void check_component(const PanelSpec& panel, const Node& node, const PanelKind& 
         reading.errors.add(
             *written, "expected `x` or `y` for `component` where positions are shown, found `both`",
             "give a panel for each axis");
-}
-
-void check_range(const PanelSpec& panel, const Node& node, const PanelKind& kind,
-                 Reading& reading) {
-    const bool is_negative =
-        panel.range && panel.range->first < 0.0 && panel.range->first < panel.range->second;
-    if (!is_negative || !kind.can(Ability::from_zero)) return;
-    const Node& range = *given(node, "range");
-    reading.errors.add(range,
-                       fmt::format("expected [low, high] from 0 on for `range`, found {}",
-                                   in_quotes(range.items[0].text)),
-                       "speeds and energies are never negative");
 }
 
 // Returns whether the particle belongs to a species with infinite masses.
@@ -187,22 +174,6 @@ void check_two_particles(const PanelSpec& panel, const Node& node, const PanelKi
                         is_pair ? "; without `of` it shows the first that collide" : ""));
     else if (is_pair)
         check_pair(place, panel, reading);
-}
-
-// Reports a missing equilibrium curve only if the scene asks for it; if it is merely the default,
-// it is left out, and `check` lists it.
-void check_equilibrium(const PanelSpec& panel, const Node& node, const PanelKind& kind,
-                       Reading& reading) {
-    const Node* asked = given(node, "theory");
-    if (asked == nullptr || !panel.theory || !kind.can(Ability::equilibrium)) return;
-    if (asked->source->origin == Origin::template_file || reading.gas.species.empty()) return;
-    const LawOf quantity = panel.shows_parts() ? LawOf::side_distribution : LawOf::distribution;
-    const Asked of{.surface = panel.surfaces.empty() ? 0 : panel.surfaces.front()};
-    if (const auto reason = why_no_law(reading.gas, reading.run, quantity, of))
-        reading.errors.add(*asked,
-                           "there is no equilibrium curve for this gas: " +
-                               to_text(Language::english, *reason, reading.gas.species),
-                           "leave out `theory`; the curve is then drawn where there is one");
 }
 
 }  // namespace
@@ -281,7 +252,8 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                  "of as many particles; for correlations, free flights and displacements, the "
                  "theoretical curve or value.")
             .only_with(kinds_that_can(kinds, Ability::theory))};
-    return joined<PanelSpec>(what, over, component, bar_keys(kinds), theory, own_keys(kinds));
+    return joined<PanelSpec>(what, over, component, own_keys(kinds, &PanelKind::bar_keys), theory,
+                             own_keys(kinds, &PanelKind::keys));
 }
 
 void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading) {
@@ -290,8 +262,6 @@ void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Readin
     if (kind == nullptr) return;  // reported
     check_two_particles(panel, node, *kind, reading);
     check_component(panel, node, *kind, reading);
-    check_range(panel, node, *kind, reading);
-    check_equilibrium(panel, node, *kind, reading);
     if (kind->rule) kind->rule(panel, node, reading);
 }
 

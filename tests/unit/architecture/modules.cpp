@@ -56,7 +56,7 @@ const std::map<std::string, Parts> parts_of_module{
     {"scene",
      {{"yaml", "time", "keys", "lettering", "reading", "sets", "instruments", "feasibility",
        "scene", "manual"},
-      {"limits.h", "panel_kind.h", "scene.h", "sweep.h", "words.h"}}},
+      {"limits.h", "panel_kind.h", "panel_spec.h", "scene.h", "sweep.h", "words.h"}}},
     {"panels",
      {{"means", "callouts", "plot", "surfaces", "field", "gas", "line", "plots", "correlations",
        "instruments", "dials", "sweep", "echo", "collision", "words", "panels"},

@@ -7,6 +7,7 @@
 
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
+#include "panels/collision/collision_map_keys.h"
 #include "support/figure_run.h"
 #include "support/files.h"
 #include "support/scene_text.h"
@@ -78,7 +79,8 @@ TEST_CASE("words of collision maps are whole and apart at every size, in every t
             return std::ranges::count(log.lines, words, &DrawnLine::markup);
         };
         CHECK(says("present") == 0);  // a figure has none, but a time
-        if (figure.spec->panel.walk && figure.spec->width > 5.0) CHECK(says("at time 26") == 1);
+        const bool is_walk = figure.spec->panel.options.as<CollisionMapOptions>().walk;
+        if (is_walk && figure.spec->width > 5.0) CHECK(says("at time 26") == 1);
         seen += log.lines.size();
     }
     CHECK(seen > 400);

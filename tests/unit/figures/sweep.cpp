@@ -55,7 +55,7 @@ std::string refusal(const Scene& scene) {
 
 // The summary that carom join would write of the sweep of this figure.
 void write_summary(const Scene& scene, const test::TemporaryFolder& folder) {
-    const SweepShown& shown = scene.figures.front().panel.sweep;
+    const SweepShown& shown = *sweep_of(scene.figures.front());
     SweepSummary summary{.carom = "0", .physics = scene.source.physics, .sweep = shown.sweep};
     const auto scene_at = [&](std::int64_t point) {
         return shown.scene_with(shown.sweep.changes_at(point));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "panels/collision/collision_map_keys.h"
 #include "panels/collision/pair_motion.h"
 #include "panels/plot/layers.h"
 #include "panels/plot/plot_panel.h"
@@ -35,10 +36,8 @@ const std::string light_and_heavy =
     "{name: heavy, position: 14, mass: 100, velocity: -1}";
 
 PanelSpec walk_of(std::int64_t first, std::int64_t second) {
-    PanelSpec spec;
-    spec.kind = "collision-map";
+    PanelSpec spec = panel_of("collision-map", CollisionMapOptions{.walk = true});
     spec.of = {{{}, first}, {{}, second}};
-    spec.walk = true;
     return spec;
 }
 
@@ -54,7 +53,7 @@ struct Seen {
     Seen(Scene loaded, const PanelSpec& spec, bool in_film = true)
         : scene(std::move(loaded)),
           particles(Simulation(scene.gas, scene.run).particles()),
-          made(make_collision_map(PanelContext{scene, particles, 40, none, in_film}, spec)),
+          made(make_panel(PanelContext{scene, particles, 40, none, in_film}, spec)),
           panel(dynamic_cast<PlotPanel&>(*made)) {
         const Eigen::ArrayXd zeros = Eigen::ArrayXd::Zero(particles.count());
         for (const bool survey : {true, false}) {
@@ -150,9 +149,8 @@ TEST_CASE("a given pair is shown before and after, on the ellipse of its energy"
         const Eigen::Array2d w{fraction(row.at(2)), fraction(row.at(3))};
         const Eigen::Array2d before{fraction(row.at(0)), fraction(row.at(1))};
         if (w.sum() == 0.0 || before[0] == before[1]) continue;
-        PanelSpec spec;
-        spec.given = GivenPair{{w[0], w[1]}, {before[0], before[1]}};
-        const Table table = Seen(scene, spec).table();
+        const CollisionMapOptions options{.given = GivenPair{w, before}};
+        const Table table = Seen(scene, panel_of("collision-map", options)).table();
         const std::vector<Row> points = rows(table, "point");
         REQUIRE(points.size() == 3);
         CHECK(points[0].of == "before");
@@ -190,7 +188,7 @@ TEST_CASE("a given pair is shown before and after, on the ellipse of its energy"
 
 TEST_CASE("a pair of the run is the first that collides, or the one asked for in its order") {
     const std::string gas = "{name: a, position: [2, 6, 12], mass: [1, 3, 1], velocity: [1, 0, 0]}";
-    PanelSpec spec;
+    PanelSpec spec{.kind = "collision-map"};
     const std::vector<Row> first = rows(Seen(wire(gas, 20.0), spec).table(), "point");
     CHECK((first[0].v == Eigen::Array2d{1.0, 0.0}).all());
     CHECK(largest(first[1].v - Eigen::Array2d{-0.5, 0.5}) < round_off);
@@ -247,7 +245,7 @@ TEST_CASE("the walk of the digits of pi: every point on one circle, equal steps 
 
 TEST_CASE("a walk on unscaled axes lies on the ellipse, and a reversal mirrors it") {
     PanelSpec spec = walk_of(0, 1);
-    spec.scaled = false;
+    spec.options.change<CollisionMapOptions>().scaled = false;
     const Seen there(wire(light_and_heavy, 16.0), spec);
     const Seen back(wire(light_and_heavy, 32.0, ", events: [{at: 16, reverse: velocities}]"), spec);
     const std::vector<Row> out = rows(there.table(), "point"), all = rows(back.table(), "point");
@@ -289,8 +287,7 @@ TEST_CASE("a walk needs one ellipse and not too many steps, and says so at its p
         "{name: a, position: 2, velocity: 1}, {name: b, position: 9, mass: infinite}";
     CHECK(message_of(wire(infinite, 25.0), spec).find("has no ellipse of energy, which `walk`") !=
           std::string::npos);
-    PanelSpec scaled;
-    scaled.scaled = true;
+    const PanelSpec scaled = panel_of("collision-map", CollisionMapOptions{.scaled = true});
     CHECK(message_of(wire(infinite, 25.0), scaled).find("which `scaled` needs") !=
           std::string::npos);
     const std::string many = message_of(wire("{name: light, position: 4, mass: 1, velocity: 0}, "
@@ -327,11 +324,10 @@ std::uint32_t rgb_of(Color color) { return to_pixel(color) & 0xFFFFFF; }
 
 TEST_CASE("equal scales on both axes, 0 in the middle, the points where their velocities are") {
     const Scene scene = wire(light_and_heavy, 1.0);
-    PanelSpec spec;
-    spec.given = GivenPair{{1.0, 1.0 / 3.0}, {1.0, -0.2}};
     for (const bool scaled : {false, true}) {
-        spec.scaled = scaled;
-        const Seen seen(scene, spec, false);
+        const CollisionMapOptions options{.given = GivenPair{{1.0, 1.0 / 3.0}, {1.0, -0.2}},
+                                          .scaled = scaled};
+        const Seen seen(scene, panel_of("collision-map", options), false);
         DiskPainter disks;
         for (const PixelSize size : {PixelSize{1000, 700}, PixelSize{500, 900}}) {
             CAPTURE(size.width);
@@ -374,9 +370,8 @@ TEST_CASE("equal scales on both axes, 0 in the middle, the points where their ve
 }
 
 TEST_CASE("an infinite mass has two lines instead of an ellipse") {
-    PanelSpec spec;
-    spec.given = GivenPair{{1.0, 0.0}, {1.0, -0.5}};
-    const Seen seen(wire(light_and_heavy, 1.0), spec, false);
+    const CollisionMapOptions options{.given = GivenPair{{1.0, 0.0}, {1.0, -0.5}}};
+    const Seen seen(wire(light_and_heavy, 1.0), panel_of("collision-map", options), false);
     DiskPainter disks;
     Canvas canvas(PixelSize{1000, 700});
     const DrawContext dc{{20, 20, 960, 660}, 24.0, theme(ThemeKind::light), disks};

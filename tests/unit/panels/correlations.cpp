@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include "panels/correlations/correlation_keys.h"
 #include "panels/correlations/curve_panel.h"
 #include "panels/plot/draw_plot.h"
 #include "panels/registry.h"
@@ -141,7 +142,8 @@ TEST_CASE("g(r) of a gas rises at contact to what Henderson has, and comes to 1"
 }
 
 TEST_CASE("the velocity autocorrelation begins at 1 with the slope of the collision rate") {
-    Run2 run(gas_of(""), {.kind = "velocity-autocorrelation", .lags = 3.0}, 40);
+    Run2 run(gas_of(""), panel_of("velocity-autocorrelation", AutocorrelationOptions{.lags = 3.0}),
+             40);
     const plot::Plot plot = run.finished();
     const plot::Line curve = layers_of<plot::Line>(plot, "curve").at(0);
     const plot::Line slope = layers_of<plot::Line>(plot, "slope at 0").at(0);
@@ -162,7 +164,7 @@ TEST_CASE("of mixtures between walls the slope has every mass and every wall in 
     Run2 run(gas_of(", {name: b, count: 30, radius: 0.3, mass: 5, temperature: 4}", "[20, 20]"),
              {.kind = "velocity-autocorrelation",
               .of = {Chosen{.species = 0}, Chosen{.species = 1}},
-              .lags = 2.0},
+              .options = Options::of(AutocorrelationOptions{.lags = 2.0})},
              40);
     std::array<double, 2> lost{};
     run.see([&](const FrameInput& input) {
@@ -194,7 +196,9 @@ TEST_CASE("of mixtures between walls the slope has every mass and every wall in 
 TEST_CASE("fixed disks have no part in the slope of all") {
     const auto slope_of = [](const std::vector<Chosen>& of) {
         Run2 run(gas_of(", {name: b, count: 20, radius: 0.3, mass: infinite}", "[20, 20]"),
-                 {.kind = "velocity-autocorrelation", .of = of, .lags = 2.0});
+                 {.kind = "velocity-autocorrelation",
+                  .of = of,
+                  .options = Options::of(AutocorrelationOptions{.lags = 2.0})});
         const plot::Line slope = layers_of<plot::Line>(run.finished(), "slope at 0").at(0);
         return (slope.y[1] - slope.y[0]) / (slope.x[1] - slope.x[0]);
     };
@@ -204,7 +208,7 @@ TEST_CASE("fixed disks have no part in the slope of all") {
 
 TEST_CASE("where walls act no slope is drawn") {
     Run2 run(gas_of("", "[20, 20], walls: {left: {temperature: 4}}"),
-             {.kind = "velocity-autocorrelation", .lags = 2.0});
+             panel_of("velocity-autocorrelation", AutocorrelationOptions{.lags = 2.0}));
     CHECK(layers_of<plot::Line>(run.finished(), "slope at 0").empty());
 }
 
@@ -242,7 +246,8 @@ TEST_CASE("free times are free paths over the speed, on a logarithmic axis too")
         "obstacles: [{name: peg, disk: [1, 1], radius: 0.5}]\n"
         "gas: [{name: a, count: 1, radius: 0.1, velocity: [1.6, 1.2], position: [0.2, 0.3]}]\n"
         "run: {until: 2000}\nfilm: {seconds: 2, fps: 10}\n";
-    Run2 paths(one, {.kind = "free-path"}), times(one, {.kind = "free-time", .logarithmic = true});
+    Run2 paths(one, {.kind = "free-path"}),
+        times(one, panel_of("free-time", FreeFlightOptions{.logarithmic = true}));
     const plot::Plot path = paths.finished(), time = times.finished();
     CHECK(layers_of<plot::Marker>(path, "mean").at(0).value ==
           doctest::Approx(2.0 * layers_of<plot::Marker>(time, "mean").at(0).value));
@@ -258,17 +263,18 @@ TEST_CASE("fixed disks have no part in free flights and displacements of all") {
         "gas: [{name: peg, radius: 2, mass: infinite, position: [[2.5, 5], [7.5, 0]]}, {name: "
         "ball, "
         "count: 3, radius: 0.2, speed: 1}]\nrun: {until: 200}\nfilm: {seconds: 2, fps: 10}\n";
-    PanelSpec all{.kind = "mean-squared-displacement", .fit_from = 2.0};
-    for (const std::string kind : {"free-path", "free-time", "mean-squared-displacement"})
-        for (const bool all_origins : {false, true}) {
-            CAPTURE(kind);
-            all.kind = kind;
-            all.all_origins = all_origins;
-            PanelSpec ball = all;
-            ball.of = {Chosen{.species = 1}};
-            Run2 of_all(pegs, all), of_ball(pegs, ball);
-            CHECK(of_all.finished().account == of_ball.finished().account);
-        }
+    const auto displacements = [](bool all_origins) {
+        return panel_of("mean-squared-displacement",
+                        DisplacementOptions{.fit_from = 2.0, .all_origins = all_origins});
+    };
+    for (const PanelSpec& all : {PanelSpec{.kind = "free-path"}, PanelSpec{.kind = "free-time"},
+                                 displacements(false), displacements(true)}) {
+        CAPTURE(all.kind);
+        PanelSpec ball = all;
+        ball.of = {Chosen{.species = 1}};
+        Run2 of_all(pegs, all), of_ball(pegs, ball);
+        CHECK(of_all.finished().account == of_ball.finished().account);
+    }
 }
 
 TEST_CASE("between walls alone a disk has no exact mean free path") {
@@ -276,7 +282,7 @@ TEST_CASE("between walls alone a disk has no exact mean free path") {
         "title: T\nbox: {size: [20, 15]}\n"
         "gas: [{count: 1, radius: 0.5, position: [5, 5], velocity: [1, 0.3]}]\n"
         "run: {until: 400}\nfilm: {seconds: 2, fps: 10}\n",
-        {.kind = "free-path", .ends_at_walls = true});
+        panel_of("free-path", FreeFlightOptions{.ends_at_walls = true}));
     CHECK(words_in(run.finished()).find("exact") == std::string::npos);
 }
 
@@ -302,7 +308,7 @@ TEST_CASE("walls end free paths where the scene says so") {
         "gas: [{name: a, count: 1, radius: 0.5, velocity: [1, 0], position: [1, 1]}]\n"
         "run: {until: 100}\nfilm: {seconds: 2, fps: 10}\n";
     Run2 without(one, {.kind = "free-path"}),
-        with(one, {.kind = "free-path", .ends_at_walls = true});
+        with(one, panel_of("free-path", FreeFlightOptions{.ends_at_walls = true}));
     CHECK(layers_of<plot::Marker>(without.finished(), "mean").empty());
     CHECK(layers_of<plot::Marker>(with.finished(), "mean").at(0).value ==
           doctest::Approx(2.0).epsilon(0.02));
@@ -336,10 +342,10 @@ TEST_CASE("hexagonal order is 1 in a hexagonal lattice, and little in a gas") {
 }
 
 TEST_CASE("displacements over all origins are means over starts, and D has an error") {
-    Run2 run(
-        gas_of(""),
-        {.kind = "mean-squared-displacement", .fit_from = 3.0, .all_origins = true, .lags = 4.0},
-        100);
+    Run2 run(gas_of(""),
+             panel_of("mean-squared-displacement",
+                      DisplacementOptions{.fit_from = 3.0, .all_origins = true, .lags = 4.0}),
+             100);
     const plot::Plot plot = run.finished();
     const plot::Line curve = layers_of<plot::Line>(plot, "curve").at(0);
     CHECK(curve.x[60] == doctest::Approx(4.0));
@@ -401,8 +407,9 @@ TEST_CASE("a mean of runs has the mean of their curves, with its error") {
 }
 
 TEST_CASE("the error of D is that of the mean, where it is one of several runs") {
-    const PanelSpec spec{
-        .kind = "mean-squared-displacement", .fit_from = 3.0, .all_origins = true, .lags = 4.0};
+    const PanelSpec spec =
+        panel_of("mean-squared-displacement",
+                 DisplacementOptions{.fit_from = 3.0, .all_origins = true, .lags = 4.0});
     Run2 one(gas_of(""), spec), other(gas_of("", "[20, 20], walls: periodic", 2), spec);
     one.plots().fix_axes_of_runs({other.panel.get()}, {});
     one.show();
@@ -420,10 +427,11 @@ TEST_CASE("the error of D is that of the mean, where it is one of several runs")
 }
 
 TEST_CASE("runs side by side have a curve each on common axes") {
-    for (const char* kind : {"pair-correlation", "velocity-autocorrelation", "free-path"}) {
-        CAPTURE(kind);
-        Run2 thin(gas_of("", "[40, 40], walls: periodic"), {.kind = kind, .to = 5.0}),
-            dense(gas_of(""), {.kind = kind, .to = 5.0});
+    for (const PanelSpec& spec :
+         {panel_of("pair-correlation", PairCorrelationOptions{.to = 5.0}),
+          PanelSpec{.kind = "velocity-autocorrelation"}, PanelSpec{.kind = "free-path"}}) {
+        CAPTURE(spec.kind);
+        Run2 thin(gas_of("", "[40, 40], walls: periodic"), spec), dense(gas_of(""), spec);
         thin.plots().fix_axes_of_runs({dense.panel.get()}, {"thin", "dense"});
         thin.show();
         dense.show();

@@ -63,9 +63,8 @@ TEST_CASE("the axis of a histogram holds the run, and round-off never splits equ
 
 TEST_CASE("bins and range of the scene are taken as they are") {
     Stage stage(10);
-    PanelSpec spec;
-    spec.bins = 7;
-    spec.range = {1.0, 3.0};
+    const PanelSpec spec =
+        panel_of("speed-histogram", HistogramOptions{.bins = 7, .range = {{1.0, 3.0}}});
     HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, speeds_with({}));
     survey(panel, {Eigen::ArrayXd::LinSpaced(10, 0.0, 4.0)});
     CHECK(panel.bins().count == 7);
@@ -132,9 +131,8 @@ std::vector<std::vector<MeanHistogram>> shown(HistogramPanel& panel,
 }
 
 PanelSpec four_bins(Over::Since since, double window = 0.0) {
-    PanelSpec spec;
-    spec.bins = 4;
-    spec.range = {0.0, 4.0};
+    PanelSpec spec =
+        panel_of("speed-histogram", HistogramOptions{.bins = 4, .range = {{0.0, 4.0}}});
     spec.over = Over{since, window};
     return spec;
 }
@@ -163,7 +161,7 @@ TEST_CASE("chosen particles are drawn together, each choice with its own bars an
 TEST_CASE("the number beyond the lower end is told beside the axis, which stays whole") {
     Stage stage(10);
     PanelSpec spec = four_bins(Over::Since::now);
-    spec.range = {-1.0, 1.0};
+    spec.options.change<HistogramOptions>().range = {-1.0, 1.0};
     HistogramSubject subject = speeds_with({});
     subject.symmetric = true;
     HistogramPanel panel({stage.scene, stage.particles, 1, stage.none}, spec, std::move(subject));

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "draw/text.h"
+#include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "support/library.h"
 #include "support/resources.h"
 #include "support/scene_text.h"
@@ -69,8 +71,10 @@ void add_own_words(const Scene& scene, std::set<std::string>& known) {
     for (const Species& species : scene.gas.species) add(species.name);
     for (const SpeciesLook& look : scene.looks) add(look.label);
     for (const Callout& callout : scene.film.callouts) add(callout.words);
-    for (const PanelSpec& panel : scene.film.panels)
-        add(panel.title.value_or("") + " " + panel.words);
+    for (const PanelSpec& panel : scene.film.panels) {
+        const PanelKind& kind = kind_of(panel);
+        add(panel.title.value_or("") + " " + (kind.text ? kind.text(panel) : ""));
+    }
     for (const std::string& name : scene.gas.box.surfaces.names()) add(name);
 }
 

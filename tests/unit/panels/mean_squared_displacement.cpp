@@ -7,6 +7,7 @@
 
 #include "draw/disks/disks.h"
 #include "draw/text.h"
+#include "panels/correlations/correlation_keys.h"
 #include "panels/correlations/displacement_meter.h"
 #include "panels/plot/draw_plot.h"
 #include "panels/plot/layers.h"
@@ -26,9 +27,7 @@ struct Seen : test::SeenPanel {
 };
 
 PanelSpec displacement(double from = 0.0) {
-    PanelSpec spec{.kind = "mean-squared-displacement"};
-    spec.from = from;
-    return spec;
+    return panel_of("mean-squared-displacement", DisplacementOptions{.from = from});
 }
 
 const std::string free_disk =
@@ -89,7 +88,7 @@ TEST_CASE("displacements with collisions are sums of small steps to the nearest 
 
 TEST_CASE("D is the slope of all pairs of frames from a time on, and the words say it") {
     PanelSpec spec = displacement();
-    spec.fit_from = 3.0;
+    spec.options.change<DisplacementOptions>().fit_from = 3.0;
     const std::vector<double> times = test::times_up_to(8.0, 32);
     Seen seen(gas, spec, times);
     double products = 0.0, squares = 0.0;
@@ -116,7 +115,7 @@ TEST_CASE("D is the slope of all pairs of frames from a time on, and the words s
 
 TEST_CASE("the error of D is how the slopes of single disks scatter, or those of runs") {
     PanelSpec spec = displacement();
-    spec.fit_from = 3.0;
+    spec.options.change<DisplacementOptions>().fit_from = 3.0;
     const std::vector<double> times = test::times_up_to(8.0, 16);
     Seen seen(gas, spec, times);
     // The line of each disk by itself.
@@ -184,7 +183,7 @@ TEST_CASE("walls give a plateau and no diffusion coefficient, and the account sa
     for (const bool all_origins : {false, true}) {
         CAPTURE(all_origins);
         PanelSpec spec = displacement();
-        spec.all_origins = all_origins;
+        spec.options.change<DisplacementOptions>().all_origins = all_origins;
         const plot::Plot plot = plot_of(text, spec, 100.0);
         CHECK(plot.account.find("iffusion coefficient: the walls limit") != std::string::npos);
         CHECK_FALSE(has_part(plot, "fit"));
@@ -213,7 +212,7 @@ TEST_CASE("displacements that are bounded along one axis only do not level off")
     const std::string half = "size: [16, 12], walls: {left: periodic, right: periodic}";
     for (const bool all_origins : {false, true}) {
         PanelSpec spec = displacement();
-        spec.all_origins = all_origins;
+        spec.options.change<DisplacementOptions>().all_origins = all_origins;
         const plot::Plot plot =
             plot_of(scene_with(half, "{name: a, count: 60, radius: 0.4, temperature: 1}", 100.0),
                     spec, 100.0);
@@ -228,7 +227,7 @@ TEST_CASE("the key names a plateau only where its line is drawn") {
         for (const double until : {2.0, 100.0}) {
             CAPTURE(until);
             PanelSpec spec = displacement();
-            spec.all_origins = all_origins;
+            spec.options.change<DisplacementOptions>().all_origins = all_origins;
             const plot::Plot plot =
                 plot_of(scene_with("size: [16, 12]",
                                    "{name: a, count: 60, radius: 0.4, temperature: 1}", until),
@@ -242,7 +241,7 @@ TEST_CASE("the reason why there is no diffusion coefficient is whole in narrow p
     for (const bool all_origins : {false, true}) {
         CAPTURE(all_origins);
         PanelSpec spec = displacement();
-        spec.all_origins = all_origins;
+        spec.options.change<DisplacementOptions>().all_origins = all_origins;
         const plot::Plot plot =
             plot_of(scene_with("size: [16, 12]",
                                "{name: a, count: 60, radius: 0.4, temperature: 1}", 100.0),
@@ -298,7 +297,7 @@ TEST_CASE(
               {{.species = 0}}}}) {
         CAPTURE(one.species);
         PanelSpec spec = displacement();
-        spec.all_origins = one.all_origins;
+        spec.options.change<DisplacementOptions>().all_origins = one.all_origins;
         spec.of = one.of;
         const plot::Plot plot =
             plot_of(scene_with(one.box, one.species, one.until), spec, one.until);
@@ -310,8 +309,8 @@ TEST_CASE(
 
 TEST_CASE("reasons that may pass are short in the key, whose rows they keep") {
     PanelSpec spec = displacement();
-    spec.all_origins = true;
-    spec.lags = 8.0;
+    spec.options.change<DisplacementOptions>().all_origins = true;
+    spec.options.change<DisplacementOptions>().lags = 8.0;
     spec.of = {{.particle = 3}};
     const plot::Plot plot =
         plot_of(scene_with("size: [20, 20], walls: periodic",
@@ -328,8 +327,8 @@ TEST_CASE("reasons that may pass are short in the key, whose rows they keep") {
 
 TEST_CASE("a curve is drawn as far as it is known") {
     PanelSpec spec = displacement();
-    spec.all_origins = true;
-    spec.lags = 15.0;
+    spec.options.change<DisplacementOptions>().all_origins = true;
+    spec.options.change<DisplacementOptions>().lags = 15.0;
     plot::Plot plot = plot_of(scene_with("size: [20, 20], walls: periodic",
                                          "{name: a, count: 60, radius: 0.5, temperature: 4}", 10.0),
                               spec, 10.0);
@@ -358,8 +357,8 @@ TEST_CASE("a curve is drawn as far as it is known") {
 
 TEST_CASE("the error of D of a single disk is how D scatters between runs") {
     PanelSpec spec = displacement();
-    spec.all_origins = true;
-    spec.lags = 6.0;
+    spec.options.change<DisplacementOptions>().all_origins = true;
+    spec.options.change<DisplacementOptions>().lags = 6.0;
     spec.of = {{.particle = 0}};
     std::vector<double> coefficients;
     double squares = 0.0;

@@ -111,9 +111,8 @@ TEST_CASE("the bounds of the classes of speed are medium") {
 TEST_CASE("slow and fast are beside the present mean speed, or that at the start") {
     const Stage stage(2);
     for (const bool initial : {false, true}) {
-        PanelSpec spec{.kind = "speed-classes"};
-        spec.reference_initial = initial;
-        const auto panel = stage.panel(spec);
+        const auto panel = stage.panel(test::panel_from(
+            std::string("{kind: speed-classes, reference: ") + (initial ? "initial}" : "now}")));
         stage.show(*panel, 0.0, along_x({1.0, 1.0, 1.0, 1.0}));
         stage.show(*panel, 1.0, along_x({0.0, 1.0, 3.0, 4.0}));  // mean 2
         CHECK(panel->record().runs.front().lines[1][0] == 100.0);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "media/formats.h"
+#include "panels/correlations/correlation_keys.h"
 #include "panels/registry.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/check.h"
@@ -20,6 +21,7 @@
 #include "scene/reading/scene_reading.h"
 #include "scene/sets/set_reading.h"
 #include "scene/yaml/yaml.h"
+#include "support/scene_text.h"
 
 using namespace carom;
 
@@ -289,4 +291,36 @@ TEST_CASE("a table reads what is given and valid, and leaves the defaults of the
     CHECK(lamp.watts == 40);
     CHECK_FALSE(lamp.lit);
     CHECK_FALSE(lamp.seconds.has_value());
+}
+
+TEST_CASE("options are values of the type that their kind has for them") {
+    Options options;
+    CHECK(options.as<FreeFlightOptions>().logarithmic == false);
+    CHECK(options.find<FreeFlightOptions>() == nullptr);
+    options.change<FreeFlightOptions>().logarithmic = true;
+    Options copy = options;
+    copy.change<FreeFlightOptions>().logarithmic = false;
+    CHECK(options.as<FreeFlightOptions>().logarithmic == true);
+    CHECK(copy.find<FreeFlightOptions>()->logarithmic == false);
+    CHECK(options.find<DisplacementOptions>() == nullptr);
+}
+
+TEST_CASE("a key of several kinds is read into the options of the panel's own") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [40, 30]}\ngas: [{count: 20, speed: 1}]\nrun: {until: 40}\n"
+        "film:\n  template: data\n  panels:\n"
+        "    - {kind: velocity-autocorrelation, from: 3, lags: 5}\n"
+        "    - {kind: mean-squared-displacement, from: 4, origins: all, lags: 6}\n"
+        "    - velocity-autocorrelation\n");
+    const auto velocities = [&](std::size_t k) {
+        return scene.film.panels.at(k).options.as<AutocorrelationOptions>();
+    };
+    CHECK(velocities(0).from == 3.0);
+    CHECK(velocities(0).lags == 5.0);
+    CHECK(velocities(2).from == 0.0);
+    CHECK(!velocities(2).lags);
+    const auto& places = scene.film.panels.at(1).options.as<DisplacementOptions>();
+    CHECK(places.from == 4.0);
+    CHECK(places.lags == 6.0);
+    CHECK(places.all_origins);
 }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string>
 
+#include "panels/plots/histogram_panel.h"
+#include "panels/words/monitors_panel.h"
 #include "support/files.h"
 #include "support/library.h"
 #include "support/resources.h"
@@ -182,10 +184,11 @@ TEST_CASE("walls, events and panels with options") {
     CHECK(scene.film.theme == ThemeName::light);
     CHECK(scene.film.palette == "magma");
     REQUIRE(scene.film.panels.size() == 1);
-    CHECK(scene.film.panels[0].bins == 20);
-    CHECK(scene.film.panels[0].range->second == 3.0);
+    const auto& bars = scene.film.panels[0].options.as<HistogramOptions>();
+    CHECK(bars.bins == 20);
+    CHECK(bars.range->second == 3.0);
     CHECK(!scene.film.panels[0].theory);
-    CHECK(!scene.film.panels[0].mean_now.has_value());
+    CHECK(!bars.mean_now.has_value());
     CHECK(scene.film.panels[0].title == "Speeds");
     CHECK(scene.description.find("At time 20 and 30 all velocities are reversed") !=
           std::string::npos);
@@ -209,11 +212,11 @@ TEST_CASE("a panel's particles are chosen by all, species and number") {
     CHECK(first.of[2].particle == 24);
     CHECK(first.over->since == Over::Since::window);
     CHECK(first.over->window == 3.0);
-    CHECK(first.fit);
+    CHECK(first.options.as<HistogramOptions>().fit);
     CHECK(scene.film.panels[1].of.size() == 1);
     CHECK(scene.film.panels[1].over->since == Over::Since::start);
     CHECK(scene.film.panels[1].component == Component::y);
-    CHECK(scene.film.panels[1].mean_now == true);
+    CHECK(scene.film.panels[1].options.as<HistogramOptions>().mean_now == true);
     CHECK(scene.film.panels[2].of.empty());
     CHECK(!scene.film.panels[2].over.has_value());
 }
@@ -442,7 +445,7 @@ TEST_CASE("rings, labels and monitors are read") {
     CHECK_FALSE(scene.looks[0].fill);
     CHECK(scene.film.labels == Labels::index);
     CHECK(scene.film.monitors == std::vector{Monitor::all_collisions, Monitor::time});
-    CHECK(scene.film.panels[0].numbers == std::vector{Monitor::fast});
+    CHECK(scene.film.panels[0].options.as<MonitorOptions>().numbers == std::vector{Monitor::fast});
 }
 
 // Of a scene that names no panels, with the template lecture.

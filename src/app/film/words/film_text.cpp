@@ -15,6 +15,7 @@
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
 #include "scene/describe.h"
+#include "scene/panel_kind.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
 #include "stats/speed_classes.h"
@@ -185,10 +186,10 @@ std::string picture_text(const Scene& scene, bool has_sound) {
     if (!panels.empty())
         text += " " + say(language, "Shown with the particles: {}.", listed(language, panels));
     for (const PanelSpec& panel : scene.film.panels)
-        if (panel.kind == "text")
+        if (const PanelKind& kind = kind_of(panel); kind.text)
             text +=
                 " " + say(language, "The panel “{}” reads: “{}”", name_of_panel(language, panel),
-                          on_one_line(formula::spoken_text(language, panel.words)));
+                          on_one_line(formula::spoken_text(language, kind.text(panel))));
     if (has_sound)
         text +=
             " " +

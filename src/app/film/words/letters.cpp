@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "draw/text.h"
+#include "panels/registry.h"
+#include "scene/panel_kind.h"
 #include "util/formula/formula.h"
 
 namespace carom {
@@ -64,10 +66,12 @@ class Words {
     }
 
     void add(const PanelSpec& panel) {
-        all += panel.title.value_or("") + plain(panel.words) + panel.sweep.across;
-        for (const NamedRegion& region : panel.regions) all += region.name;
-        for (const SweepAxis& axis : panel.sweep.sweep.axes)
-            for (const std::string& value : axis.values) all += value;
+        const PanelKind& kind = kind_of(panel);
+        all += panel.title.value_or("");
+        if (kind.text) all += plain(kind.text(panel));
+        for (const NamedRegion& region : places_of(panel).regions) all += region.name;
+        if (!kind.names) return;
+        for (const std::string& name : kind.names(panel)) all += name;
     }
 };
 

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "physics/gas.h"
 #include "physics/simulation.h"
 #include "support/blocks.h"
 #include "support/goodness_of_fit.h"

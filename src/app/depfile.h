@@ -10,9 +10,10 @@
 
 #include "app/command.h"
 #include "app/output.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// `path`, escaped for makefiles and for the depfiles of ninja. Throws UsageError if it contains a
 /// line break, which neither can express.

@@ -5,9 +5,10 @@
 #include "panels/precision.h"
 #include "physics/simulation.h"
 #include "runs/run.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// Shows the progress of the trial runs that find the precision of `scene`, which may take long.
 TrialCallback shown_trials(const Scene& scene, Progress& progress);

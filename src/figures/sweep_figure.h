@@ -5,9 +5,11 @@
 #include <functional>
 
 #include "panels/sweep/sweep_panel.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct FigureSpec;
+struct Scene;
 
 /// The path of the summary of the joined sweep that a figure shows; relative paths start at the
 /// scene's folder.

@@ -10,6 +10,7 @@
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/law.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {

@@ -4,11 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "scene/scene.h"
 #include "scene/sweep.h"
 #include "util/language.h"
 
 namespace carom {
+
+struct Scene;
 
 /// The equilibrium value, exact or a good approximation, of a number of a scene's runs, averaged
 /// over some seeds, as these determine the velocities. For pressures: the equation of state of hard

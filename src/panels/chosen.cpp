@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "panels/gas/gas_colors.h"
+#include "scene/scene.h"
 
 namespace carom {
 
@@ -95,7 +96,7 @@ plot::Role species_role(const PanelContext& context, std::size_t species) {
 
 plot::Role choice_role(const PanelContext& context, const Chosen& chosen, std::size_t place) {
     if (chosen.species) return species_role(context, *chosen.species);
-    return kind_role(context, context.scene.gas.species.size() + place);
+    return kind_role(context, context.species().size() + place);
 }
 
 plot::Role role_among(const PanelContext& context, const std::vector<Chosen>& chosen,
@@ -155,9 +156,9 @@ plot::Text shown_of(const PanelContext& context, const plot::Text& what,
 
 std::string single_name(const PanelContext& context, Eigen::Index particle) {
     const auto species = static_cast<std::size_t>(context.particles.species[particle]);
-    if (context.scene.gas.species[species].count > 1) return "";
+    if (context.species()[species].count > 1) return "";
     const std::string& label = context.scene.looks[species].label;
-    return label.empty() ? context.scene.gas.species[species].name : label;
+    return label.empty() ? context.species()[species].name : label;
 }
 
 double name_alpha(const PanelContext& context, const Tick& tick) {

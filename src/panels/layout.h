@@ -10,7 +10,7 @@
 
 #include "draw/geometry.h"
 #include "draw/text.h"
-#include "scene/scene.h"
+#include "scene/layout.h"
 
 namespace carom {
 

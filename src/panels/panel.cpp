@@ -5,7 +5,14 @@
 #include <algorithm>
 #include <array>
 
+#include "scene/scene.h"
+
 namespace carom {
+
+const Box& PanelContext::box() const { return scene.gas.box; }
+const std::vector<Species>& PanelContext::species() const { return scene.gas.species; }
+const Run& PanelContext::run() const { return scene.run; }
+Language PanelContext::language() const { return scene.film.language; }
 
 void refuse(Diagnostic place, std::string message, std::string hint) {
     place.message = std::move(message);

@@ -17,12 +17,16 @@
 #include "panels/table.h"
 #include "physics/simulation.h"
 #include "physics/theory/law.h"
-#include "scene/scene.h"
+#include "scene/looks.h"
+#include "scene/panel_spec.h"
 #include "scene/time/timeline.h"
 
 namespace carom {
 
 class Archive;
+struct Scene;
+struct Species;
+struct PlotPoint;
 
 /// What all panels of a film know from the start. Must outlive the panels.
 struct PanelContext {
@@ -35,7 +39,12 @@ struct PanelContext {
     /// over the other.
     std::optional<std::size_t> run_in_box = {};
     bool is_laid_over() const { return run_in_box == 1u; }
-    Language language() const { return scene.film.language; }  ///< of the program's texts
+
+    // What most panels need of the scene, so that they need not know the rest of it.
+    const Box& box() const;
+    const std::vector<Species>& species() const;
+    const Run& run() const;
+    Language language() const;  ///< of the program's texts
 };
 
 /// The gas at one moment, and what happened since the moment before: a frame or, in the first pass,

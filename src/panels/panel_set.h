@@ -13,6 +13,7 @@
 #include "panels/layout.h"
 #include "panels/panel.h"
 #include "panels/recording.h"
+#include "scene/scene.h"
 #include "scene/time/showing.h"
 
 namespace carom {

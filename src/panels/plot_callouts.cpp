@@ -6,6 +6,7 @@
 
 #include "panels/plot/draw_plot.h"
 #include "panels/plot/plot_panel.h"
+#include "scene/scene.h"
 #include "scene/time/captions.h"
 
 namespace carom {

@@ -70,7 +70,7 @@ std::string name_of_panel(Language language, const PanelSpec& spec) {
 
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
                                       const std::optional<View>& view) {
-    if (context.scene.gas.box.dimension == 1) return std::make_unique<LinePanel>(context, view);
+    if (context.box().dimension == 1) return std::make_unique<LinePanel>(context, view);
     return std::make_unique<GasPanel>(context, view);
 }
 

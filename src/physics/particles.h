@@ -27,15 +27,15 @@ struct Particles {
 
 /// Which particles are present at one time, and which species each belongs to.
 struct Membership {
-    Eigen::ArrayXi species;                             ///< N, index into Gas::species
+    Eigen::ArrayXi species;                            ///< N, index into Gas::species
     Eigen::Array<bool, Eigen::Dynamic, 1> is_present;  ///< N
 };
 
 /// The membership at the start of a run: all particles are present.
 inline std::shared_ptr<const Membership> membership_at_start(const Particles& particles) {
-    return std::make_shared<const Membership>(Membership{
-        particles.species,
-        Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(particles.count(), true)});
+    return std::make_shared<const Membership>(
+        Membership{particles.species,
+                   Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(particles.count(), true)});
 }
 
 /// Positions, velocities and membership of all particles at one time.

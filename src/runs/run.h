@@ -11,10 +11,11 @@
 #include "physics/exact_positions.h"
 #include "physics/reversal/precision.h"
 #include "physics/simulation.h"
-#include "scene/scene.h"
 #include "stats/run_statistics.h"
 
 namespace carom {
+
+struct Scene;
 
 /// One reversal of all velocities, and how accurately the gas returned to its initial state. The
 /// return ends at `home`: at 2 at, or earlier if the way back is left before (ways_back.h). There

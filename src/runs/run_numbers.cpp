@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "physics/ways_back.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {

@@ -10,6 +10,8 @@
 
 namespace carom {
 
+struct Scene;
+
 /// One of the numbers of a run.
 struct RunNumber {
     std::string name;  ///< "virial pressure"

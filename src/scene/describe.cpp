@@ -10,6 +10,7 @@
 
 #include "physics/reversal/mirrored_events.h"
 #include "physics/ways_back.h"
+#include "scene/scene.h"
 #include "scene/yaml/scalar.h"
 #include "util/overloaded.h"
 #include "util/text.h"

@@ -4,9 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "physics/run.h"
+#include "util/language.h"
 
 namespace carom {
+
+struct Gas;
+
+struct Scene;
 
 /// Returns what the film shows, in a few plain sentences.
 std::string describe(const Scene& scene);

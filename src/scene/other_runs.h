@@ -7,10 +7,11 @@
 #include <string>
 
 #include "scene/overrides.h"
-#include "scene/scene.h"
 #include "scene/yaml/node.h"
 
 namespace carom {
+
+struct Scene;
 
 /// The part of a scene that is loaded for another scene. For a run that a figure compares, only
 /// that figure is read, if the scene has it. For the second run of a film, the film and the end of

@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "physics/box.h"
-#include "scene/scene.h"
+#include "scene/looks.h"
+#include "scene/panel_spec.h"
+#include "util/language.h"
 
 namespace carom {
 

@@ -8,11 +8,12 @@
 #include "physics/advance_result.h"
 #include "physics/particles.h"
 #include "physics/surface.h"
-#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "sound/clicks.h"
 
 namespace carom {
+
+struct Film;
 
 /// The pitch in Hz of a collision whose impulse equals the reference impulse; twice the impulse
 /// sounds an octave higher.

@@ -204,7 +204,7 @@ std::string summary_json() {
                                 .overrides = {"a=1"},
                                 .physics = "0",
                                 .sweep = {{{"gas.0.radius", {"0.1", "0.2"}}}, {1, 2}},
-                                .numbers = {{"pressure", "energy/area"}},
+                                .numbers = {{"pressure", quantities::pressure(2)}},
                                 .points = {{2, {its}}, {2, {its}}}});
 }
 

@@ -35,7 +35,7 @@ double uniform(double share) { return share; }
 
 // The component along the wall of the velocity behind a hit, in units of the speed.
 double sine_behind(const Collision& hit) {
-    const Eigen::Array2d& v = hit.first_after;
+    const Vec& v = hit.first_after;
     switch (hit.second.surface()) {
         case 0:
             return -v[1] / speed;
@@ -58,7 +58,7 @@ TEST_CASE("a disk leaves a diffuse wall at its own speed, at angles of cos / 2, 
     constexpr std::size_t hits = 100'000, in_block = 1'000;
     for (double time = 100.0; sines.size() < hits; time += 100.0)
         for (const Collision& hit : simulation.advance_to(time).collisions) {
-            const double now = std::sqrt(hit.first_after.square().sum());
+            const double now = length(hit.first_after);
             least = std::min(least, now);
             most = std::max(most, now);
             sines.push_back(sine_behind(hit));

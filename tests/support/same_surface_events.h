@@ -126,7 +126,7 @@ class SurfaceComparison {
         fast_.sample(found.time, sample_);
         slow_.adopt(sample_, fast_.surfaces(found.time));
         // One that leaves a diffuse wall almost at rest may jump no higher than places are rounded.
-        if (touch.is_random && found.first_after.square().sum() < 1e-12) return false;
+        if (touch.is_random && square(found.first_after) < 1e-12) return false;
         // A disk reflected while it overlaps the surface may meet it again without having left it.
         // A piston that nothing holds is far away in the end, where round-off is large.
         return !touch.is_within && slow_.slack() < 1e-10L;

@@ -81,7 +81,7 @@ Study gas_beside_a_bath() {
         for (int k = 1; k <= samples; ++k) {
             for (const Collision& hit : simulation.advance_to(2.0 * k).collisions) {
                 if (!hit.second.is_surface() || hit.second.surface() != 0) continue;
-                carried += 0.5 * hit.first_after.square().sum();
+                carried += 0.5 * square(hit.first_after);
                 normal += hit.first_after[0] * hit.first_after[0];
                 leaving += 1.0;
             }

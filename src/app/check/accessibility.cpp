@@ -12,6 +12,7 @@
 #include "panels/layout.h"
 #include "physics/placement/draws.h"
 #include "scene/describe.h"
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "util/text.h"
 

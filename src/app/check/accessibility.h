@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "media/formats.h"
-#include "scene/scene.h"
 #include "util/diagnostics.h"
 
 namespace carom {
+
+struct Scene;
 
 /// The barriers that keep some viewers from the film of a scene, each with the number of the
 /// success criterion and a way to remove it; empty if there are none. `format` is the format of the

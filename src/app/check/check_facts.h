@@ -11,10 +11,11 @@
 #include "app/check/film_facts.h"
 #include "app/figures/figure_set.h"
 #include "app/report/facts.h"
-#include "scene/scene.h"
 #include "util/diagnostics.h"
 
 namespace carom {
+
+struct Scene;
 
 /// A scene file as `carom check` found it, or the file of a figure set.
 struct CheckedFile {

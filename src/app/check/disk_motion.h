@@ -10,9 +10,12 @@
 #include "app/cost/trial_run.h"
 #include "app/report/facts.h"
 #include "physics/particles.h"
-#include "scene/scene.h"
+#include "physics/run.h"
 
 namespace carom {
+
+struct Film;
+struct Scene;
 
 /// The disks of one species in a film. Means over its disks, which may differ in radius.
 struct DiskMotion {

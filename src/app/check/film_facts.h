@@ -9,9 +9,10 @@
 #include "app/cost/film_cost.h"
 #include "app/report/facts.h"
 #include "physics/particles.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// The film of a checked scene whose cost is reported.
 struct CheckedFilm {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "media/codecs.h"
+#include "scene/film.h"
 
 namespace carom {
 namespace {

@@ -5,9 +5,10 @@
 
 #include "app/report/facts.h"
 #include "media/formats.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Film;
 
 /// The lowest H.264 level that allows the film; null if no level does, or if MP4 is not one of the
 /// formats.

@@ -6,6 +6,7 @@
 
 #include "panels/registry.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {

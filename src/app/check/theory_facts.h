@@ -5,9 +5,10 @@
 #include <vector>
 
 #include "physics/theory/law.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// A line for each panel of the film and each figure that shows theory where there is a law, and
 /// for this gas there is none: its name and the reason.

@@ -8,9 +8,10 @@
 #include "app/film/film_plan.h"
 #include "app/progress.h"
 #include "media/formats.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 struct FilmCost {
     std::string format;

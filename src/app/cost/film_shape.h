@@ -8,7 +8,7 @@
 #include <string>
 
 #include "media/formats.h"
-#include "scene/scene.h"
+#include "scene/layout.h"
 
 namespace carom {
 

@@ -4,9 +4,12 @@
 #include <string>
 
 #include "app/cost/trial_run.h"
-#include "scene/scene.h"
+#include "physics/run.h"
 
 namespace carom {
+
+struct PanelSpec;
+struct Scene;
 
 /// CPU seconds in which a panel sees `frames` frames of a run and is read in `pictures` of them.
 double panel_seconds(const Scene& scene, const PanelSpec& panel, double frames, double pictures,

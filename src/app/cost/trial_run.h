@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "physics/advance_result.h"
-#include "scene/scene.h"
+#include "scene/figure_spec.h"
 
 namespace carom {
+
+struct Scene;
 
 /// How fast the particles of each species are at a time of a run, on average.
 struct MeanSpeeds {

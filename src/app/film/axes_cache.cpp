@@ -8,6 +8,7 @@
 
 #include "app/chunks/build_facts.h"
 #include "app/progress.h"
+#include "scene/scene.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/files/input_file.h"

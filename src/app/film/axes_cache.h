@@ -6,11 +6,12 @@
 #include <optional>
 #include <string>
 
-#include "scene/scene.h"
 #include "util/archive.h"
 #include "util/files/stored_file.h"
 
 namespace carom {
+
+struct Scene;
 
 /// The precision of a run in bits, which takes long to find if the scene does not give it.
 struct RunBits {

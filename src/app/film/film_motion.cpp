@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 
 namespace carom {

@@ -3,9 +3,10 @@
 
 #include "media/film_writer.h"
 #include "physics/particles.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// The motion in the film of a scene whose gas begins with these particles and velocities. Depends
 /// on the picture size, the frame rate and the length of the run, so that all parts of a film get

@@ -7,9 +7,10 @@
 #include "app/command.h"
 #include "app/film/film_plan.h"
 #include "media/formats.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// --from, --to, --fps, --seconds, --no-sound and --quality.
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film);

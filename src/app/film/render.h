@@ -13,9 +13,10 @@
 #include "app/progress.h"
 #include "draw/canvas.h"
 #include "media/formats.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// Result of a rendering, and the seconds it took.
 struct RenderReport {

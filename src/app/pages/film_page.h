@@ -8,9 +8,10 @@
 #include "app/output.h"
 #include "app/progress.h"
 #include "figures/page.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// The template of a film page with this name. Throws SystemError.
 Source document_template(const std::string& name);

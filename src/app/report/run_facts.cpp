@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "app/report/facts.h"
+#include "scene/scene.h"
 #include "util/joined.h"
 #include "util/text.h"
 

@@ -4,9 +4,10 @@
 #include <string>
 
 #include "runs/run.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
 
 /// A table for people, at most 80 columns wide unless names are long.
 std::string run_table(const Scene& scene, const RunReport& report);

@@ -8,6 +8,7 @@
 
 #include "panels/chosen.h"
 #include "panels/plot/layers.h"
+#include "physics/gas.h"
 #include "util/text.h"
 
 namespace carom {
@@ -65,14 +66,14 @@ bool PairCollisionWatch::is_wanted(const Collision& collision) const {
 // Reversals, heating and perturbations end a free flight as collisions do.
 double PairCollisionWatch::flying_since(Eigen::Index particle, double now) const {
     double since = last_[static_cast<std::size_t>(particle)];
-    for (const double at : interruptions(context_.scene.run, particle))
+    for (const double at : interruptions(context_.run(), particle))
         if (at < now) since = std::max(since, at);
     return since;
 }
 
 double PairCollisionWatch::flying_until(Eigen::Index particle, double now) const {
-    double next = context_.scene.run.until;
-    for (const double at : interruptions(context_.scene.run, particle))
+    double next = context_.run().until;
+    for (const double at : interruptions(context_.run(), particle))
         if (at >= now) next = std::min(next, at);
     return next;
 }
@@ -124,13 +125,13 @@ const PairCollision& PairCollisionWatch::collision() const {
         spec_.of.empty() ? "no two particles"
                          : fmt::format("particles {} and {} do not", spec_.of[0].particle.value(),
                                        spec_.of[1].particle.value());
-    refuse(spec_.place,
-           fmt::format("{} collide from time 0 to {}, the end of the run", pair,
-                       context_.scene.run.until),
-           spec_.of.empty()
-               ? "give a longer run, or let particles collide"
-               : "give another pair in `of`, or none for the first that collides, or a longer "
-                 "run");
+    refuse(
+        spec_.place,
+        fmt::format("{} collide from time 0 to {}, the end of the run", pair, context_.run().until),
+        spec_.of.empty()
+            ? "give a longer run, or let particles collide"
+            : "give another pair in `of`, or none for the first that collides, or a longer "
+              "run");
 }
 
 plot::Role role_of(const PanelContext& context, const PairCollision& pair, std::size_t k) {
@@ -152,7 +153,7 @@ std::optional<std::array<std::string, 2>> own_names(const PanelContext& context,
     for (std::size_t k = 0; k < 2; ++k) {
         const int species = context.particles.species[pair.particle.at(k)];
         if ((context.particles.species == species).count() > 1) return {};
-        names.at(k) = context.scene.gas.species[static_cast<std::size_t>(species)].name;
+        names.at(k) = context.species()[static_cast<std::size_t>(species)].name;
         if (names.at(k).empty()) return {};
     }
     return names;

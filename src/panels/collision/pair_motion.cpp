@@ -7,6 +7,8 @@
 #include <limits>
 #include <variant>
 
+#include "scene/scene.h"
+
 namespace carom {
 namespace {
 
@@ -120,7 +122,7 @@ std::vector<WalkStep> WalkWatch::steps() const {
             steps.push_back(step);
         }
     };
-    for (const double time : reversal_times(context_.scene.run)) {
+    for (const double time : reversal_times(context_.run())) {
         go_on_until(time);
         steps.push_back(
             {.time = time, .cause = WalkStep::Cause::reversal, .velocity = -steps.back().velocity});

@@ -88,8 +88,7 @@ Rect SingleCollisionPanel::room(const DrawContext& dc) const {
 }
 
 CollisionStages SingleCollisionPanel::stages(const DrawContext& dc) const {
-    return collision_stages(met_, context_.particles, room(dc), dc.unit,
-                            context_.scene.gas.box.dimension);
+    return collision_stages(met_, context_.particles, room(dc), dc.unit, context_.box().dimension);
 }
 
 ArrowStyle SingleCollisionPanel::style(const DrawContext& dc, Color color) const {
@@ -148,7 +147,7 @@ void SingleCollisionPanel::draw_stage(Canvas& canvas, const DrawContext& dc,
                            dc.theme.muted, 0.3 * u);
         canvas.release_clip();
     }
-    if (context_.scene.gas.box.dimension == 1 && index != 1)  // the wire
+    if (context_.box().dimension == 1 && index != 1)  // the wire
         canvas.stroke_line({stage.area.x, stage.mass_center.y},
                            {stage.area.right(), stage.mass_center.y}, 0.08 * u, dc.theme.muted);
     for (std::size_t k = 0; k < 2; ++k) {

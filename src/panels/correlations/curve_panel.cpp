@@ -140,7 +140,7 @@ void CurvePanel::take_in(const CurveValues& values) {
 
 void CurvePanel::survey(const FrameInput& input) {
     surveyed_->see(input);
-    const auto samples = static_cast<int>(sample_count(context_.scene.run));
+    const auto samples = static_cast<int>(sample_count(context_.run()));
     const bool is_probe =
         samples_seen_ >= settled * samples && samples_seen_ % std::max(1, samples / probes) == 0;
     if (is_probe && subject_.reach) take_in(surveyed_->values());

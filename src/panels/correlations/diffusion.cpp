@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/gas.h"
 #include "stats/displacements.h"
 #include "util/text.h"
 
@@ -59,7 +60,7 @@ LineLaw displacement_law(const PanelContext& context, const Chosen& chosen,
                           {.of = members(context, chosen), .collisions = collisions});
     LineLaw its{.value = found.value};
     if (found.none) {
-        its.reason = to_text(context.language(), *found.none, context.scene.gas.species);
+        its.reason = to_text(context.language(), *found.none, context.species());
         its.short_reason = short_words(context.language(), found.none->why);
     }
     return its;

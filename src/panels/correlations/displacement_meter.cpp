@@ -43,20 +43,20 @@ DisplacementMeter::DisplacementMeter(const PanelContext& context,
     : LagMeter(context, LagAverages::Of::displacements, groups_of(lists), from, lags),
       lists_(lists),
       groups_(groups_of(lists)),
-      speeds_(context.scene.gas.box, LagAverages::Of::velocities, lists, from, lags, 2,
-              velocity_changes(context.scene.run)),
-      collisions_(context.scene.gas.box, context.particles, from, INFINITY),
+      speeds_(context.box(), LagAverages::Of::velocities, lists, from, lags, 2,
+              velocity_changes(context.run())),
+      collisions_(context.box(), context.particles, from, INFINITY),
       from_(from),
       fit_from_(fit_from),
       lags_(lags),
       time_(-INFINITY),
-      dimension_(context.scene.gas.box.dimension) {
+      dimension_(context.box().dimension) {
     const bool has_few = std::ranges::any_of(lists, is_few);
-    const double parts = std::floor((context.scene.run.until - from) / (2.0 * lags));
+    const double parts = std::floor((context.run().until - from) / (2.0 * lags));
     for (double part = 0.0; has_few && part < std::min(parts, most_parts); part += 1.0)
-        parts_.push_back(LagAverages(context.scene.gas.box, LagAverages::Of::displacements,
-                                     few_of(lists), from + 2.0 * lags * part, lags, lag_count,
-                                     velocity_changes(context.scene.run)));
+        parts_.push_back(LagAverages(context.box(), LagAverages::Of::displacements, few_of(lists),
+                                     from + 2.0 * lags * part, lags, lag_count,
+                                     velocity_changes(context.run())));
 }
 
 void DisplacementMeter::see(const FrameInput& input) {

@@ -55,8 +55,8 @@ class FlightMeter : public CurveMeter {
                 std::optional<double> window)
         : flown_(flown),
           window_(window),
-          flights_(context.scene.gas.box, options_of_flights(spec).ends_at_walls,
-                   velocity_changes(context.scene.run)),
+          flights_(context.box(), options_of_flights(spec).ends_at_walls,
+                   velocity_changes(context.run())),
           lists_(members_that_collide(context, choices(spec))),
           lists_of_(static_cast<std::size_t>(context.particles.count())),
           kept_(lists_.size()),

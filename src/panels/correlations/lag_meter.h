@@ -17,8 +17,8 @@ class LagMeter : public CurveMeter {
   public:
     LagMeter(const PanelContext& context, LagAverages::Of of,
              std::vector<std::vector<Eigen::Index>> members, double from, double lags)
-        : averages_(context.scene.gas.box, of, std::move(members), from, lags, lag_count,
-                    velocity_changes(context.scene.run)) {}
+        : averages_(context.box(), of, std::move(members), from, lags, lag_count,
+                    velocity_changes(context.run())) {}
 
     void see(const FrameInput& input) override {
         averages_.see(input.sample, input.advanced.collisions);

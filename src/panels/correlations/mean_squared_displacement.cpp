@@ -151,8 +151,8 @@ PanelWork work_of_displacements(const PanelSpec& panel, const Run& run) {
 
 // Whether places at the start say nothing of those at the end: the plateau is the mean over both.
 bool starts_anywhere(const PanelContext& context) {
-    return context.scene.run.equilibrate > 0.0 ||
-           std::ranges::all_of(context.scene.gas.species, [](const Species& species) {
+    return context.run().equilibrate > 0.0 ||
+           std::ranges::all_of(context.species(), [](const Species& species) {
                return species.count == 0 || std::holds_alternative<RandomPlaces>(species.position);
            });
 }
@@ -168,19 +168,18 @@ LineLaw law_of_line(const std::vector<LineLaw>& of_run, std::size_t line,
 
 std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec& spec) {
     const auto& options = options_of_displacements(spec);
-    const double fit_from =
-        options.fit_from.value_or(0.5 * (options.from + context.scene.run.until));
-    const double fit_until = std::min(first_reversal(context.scene.run), context.scene.run.until);
+    const double fit_from = options.fit_from.value_or(0.5 * (options.from + context.run().until));
+    const double fit_until = std::min(first_reversal(context.run()), context.run().until);
     const double middle = 0.5 * (fit_from + fit_until);
     const std::vector<Chosen> chosen = choices(spec);
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Mean squared displacement"});
-    const auto followed = std::make_shared<Followed>(Followed{
-        members_that_collide(context, chosen), Displacements(context.scene.gas.box, options.from),
-        SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
-        SlopesOfParticles(middle, fit_until),
-        PartnerCounts(context.scene.gas.box, context.particles, options.from, fit_from)});
+    const auto followed = std::make_shared<Followed>(
+        Followed{members_that_collide(context, chosen), Displacements(context.box(), options.from),
+                 SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
+                 SlopesOfParticles(middle, fit_until),
+                 PartnerCounts(context.box(), context.particles, options.from, fit_from)});
     subject.measure = [followed](const FrameInput& input) { return followed->see(input); };
-    subject.numbers = [followed, dimension = context.scene.gas.box.dimension] {
+    subject.numbers = [followed, dimension = context.box().dimension] {
         return followed->numbers(dimension);
     };
     subject.laws = [context, chosen, followed] {
@@ -310,7 +309,7 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
     const auto& options = options_of_displacements(spec);
-    const double lags = longest_lag(options, context.scene.run);
+    const double lags = longest_lag(options, context.run());
     const double fit_from = options.fit_from.value_or(0.5 * lags);
     CurveSubject subject{.points = lag_count, .from = options.from};
     subject.meter = [context, lists = members_that_collide(context, chosen), from = options.from,

@@ -21,8 +21,8 @@ std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
                                                 const PanelSpec& spec) {
     const Language language = context.language();
     SeriesSubject subject{.measure = [context](const FrameInput& o) -> std::vector<double> {
-                              const Eigen::ArrayXcd order = bond_order(
-                                  context.scene.gas.box, context.particles, o.sample.position);
+                              const Eigen::ArrayXcd order =
+                                  bond_order(context.box(), context.particles, o.sample.position);
                               return {std::abs(order.mean()), order.abs().mean()};
                           },
                           .lines = {{"whole gas", {.of = plot::Role::Of::highlight}},

@@ -14,6 +14,7 @@
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {
@@ -70,7 +71,7 @@ struct Rings {
 // If the disks have a contact distance, it is at the edge of a ring.
 Rings rings_of(const PanelContext& context, const PanelSpec& spec,
                const std::vector<std::vector<Eigen::Index>>& lists) {
-    const double most = most_distance(context.scene.gas.box);
+    const double most = most_distance(context.box());
     Rings rings;
     rings.contact = context.particles.radius[lists.front().front()] +
                     context.particles.radius[lists.back().front()];
@@ -86,13 +87,13 @@ Rings rings_of(const PanelContext& context, const PanelSpec& spec,
 class PairMeter : public CurveMeter {
   public:
     PairMeter(const PanelContext& context, PairCorrelation::Wanted wanted)
-        : context_(context), box_(context.scene.gas.box), wanted_(std::move(wanted)) {}
+        : context_(context), box_(context.box()), wanted_(std::move(wanted)) {}
 
     // Before anything is seen.
     void fix_axis(double, double reach, int points) override {
         wanted_.to = reach;
         wanted_.rings = points;
-        pairs_.emplace(box_, context_.particles, wanted_, velocity_changes(context_.scene.run));
+        pairs_.emplace(box_, context_.particles, wanted_, velocity_changes(context_.run()));
     }
 
     void see(const FrameInput& input) override {

@@ -83,7 +83,7 @@ class AutocorrelationMeter : public LagMeter {
     void add(Eigen::Index particle, double others_inverse_mass, bool is_pair) {
         const double sum = inverse_mass(particle) + others_inverse_mass;
         if (!(sum > 0.0)) return;  // two infinite masses
-        const double lost = 4.0 / context_.scene.gas.box.dimension * inverse_mass(particle) / sum;
+        const double lost = 4.0 / context_.box().dimension * inverse_mass(particle) / sum;
         for (const std::size_t k : lists_of_[static_cast<std::size_t>(particle)]) {
             loss_[k] += lost * inverse_mass(particle);
             if (is_pair) ends_[k] += 1.0;
@@ -145,7 +145,7 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
     const auto& options = spec.options.as<AutocorrelationOptions>();
-    const double lags = longest_lag(options, context.scene.run);
+    const double lags = longest_lag(options, context.run());
     CurveSubject subject{.points = lag_count, .from = options.from};
     subject.meter = [context, lists = members_that_collide(context, chosen), from = options.from,
                      lags] {

@@ -175,12 +175,12 @@ class CrossingMeter {
   public:
     CrossingMeter(const PanelContext& context, const CrossedAt& at,
                   const std::vector<Chosen>& chosen) {
-        const Box& box = context.scene.gas.box;
+        const Box& box = context.box();
         const std::size_t lines = at.line ? 1 : at.surfaces.size();
         for (const Chosen& one : chosen)
             for (std::size_t k = 0; k < lines; ++k)
                 lines_.emplace_back(box, context.particles, crossed_line(box, at, k),
-                                    members(context, one), velocity_changes(context.scene.run));
+                                    members(context, one), velocity_changes(context.run()));
     }
 
     std::vector<double> operator()(const FrameInput& o) {
@@ -200,7 +200,7 @@ class CrossingMeter {
 void add_plates(DialSubject& subject, const PanelContext& context, const PanelSpec& spec,
                 const std::vector<Chosen>& chosen, bool crossings) {
     const Language language = context.language();
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const CrossedAt& at = spec.options.as<CounterOptions>().at;
     const std::size_t places = at.line ? 1 : at.surfaces.size();
     const auto with = [](const std::string& first, const std::string& between,
@@ -235,7 +235,7 @@ void add_plates(DialSubject& subject, const PanelContext& context, const PanelSp
 
 std::unique_ptr<Panel> make_counter(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const auto& [at, counted] = spec.options.as<CounterOptions>();
     const bool crossings = at.line || counted == Counted::crossings;
     const std::vector<Chosen> chosen = choices(spec);

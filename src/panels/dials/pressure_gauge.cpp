@@ -50,8 +50,8 @@ SurfaceNumbers gauged_surfaces(const Box& box, const SurfaceNumbers& named) {
 
 std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const Box& box = context.scene.gas.box;
-    const Over over = spec.over.value_or(usual_window(context.scene.run));
+    const Box& box = context.box();
+    const Over over = spec.over.value_or(usual_window(context.run()));
     const SurfaceNumbers& named = spec.options.as<PressureOptions>().surfaces;
     const SurfaceNumbers surfaces = gauged_surfaces(box, named);
     const bool is_one = named.empty();

@@ -10,6 +10,7 @@
 #include "scene/describe.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "util/text.h"
 
@@ -59,7 +60,7 @@ std::string words_of_start(const PanelContext& context, const WatchStart& since)
     if (since.at == 0.0 && !since.event) return say(language, "since the start");
     const std::string when = say(language, "since time {}", plain_number(language, since.at));
     if (!since.event) return when;
-    const RunEvent& event = context.scene.run.events.at(*since.event);
+    const RunEvent& event = context.run().events.at(*since.event);
     const std::string what = reverses(event)
                                  ? say(language, "velocities reversed")
                                  : words_of_surface_event(language, event, context.scene.gas);
@@ -75,7 +76,7 @@ std::unique_ptr<Panel> make_stopwatch(const PanelContext& context, const PanelSp
                         .quantity = quantities::time,
                         .part = "stopwatch",
                         .enough = 11.0};
-    subject.measure = [run = context.scene.run, since](const FrameInput& o) {
+    subject.measure = [run = context.run(), since](const FrameInput& o) {
         return std::vector{time_on_watch(run, since, o.tick.time)};
     };
     return std::make_unique<StopwatchPanel>(context, spec, std::move(subject));

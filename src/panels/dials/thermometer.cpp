@@ -152,8 +152,8 @@ void ThermometerPanel::draw_error(Canvas& canvas, const DrawContext& dc, const G
 class TemperatureMeter {
   public:
     TemperatureMeter(const PanelContext& context, std::vector<ThermalPart> parts, Over over)
-        : times_(context.scene.gas.box, context.particles, std::move(parts),
-                 velocity_changes(context.scene.run)),
+        : times_(context.box(), context.particles, std::move(parts),
+                 velocity_changes(context.run())),
           accounts_(over),
           is_of_moment_(over.since == Over::Since::now) {}
 
@@ -189,7 +189,7 @@ class TemperatureMeter {
 
 std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const Over over = spec.over.value_or(usual_window(context.scene.run));
+    const Over over = spec.over.value_or(usual_window(context.run()));
     DialSubject subject{.title = say(language, "Temperature"),
                         .note = words_of_moments(language, spec, over),
                         .quantity = quantities::temperature,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/reversal/precision.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {
@@ -44,7 +45,7 @@ std::vector<double> return_times(const Scene& scene, Eigen::Index particles,
 
 EchoRecord::EchoRecord(const PanelContext& context)
     : context_(context),
-      reversals_(reversal_times(context.scene.run)),
+      reversals_(reversal_times(context.run())),
       bits_per_collision_(known(law(context.gas, LawOf::error_growth))),
       stride_(stride_of(context.scene, context.particles.count(), context.frames)) {}
 
@@ -58,7 +59,7 @@ void EchoRecord::survey(const FrameInput& input) {
     while (collisions_until_.size() <= reversal) collisions_until_.push_back(collisions);
     const bool stands_still =
         !steps_.empty() && steps_.back().reversal == reversal && steps_.back().since == since;
-    if (stands_still || !is_kept(input.tick, stride_, reversals_, context_.scene.run.until)) return;
+    if (stands_still || !is_kept(input.tick, stride_, reversals_, context_.run().until)) return;
     const double of_each = 2.0 * static_cast<double>(collisions - collisions_until_[reversal]) /
                            static_cast<double>(context_.particles.count());
     const std::optional<ReturnDistance>& distance = input.advanced.return_distance;
@@ -72,8 +73,7 @@ void EchoRecord::survey(const FrameInput& input) {
 // perturbations.
 double EchoRecord::log10_law(const Step& step) const {
     const double digits = std::log10(2.0);
-    double law =
-        std::log10(context_.scene.gas.box.longest_side()) - bits_of(context_.scene.run) * digits;
+    double law = std::log10(context_.box().longest_side()) - bits_of(context_.run()) * digits;
     double collisions = 0.0, before = -1.0;
     if (!steps_.empty() && steps_.back().reversal == step.reversal) {
         law = steps_.back().log10_law;
@@ -81,7 +81,7 @@ double EchoRecord::log10_law(const Step& step) const {
         before = steps_.back().since;
     }
     law += (step.collisions - collisions) * *bits_per_collision_ * digits;
-    for (const RunEvent& event : context_.scene.run.events) {
+    for (const RunEvent& event : context_.run().events) {
         const auto* perturbation = perturbation_of(event);
         const double since = event.at - reversals_[step.reversal];
         if (perturbation && since > before && since >= 0.0 && since <= step.since)

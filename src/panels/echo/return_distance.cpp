@@ -322,7 +322,7 @@ void ReturnDistancePanel::add_level(Plot& plot) const {
     level.more = {column(distance_column, {first.radius})};
     level.still = true;
     Label name;
-    const bool is_plane = context_.scene.gas.box.dimension == 2;
+    const bool is_plane = context_.box().dimension == 2;
     const Phrase radius = !first.all_alike ? Phrase{"mean radius"}
                           : is_plane       ? Phrase{"one disk radius"}
                                            : Phrase{"one bead radius"};
@@ -379,7 +379,7 @@ void ReturnDistancePanel::add_start(Plot& plot) const {
 void ReturnDistancePanel::add_words(Plot& plot) const {
     const Language language = context_.language();
     const std::string title = say(language, "Return error");
-    const int bits = context_.scene.run.bits.value_or(bits_of_double);
+    const int bits = context_.run().bits.value_or(bits_of_double);
     plot.titles = {say(language, "Return error ({}-bit arithmetic)", bits),
                    say(language, "Return error, {} bits", bits), title};
     if (compares()) plot.titles = {title};

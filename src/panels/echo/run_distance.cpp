@@ -10,6 +10,7 @@
 #include "scene/limits.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/gas_reading.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {
@@ -101,7 +102,7 @@ class RunDistancePanel : public FramesPanel<RunDistanceRecord> {
         : context_(context), spec_(spec) {
         for (const std::vector<Eigen::Index>& list : members(context, choices(spec)))
             of_.insert(of_.end(), list.begin(), list.end());
-        record_.box = context.scene.gas.box;
+        record_.box = context.box();
     }
 
     void survey(const FrameInput& input) override {
@@ -139,7 +140,7 @@ void RunDistancePanel::make_axes() {
     whole_ = {
         .language = language,
         .titles = {say(language, "Distance between the runs")},
-        .x = plot::axis_of(language, quantities::time, 0.0, context_.scene.run.until),
+        .x = plot::axis_of(language, quantities::time, 0.0, context_.run().until),
         .y = {.low = -1.0,
               .high = 0.0,
               .kind = plot::Axis::Kind::powers,

@@ -11,6 +11,7 @@
 #include "panels/field/smooth_cells.h"
 #include "panels/means/thinning.h"
 #include "physics/theory/laws/symmetry.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {
@@ -97,12 +98,12 @@ CellQuantity::CellQuantity(const PanelContext& context, const Cells& cells, Fiel
                            const std::vector<bool>& members)
     : of_(of),
       area_(cells.area()),
-      all_(context.scene.gas.box, context.particles, cells,
-           {members, window, of == FieldOf::temperature}, velocity_changes(context.scene.run)) {
+      all_(context.box(), context.particles, cells, {members, window, of == FieldOf::temperature},
+           velocity_changes(context.run())) {
     if (of == FieldOf::concentration)
-        part_.emplace(context.scene.gas.box, context.particles, cells,
+        part_.emplace(context.box(), context.particles, cells,
                       CellAverages::Wanted{members_of(context, species), window},
-                      velocity_changes(context.scene.run));
+                      velocity_changes(context.run()));
 }
 
 void CellQuantity::see(const FrameInput& input) {
@@ -160,7 +161,7 @@ FieldLayer::FieldLayer(const PanelContext& context)
     : context_(context), field_(context.scene.film.field) {
     if (!field_) return;
     cells_ = cells_of_field(context.scene);
-    squares_ = square_cells(context.scene.gas.box, field_->cells);
+    squares_ = square_cells(context.box(), field_->cells);
     scale_.mean = words_of_mean(context.scene);
     scale_.language = context.language();
     scale_.title = name_of_quantity(context.language(), context.scene, field_->of, field_->species);
@@ -173,7 +174,7 @@ void FieldLayer::survey(const FrameInput& input) {
     if (!shown()) return;
     surveyed_->see(input);
     Eigen::ArrayXd values = surveyed_->values();
-    if (is_flow() && context_.scene.gas.box.dimension == 2)
+    if (is_flow() && context_.box().dimension == 2)
         values = (values.square() + surveyed_->values(1).square()).sqrt();
     is_clear_somewhere_ = is_clear_somewhere_ || values.isNaN().any();
     for_each_kept(values.size(), static_cast<double>(values.size()), frames_seen_++,
@@ -199,7 +200,7 @@ std::shared_ptr<const FieldState> FieldLayer::see(const FrameInput& input) {
     shown_->see(input);
     auto state = std::make_shared<FieldState>();
     for (const double value : shown_->values()) state->values.push_back(static_cast<float>(value));
-    if (is_flow() && context_.scene.gas.box.dimension == 2)
+    if (is_flow() && context_.box().dimension == 2)
         for (const double value : shown_->values(1)) state->up.push_back(static_cast<float>(value));
     return state;
 }
@@ -267,7 +268,7 @@ void FieldLayer::draw(Canvas& canvas, const DrawContext& dc, const FieldState& s
 void FieldLayer::draw_colors(Canvas& canvas, const DrawContext& dc, const FieldState& state,
                              const std::function<Rect(const Region&)>& place) const {
     const ColorMap map = colors(dc.theme);
-    const Box& box = context_.scene.gas.box;
+    const Box& box = context_.box();
     const Rect first = place(cells_.region(0));
     const bool has_rows = cells_.count[0] > 1 && cells_.count[1] > 1;
     const auto parts_of = [&](Eigen::Index axis) {
@@ -362,7 +363,7 @@ void FieldLayer::add_key(KeyRow& row, double scale) const {
 void FieldLayer::add_columns(Table& table) const {
     if (!shown()) return;
     const Quantity quantity = quantity_of_field(context_.scene, field_->of);
-    if (!is_flow() || context_.scene.gas.box.dimension == 1)
+    if (!is_flow() || context_.box().dimension == 1)
         table.columns.emplace_back(
             name_of_quantity(Language::english, context_.scene, field_->of, field_->species),
             quantity);

@@ -54,8 +54,8 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
     : context_(context),
       spec_(spec),
       axis_(spec.component == Component::y ? 1 : 0),
-      cells_(slabs(context.scene.gas.box, axis_, options().cells.value_or(usual_slabs))),
-      over_(spec.over.value_or(usual_window_of_profile(context.scene.run))),
+      cells_(slabs(context.box(), axis_, options().cells.value_or(usual_slabs))),
+      over_(spec.over.value_or(usual_window_of_profile(context.run()))),
       choices_(choices(spec)) {
     for (const std::vector<Eigen::Index>& list : carom::members(context, choices_)) {
         std::vector<bool> members(static_cast<std::size_t>(context.particles.count()));
@@ -80,7 +80,7 @@ void ProfilePanel::add_laws() {
 
 // An event in the window divides it into times of different gases; only a nudge changes no mean.
 bool ProfilePanel::is_changed_in_window(double until) const {
-    const Run& run = context_.scene.run;
+    const Run& run = context_.run();
     const double from = until - over_.window;
     const auto is_inside = [&](double time) { return time > from && time < until; };
     return std::ranges::any_of(run.events, [&](const RunEvent& event) {
@@ -110,7 +110,7 @@ void ProfilePanel::survey(const FrameInput& input) {
             ++full_windows_;
         if (errors_of(one, time)) ++known_errors_;
         for_each_kept(values.size(), slabs * static_cast<double>(surveyed_.size()), frames_seen_,
-                      static_cast<int>(sample_count(context_.scene.run)), [&](Eigen::Index k) {
+                      static_cast<int>(sample_count(context_.run())), [&](Eigen::Index k) {
                           if (!std::isnan(values[k])) pool_.push_back(std::abs(values[k]));
                       });
     }

@@ -20,9 +20,9 @@ namespace carom {
 
 struct ProfileOptions {
     FieldOf quantity = FieldOf::density;
-    std::optional<int> cells = {};              ///< none: usual
+    std::optional<int> cells = {};   ///< none: usual
     std::optional<Vec> around = {};  ///< of distances from this point
-    bool front = false;                         ///< marks the front of these distances
+    bool front = false;              ///< marks the front of these distances
 };
 
 struct ProfileState : PanelState {

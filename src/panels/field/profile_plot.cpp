@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "panels/field/profile.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {
@@ -12,7 +13,7 @@ std::vector<plot::Text> ProfilePanel::titles() const {
     const Language language = context_.language();
     std::string name =
         capitalised(name_of_quantity(language, context_.scene, options().quantity, {}));
-    if (context_.scene.gas.box.dimension == 2)
+    if (context_.box().dimension == 2)
         name = is_up() ? say(language, "{} along y", name) : say(language, "{} along x", name);
     if (spec_.of.empty()) return {name};
     const plot::Text names = names_of(context_, choices_, plot::Sample::line);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "panels/chosen.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {
@@ -33,7 +34,7 @@ Camera::Camera(const PanelContext& context, const std::optional<View>& fixed)
 }
 
 Vec Camera::nearest_image(const Vec& of, const Vec& to) const {
-    return to + context_.scene.gas.box.nearest(of - to);
+    return to + context_.box().nearest(of - to);
 }
 
 // The position of what a view follows: a particle, or the centre of mass of several.
@@ -77,7 +78,7 @@ CameraView Camera::view_of(std::size_t move, const Frame& frame, const Region& w
     const auto* region = std::get_if<Region>(&view);
     if (region == nullptr) return whole_of(whole_box);
     const Vec size = region->high - region->low;
-    const bool is_line = context_.scene.gas.box.dimension == 1;
+    const bool is_line = context_.box().dimension == 1;
     const double width = is_line ? size[0] : std::max(size[0], size[1] * all[0] / all[1]);
     const Vec middle = 0.5 * (region->low + region->high);
     return {lower(upper(middle, whole_box.low), whole_box.high), std::min(width, all[0])};
@@ -114,7 +115,7 @@ std::optional<CameraView> Camera::at(std::size_t frame) const {
     if (frame >= way_.size() || way_[frame].width <= 0.0) return std::nullopt;
     CameraView view = way_[frame];
     for (const int axis : {0, 1})
-        view.middle[axis] = context_.scene.gas.box.wrapped(axis, view.middle[axis]);
+        view.middle[axis] = context_.box().wrapped(axis, view.middle[axis]);
     return view;
 }
 

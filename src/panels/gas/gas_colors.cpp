@@ -13,6 +13,7 @@
 #include "panels/chosen.h"
 #include "panels/means/thinning.h"
 #include "panels/plot/layers.h"
+#include "scene/scene.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
 #include "util/text.h"
@@ -116,7 +117,7 @@ GasColors::GasColors(const PanelContext& context)
       tells_infinite_(context.scene.film.color_by == ColorBy::mass &&
                       (context.particles.inverse_mass == 0.0).any()),
       is_plain_(context.scene.film.field && context.scene.film.color_by == ColorBy::speed &&
-                context.scene.gas.box.dimension == 2) {
+                context.box().dimension == 2) {
     const auto [title, symbol] = scale_title(context.scene.film.color_by);
     scale_.title = say(context.language(), title);
     scale_.symbol = symbol;
@@ -200,7 +201,7 @@ std::vector<Color> GasColors::make_shades(const Theme& theme) const {
         colors[infinite_shade] = color_beside_scale(context_.scene, theme);
         colors[resting_shade] = theme.ground;  // nothing but a rim
     }
-    for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
+    for (std::size_t k = 0; k < context_.species().size(); ++k)
         colors.push_back(plot::color_of(species_role(context_, k), theme));
     return colors;
 }
@@ -248,13 +249,13 @@ std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
         all = {{colors[0], say(language, "slow")},
                {colors[1], say(language, "medium")},
                {colors[2], say(language, "fast")}};
-    if (by == ColorBy::direction && context_.scene.gas.box.dimension == 1)
+    if (by == ColorBy::direction && context_.box().dimension == 1)
         all = {{colors[0], say(language, "to the right")},
                {colors[scale_shades / 2], say(language, "to the left")}};
     if (tells_infinite()) all.push_back({colors[infinite_shade], say(language, "infinite"), true});
-    for (std::size_t k = 0; k < context_.scene.gas.species.size(); ++k)
+    for (std::size_t k = 0; k < context_.species().size(); ++k)
         if (by == ColorBy::species || has_own_color(k))
-            all.push_back({colors[first_species + k], context_.scene.gas.species[k].name, false,
+            all.push_back({colors[first_species + k], context_.species()[k].name, false,
                            !context_.scene.looks[k].fill});
     return all;
 }
@@ -278,7 +279,7 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc, bool has_ramp) c
     const ColorBy by = context_.scene.film.color_by;
     const double entries_height = 2.4 * u * static_cast<double>(entries(dc.theme).size());
     double y = dc.area.y + 0.9 * u;
-    if (by == ColorBy::direction && context_.scene.gas.box.dimension == 2) {
+    if (by == ColorBy::direction && context_.box().dimension == 2) {
         draw_wheel(canvas, dc);
         y += 8.4 * u;
     } else if (has_bar() && has_ramp) {
@@ -315,7 +316,7 @@ void GasColors::add_key(KeyRow& row, bool has_ramp) const {
     }
     if (by == ColorBy::speed_class)
         row.add_words(say(context_.language(), "below ½, above 1½ of the mean"));
-    if (by == ColorBy::direction && context_.scene.gas.box.dimension == 2) {
+    if (by == ColorBy::direction && context_.box().dimension == 2) {
         row.add_words(say(context_.language(), "direction"));
         const double radius = 0.9 * dc.unit;
         const ColorMap map = scale_colors(context_.scene, dc.theme);

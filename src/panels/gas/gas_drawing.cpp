@@ -13,6 +13,7 @@
 #include "panels/gas/marks/view_map.h"
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_strokes.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {
@@ -25,7 +26,7 @@ void GasPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
         return;
     }
     canvas.fill(map.frame, dc.theme.ground);
-    const Box& box = context_.scene.gas.box;
+    const Box& box = context_.box();
     draw_box_outline(canvas, dc, map.frame, {box.is_periodic(0), box.is_periodic(1)});
 }
 

@@ -9,6 +9,7 @@
 #include "draw/raster/trail_lines.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/gas/marks/view_map.h"
+#include "scene/scene.h"
 
 namespace carom {
 

@@ -49,7 +49,7 @@ void GasPanel::survey(const FrameInput& input) {
     field_.survey(input);
     flashes_.survey(input, [this](const Collision& collision) {
         const Vec at = contact_of(collision, context_.particles);
-        const Box& box = context_.scene.gas.box;
+        const Box& box = context_.box();
         return Point{box.wrapped(0, at[0]), box.wrapped(1, at[1])};
     });
 }
@@ -60,7 +60,7 @@ void GasPanel::fix_axes() {
     flashes_.fix_scale();
     field_.fix_scale();
     camera_.fix_way(surfaces_.extent());
-    const double side = context_.scene.gas.box.shortest_side();
+    const double side = context_.box().shortest_side();
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
     std::vector<Eigen::Index> particles;
     for (const Followed& one : followed_) particles.push_back(one.particle);
@@ -218,7 +218,7 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
                      hex_of(theme.muted), gas.ghosts->words});
     for (std::size_t k = 0; k < gas.surfaces.size(); ++k) {
         const SurfaceState& surface = gas.surfaces[k];
-        if (context_.scene.gas.box.surfaces.is_side(k) && !surface.motion &&
+        if (context_.box().surfaces.is_side(k) && !surface.motion &&
             only_reflects(surface.behaviour))
             continue;
         const Gas& its = context_.scene.gas;

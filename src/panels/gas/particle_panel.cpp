@@ -3,6 +3,7 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "physics/mechanics.h"
+#include "scene/scene.h"
 
 namespace carom {
 
@@ -84,7 +85,7 @@ void ParticlePanel::add_row(Table& table, const char* part, Eigen::Index particl
                             std::vector<Cell> cells, const Eigen::ArrayXXf& velocity) const {
     const auto species = static_cast<std::size_t>(context_.particles.species[particle]);
     std::vector<Cell>& row = table.rows.emplace_back();
-    row = {part, std::int64_t{particle}, context_.scene.gas.species[species].name};
+    row = {part, std::int64_t{particle}, context_.species()[species].name};
     row.insert(row.end(), cells.begin(), cells.end());
     if (velocity.size() > 0)
         for (const float along : velocity.row(particle)) row.emplace_back(along);

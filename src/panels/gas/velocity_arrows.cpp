@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "panels/means/thinning.h"
+#include "scene/scene.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 

@@ -8,6 +8,7 @@
 #include "draw/arrow.h"
 #include "panels/field/key_row.h"
 #include "panels/panel.h"
+#include "scene/scene.h"
 
 namespace carom {
 

@@ -21,9 +21,9 @@ struct Part {
 
 // The parts of the energy that are possible for this gas.
 std::vector<Part> parts_of(const PanelContext& context) {
-    const Surfaces& surfaces = context.scene.gas.box.surfaces;
+    const Surfaces& surfaces = context.box().surfaces;
     bool has_pistons = false;
-    for (const auto& one : behaviours_in_time(surfaces, context.scene.run))
+    for (const auto& one : behaviours_in_time(surfaces, context.run()))
         has_pistons = has_pistons || std::ranges::any_of(one, piston_of);
     std::vector<Part> parts{{Phrase{"kinetic"}, {.of = plot::Role::Of::bar}}};
     if (has_pistons || surfaces.has_gravity())
@@ -68,7 +68,7 @@ std::unique_ptr<Panel> make_energy_account(const PanelContext& context, const Pa
     subject.compared = parts.size() - 1;
     subject.measure = [context, parts = parts.size()](const FrameInput& o) {
         const EnergyAccount now =
-            energies(context.scene.gas.box, context.particles, o.sample, o.advanced.surfaces);
+            energies(context.box(), context.particles, o.sample, o.advanced.surfaces);
         const std::array all{now.kinetic, now.kinetic + now.potential, now.in_all()};
         return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(parts));
     };

@@ -73,9 +73,9 @@ class FluxMeter {
   public:
     FluxMeter(const PanelContext& context, const PanelSpec& spec, Over over,
               std::shared_ptr<FluxTheory> theory)
-        : crossings_(context.scene.gas.box, context.particles,
-                     crossed_line(context.scene.gas.box, options_of_flux(spec).at),
-                     members(context, choices(spec).front()), velocity_changes(context.scene.run)),
+        : crossings_(context.box(), context.particles,
+                     crossed_line(context.box(), options_of_flux(spec).at),
+                     members(context, choices(spec).front()), velocity_changes(context.run())),
           theory_(std::move(theory)),
           accounts_(over),
           carried_(options_of_flux(spec).carried) {}
@@ -158,12 +158,11 @@ Quantity flux_quantity(Carried carried) {
     return {};
 }
 
-
 std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const auto& [at, carried] = options_of_flux(spec);
-    const Over over = spec.over.value_or(usual_window(context.scene.run));
+    const Over over = spec.over.value_or(usual_window(context.run()));
     const CrossedLine line = crossed_line(box, at);
     std::shared_ptr<FluxTheory> theory;
     if (spec.theory)

@@ -35,12 +35,12 @@ class GapFlux : public FluxTheory {
           partition_(static_cast<std::size_t>(partition)),
           is_member_(static_cast<std::size_t>(context.particles.count())) {
         for (const Eigen::Index i : members) is_member_[static_cast<std::size_t>(i)] = true;
-        for (const auto& [from, to] : context.scene.gas.box.surfaces.partition(partition)->gaps)
+        for (const auto& [from, to] : context.box().surfaces.partition(partition)->gaps)
             gaps_.push_back(to - from);
     }
 
     std::array<FluxRates, 2> at(const FrameInput& o) override {
-        const Box& box = context_.scene.gas.box;
+        const Box& box = context_.box();
         if (o.advanced.surfaces.at(partition_).is_open)
             return {FluxRates{NAN, NAN}, FluxRates{NAN, NAN}};
         std::array<std::vector<Eigen::Index>, 2> sides;
@@ -66,7 +66,7 @@ class GapFlux : public FluxTheory {
         double diameters = 0.0;
         for (const Eigen::Index i : side) diameters += 2.0 * context_.particles.radius[i];
         if (side.size() < 2) return false;
-        const double area = width * context_.scene.gas.box.length(1 - line_.axis);
+        const double area = width * context_.box().length(1 - line_.axis);
         const double path = dilute_free_path(area, diameters);
         const double least = 2.0 * context_.particles.radius.minCoeff();
         return path <= width && path >= DiluteGas::paths * (std::ranges::max(gaps_) - least);
@@ -80,8 +80,7 @@ class GapFlux : public FluxTheory {
         if (!is_member_[static_cast<std::size_t>(i)] || inverse_mass == 0.0) return 0.0;
         double gap = 0.0;
         for (const double each : gaps_) gap += std::max(0.0, each - 2.0 * r);
-        const double room =
-            (width - 2.0 * r) * (context_.scene.gas.box.length(1 - line_.axis) - 2.0 * r);
+        const double room = (width - 2.0 * r) * (context_.box().length(1 - line_.axis) - 2.0 * r);
         return gap / room * std::sqrt(temperature * inverse_mass / (2.0 * std::numbers::pi));
     }
 

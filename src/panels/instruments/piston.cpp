@@ -16,7 +16,7 @@ std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec&
     const Language language = context.language();
     SeriesSubject subject{.quantity = quantities::position};
     const SurfaceNumbers& all = spec.options.as<MovingOptions>().surfaces;
-    name_surfaces(subject, language, context.scene.gas.box, all, say(language, "Position"));
+    name_surfaces(subject, language, context.box(), all, say(language, "Position"));
     const auto known = std::make_shared<std::optional<PistonOverGas>>();
     subject.measure = [context, surfaces = all, known,
                        is_first = true](const FrameInput& o) mutable {
@@ -24,7 +24,7 @@ std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec&
             *known = piston_over_gas(context, surfaces.front(), o);
         std::vector<double> places;
         for (const std::int32_t surface : surfaces)
-            places.push_back(place_of_surface(context.scene.gas.box, o.advanced.surfaces,
+            places.push_back(place_of_surface(context.box(), o.advanced.surfaces,
                                               static_cast<std::size_t>(surface)));
         return places;
     };

@@ -47,12 +47,12 @@ class PistonMeter : public CurveMeter {
     PistonMeter(const PanelContext& context, std::int32_t surface)
         : context_(context),
           surface_(surface),
-          axis_(context.scene.gas.box.surfaces.axis_of(surface)),
-          times_(context.scene.gas.box.size[axis_] / fine_bins_in_box) {}
+          axis_(context.box().surfaces.axis_of(surface)),
+          times_(context.box().size[axis_] / fine_bins_in_box) {}
 
     void see(const FrameInput& input) override {
         const SurfaceState& state = input.advanced.surfaces.at(static_cast<std::size_t>(surface_));
-        const double place = place_of_surface(context_.scene.gas.box, input.advanced.surfaces,
+        const double place = place_of_surface(context_.box(), input.advanced.surfaces,
                                               static_cast<std::size_t>(surface_));
         if (!last_) {
             law_ = piston_over_gas(context_, surface_, input);
@@ -107,7 +107,7 @@ class PistonMeter : public CurveMeter {
     double acceleration(const SurfaceState& state) const {
         const auto* piston = piston_of(state.behaviour);
         if (piston == nullptr || state.is_held) return 0.0;
-        return piston->force_in(context_.scene.gas.box.surfaces.gravity[axis_]) / piston->mass;
+        return piston->force_in(context_.box().surfaces.gravity[axis_]) / piston->mass;
     }
 
     // The change of velocity of the surface by a hit.
@@ -139,7 +139,7 @@ class PistonMeter : public CurveMeter {
             now.velocity += change(hit, state);
         }
         go_on_to(input.sample.time);
-        if (std::abs(now.place - place) > near * context_.scene.gas.box.size[axis_]) {
+        if (std::abs(now.place - place) > near * context_.box().size[axis_]) {
             const double time = input.sample.time - last_->time;
             if (time > 0.0) times_.add({last_->place, (place - last_->place) / time, 0.0, time});
             return;
@@ -185,7 +185,7 @@ std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const 
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = shown_bins};
     subject.meter = [context, surface] { return std::make_unique<PistonMeter>(context, surface); };
     SeriesSubject named;
-    name_surfaces(named, language, context.scene.gas.box, {surface},
+    name_surfaces(named, language, context.box(), {surface},
                   say(language, "Distribution of positions"));
     subject.lines = named.lines;
     subject.titles =

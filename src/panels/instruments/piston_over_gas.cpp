@@ -22,7 +22,7 @@ double force_to_gas(const Piston& piston, bool is_far_side) {
 std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::int32_t surface,
                                              const FrameInput& start) {
     if (!law(context.gas, LawOf::piston, {.surface = surface})) return std::nullopt;
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const auto side = static_cast<std::size_t>(surface);
     const Piston& piston = *piston_of(box.surfaces.sides[side]);
     const bool is_far_side = box.surfaces.is_far_side(surface);

@@ -46,10 +46,10 @@ std::vector<LawOf> laws_of_pressure(const PanelSpec& panel, const Gas&) {
 class Gauge {
   public:
     Gauge(const PanelContext& context, Over over)
-        : context_(context), accounts_(over), watch_(context.scene.gas.box) {}
+        : context_(context), accounts_(over), watch_(context.box()) {}
 
     std::vector<double> operator()(const FrameInput& o) {
-        const Box& box = context_.scene.gas.box;
+        const Box& box = context_.box();
         const bool plain = o.advanced.surfaces.empty();
         if (o.is_sample) watch_.see(o.tick.time, o.advanced.impulses, o.advanced.surfaces);
         if (!watch_.start()) {
@@ -104,7 +104,7 @@ ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalM
     if (context.gas.are_points()) return all;
     const Law better = pressure_by(LawOf::pressure, EquationOfState::kolafa_rottner);
     if (!better) return all;
-    if (context.scene.gas.box.dimension == 1) {
+    if (context.box().dimension == 1) {
         all.push_back(ReferenceLevel{"hard rods", better.value});
         return all;
     }
@@ -144,7 +144,7 @@ std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpe
     if (options.gauge) return make_pressure_gauge(context, spec);
     if (!options.surfaces.empty()) return make_surface_pressure(context, spec);
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const bool walls = !box.is_periodic(0) || (box.dimension == 2 && !box.is_periodic(1));
     const Gauge gauge(context, over);
     const Language language = context.language();

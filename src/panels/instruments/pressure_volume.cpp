@@ -17,6 +17,7 @@
 #include "physics/mechanics.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 
@@ -49,7 +50,7 @@ struct Compression {
 
 Compression compression_of(const PanelContext& context, std::int32_t surface) {
     constexpr int steps = 150;  // in either direction
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     if (!box.surfaces.is_side(surface)) return {};
     const int axis = box.surfaces.axis_of(surface);
     const double width = box.dimension == 1 ? 1.0 : box.length(1 - axis);
@@ -154,7 +155,7 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
     PressureVolumePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context),
           spec_(spec),
-          meter_(context.scene.gas.box, {options().surfaces.front()}, over()) {}
+          meter_(context.box(), {options().surfaces.front()}, over()) {}
 
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
@@ -164,11 +165,11 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
     }
 
   private:
-    const Box& box() const { return context_.scene.gas.box; }
+    const Box& box() const { return context_.box(); }
     const PressureVolumeOptions& options() const {
         return spec_.options.as<PressureVolumeOptions>();
     }
-    Over over() const { return spec_.over.value_or(usual_window(context_.scene.run)); }
+    Over over() const { return spec_.over.value_or(usual_window(context_.run())); }
 
     // Only over a whole window: soon after the start, single hits would give vertical strokes.
     bool is_measured(double time) const {

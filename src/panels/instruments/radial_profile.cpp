@@ -139,8 +139,8 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
     RadialProfilePanel(const PanelContext& context, const PanelSpec& spec)
         : context_(context),
           spec_(spec),
-          rings_(context.scene.gas.box, *options().around, options().cells.value_or(usual_rings)),
-          over_(spec.over.value_or(usual_window_of_profile(context.scene.run))),
+          rings_(context.box(), *options().around, options().cells.value_or(usual_rings)),
+          over_(spec.over.value_or(usual_window_of_profile(context.run()))),
           mean_(over_),
           choices_(choices(spec)),
           members_(members(context, choices_)) {}
@@ -155,7 +155,7 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
 
   protected:
     void finish_record() override {
-        const Box& box = context_.scene.gas.box;
+        const Box& box = context_.box();
         record_.runs.front().at_rest =
             static_cast<double>(context_.particles.count()) / (box.size[0] * box.size[1]);
     }
@@ -206,7 +206,7 @@ void RadialProfilePanel::make_axes() {
         highest.insert(highest.end(), run.all.begin(), run.all.end());
     constexpr double room = 1.1;
     const double most = highest.empty() ? 1.0 : room * quantile(highest, 0.98);
-    const Quantity density = quantities::density(context_.scene.gas.box.dimension);
+    const Quantity density = quantities::density(context_.box().dimension);
     whole_ = {
         .language = language,
         .x = plot::axis_of(language, quantities::distance, 0.0, rings_.width() * rings_.count()),
@@ -274,7 +274,7 @@ plot::Line RadialProfilePanel::line_of(std::size_t run, std::size_t choice,
 
 // Of the number of particles in a part of the gas at rest, relative to that of points.
 double RadialProfilePanel::relative_variance() const {
-    const double packing = packing_fraction(context_.scene.gas.box, context_.particles);
+    const double packing = packing_fraction(context_.box(), context_.particles);
     return packing > largest_packing_of_fluid
                ? 1.0
                : relative_compressibility(EquationOfState::kolafa_rottner, packing);

@@ -49,7 +49,8 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     if (is_written(node, "regions")) return;  // reported
     keep_suitable(
         panel, parts.surfaces,
-        {[&](std::int32_t surface) { return !reading.gas.box.surfaces.is_side(surface); }, "a partition of the box",
+        {[&](std::int32_t surface) { return !reading.gas.box.surfaces.is_side(surface); },
+         "a partition of the box",
          reading.gas.box.dimension == 1
              ? "give the panel `regions: [{name: left, within: [x0, x1]}]`"
              : "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, "
@@ -108,7 +109,7 @@ double measured(const PanelContext& context, const FrameInput& o, PartMeasure me
     if (list.empty()) return none;
     if (measure == PartMeasure::temperature) {
         const ThermalMotion motion =
-            thermal_motion(context.scene.gas.box, context.particles, o.sample, list);
+            thermal_motion(context.box(), context.particles, o.sample, list);
         return motion.degrees_of_freedom > 0.0 ? motion.temperature() : none;
     }
     double sum = 0.0, weight = 0.0;
@@ -125,7 +126,7 @@ double measured(const PanelContext& context, const FrameInput& o, PartMeasure me
 std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const auto& options = spec.options.as<SidesOptions>();
-    const BoxParts parts(context.scene.gas.box, options.parts);
+    const BoxParts parts(context.box(), options.parts);
     const auto [title, quantity] = measured_in_parts(options.measure);
     SeriesSubject subject{.quantity = quantity, .over = spec.over};
     subject.names = parts.names(language);

@@ -51,7 +51,7 @@ double SurfacePressures::of_all() const {
 
 std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const SurfaceNumbers& surfaces = spec.options.as<PressureOptions>().surfaces;
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     SeriesSubject subject{.quantity = quantities::pressure(box.dimension)};

@@ -9,6 +9,7 @@
 
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {
@@ -127,7 +128,7 @@ void LinePanel::Drawing::draw_end(double side) const {
 // Draws ends that do more than reflect, and the world lines of moving ends. The length that beads
 // gain by being enlarged lies between the two ends.
 void LinePanel::Drawing::draw_acting_ends() const {
-    const double growth = map.length() - context.scene.gas.box.size[0];
+    const double growth = map.length() - context.box().size[0];
     for (std::size_t side = 0; side < now.ends.size(); ++side) {
         const LineEnds::End& end = now.ends[side];
         const double off = side == 0 ? 0.0 : growth, x = v.x(end.place + off);
@@ -154,7 +155,7 @@ void LinePanel::Drawing::draw_captions() const {
                                  ? say(language, "world lines")
                                  : say(language, "world lines of {} beads", lines);
     const double end = left + draw_text(canvas, {left, baseline}, what, words).width;
-    const bool larger = map.length() > context.scene.gas.box.size[0];
+    const bool larger = map.length() > context.box().size[0];
     words.align = Align::right;
     const Labels asked = context.scene.film.labels;
     const bool has_room = asked == Labels::none || words_fit(asked);
@@ -219,7 +220,7 @@ void LinePanel::Drawing::for_each_turn(double least, double most, const Draw& dr
 // Draws the field as a strip behind the beads; its cells are stretched as the drawn line, which is
 // longer than the true one.
 void LinePanel::Drawing::draw_field() const {
-    const double longer = map.length() / context.scene.gas.box.size[0];
+    const double longer = map.length() / context.box().size[0];
     for_each_turn(0.0, map.length(), [&](double back) {
         panel.field_.draw(canvas, dc, *now.field, [&](const Region& region) {
             const double from = v.x(region.low[0] * longer - back);

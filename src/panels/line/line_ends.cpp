@@ -7,6 +7,7 @@
 #include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/surfaces/behaviours.h"
+#include "scene/scene.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -19,7 +20,7 @@ constexpr double half_of_end = 2.2;  // units, as other ends of a wire
 LineEnds::LineEnds(const PanelContext& context)
     : scene_(context.scene),
       look_(context),
-      length_(context.scene.gas.box.size[0]),
+      length_(context.box().size[0]),
       extent_{0.0, length_} {}
 
 void LineEnds::survey(const FrameInput& input) {

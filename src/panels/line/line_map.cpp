@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numeric>
 
+#include "scene/scene.h"
+
 namespace carom {
 namespace {
 
@@ -14,15 +16,15 @@ double drawn_radius(const PanelContext& context, Eigen::Index i) {
     const auto species = static_cast<std::size_t>(context.particles.species[i]);
     if (const auto& wanted = context.scene.looks[species].drawn_radius) return *wanted;
     if (context.particles.radius[i] > 0.0) return context.particles.radius[i];
-    return share_of_spacing * context.scene.gas.box.size[0] /
+    return share_of_spacing * context.box().size[0] /
            static_cast<double>(context.particles.count());
 }
 
 }  // namespace
 
 LineMap::LineMap(const PanelContext& context, const Sample& start)
-    : true_length_(context.scene.gas.box.size[0]),
-      ring_(context.scene.gas.box.is_periodic(0)),
+    : true_length_(context.box().size[0]),
+      ring_(context.box().is_periodic(0)),
       order_(static_cast<std::size_t>(context.particles.count())),
       radius_(context.particles.count()),
       true_(context.particles.count()),

@@ -7,6 +7,7 @@
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/surfaces/surface_words.h"
+#include "scene/scene.h"
 #include "stats/histogram.h"
 
 namespace carom {
@@ -75,7 +76,7 @@ void LinePanel::fix_axes() {
     const double length = map_->length();
     const double spacing = length / static_cast<double>(context_.particles.count());
     arrows_.fix_scale(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
-    const double until = context_.scene.run.until;
+    const double until = context_.run().until;
     const double pace = until / film_seconds_of(context_.scene);
     const double rate = usual_rate();
     const double wanted = rate > 0.0 ? bends_in_memory / rate : until;

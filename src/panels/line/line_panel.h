@@ -61,7 +61,7 @@ class LinePanel : public ParticlePanel {
     void share_span(ParticlePanel& other) override;
     void survey_places(const FrameInput& input);
     double usual_rate() const;  // bends of one world line in a unit of time
-    bool is_ring() const { return context_.scene.gas.box.is_periodic(0); }
+    bool is_ring() const { return context_.box().is_periodic(0); }
     Labels shown_labels() const;
 
     LineEnds ends_;

@@ -27,7 +27,7 @@ WorldLines::WorldLines(const PanelContext& context, const LineMap& map, const Ga
       map_(map),
       colors_(colors),
       memory_(memory),
-      changes_(velocity_changes(context.scene.run)) {
+      changes_(velocity_changes(context.run())) {
     choose(map);
 }
 
@@ -79,7 +79,7 @@ void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
     // bends all the time.
     const auto change = std::ranges::upper_bound(changes_, now);
     const double changed = change == changes_.begin() ? 0.0 : *std::prev(change);
-    const bool falls = context_.scene.gas.box.surfaces.gravity[0] != 0.0;
+    const bool falls = context_.box().surfaces.gravity[0] != 0.0;
     for (std::size_t line = 0; line < count(); ++line) {
         const Eigen::Index i = particles_[line];
         if (bends_[line].back().time < changed && !falls)

@@ -5,7 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "scene/scene.h"
+#include "physics/run.h"
+#include "scene/panel_spec.h"
 
 namespace carom {
 

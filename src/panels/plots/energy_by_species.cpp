@@ -13,7 +13,7 @@ namespace carom {
 namespace {
 
 std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& energy) {
-    std::vector<double> sum(context.scene.gas.species.size());
+    std::vector<double> sum(context.species().size());
     std::vector<double> count(sum.size());
     for (Eigen::Index i = 0; i < energy.size(); ++i) {
         const auto species = static_cast<std::size_t>(context.particles.species[i]);
@@ -29,7 +29,7 @@ std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& ene
 ReferenceLevels levels(const PanelContext& context) {
     constexpr double rounding = 1e-12;
     ReferenceLevels all;
-    for (std::size_t k = 0; k < context.scene.gas.species.size(); ++k) {
+    for (std::size_t k = 0; k < context.species().size(); ++k) {
         const Law found =
             law(context.gas, LawOf::mean_energy, {.of = members(context, Chosen{.species = k})});
         if (found) all.push_back(ReferenceLevel{"equilibrium", found.value, 0.0, k});
@@ -42,7 +42,7 @@ ReferenceLevels levels(const PanelContext& context) {
 }
 
 std::vector<plot::Text> titles(const PanelContext& context) {
-    const std::size_t count = context.scene.gas.species.size();
+    const std::size_t count = context.species().size();
     const Language language = context.language();
     const std::string title = say(language, "Mean energy");
     if (count == 1) return {title};
@@ -66,7 +66,7 @@ std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const
         .quantity = quantities::mean_energy,
         .over = spec.over,
         .needs_positions = false};
-    const std::vector<Species>& species = context.scene.gas.species;
+    const std::vector<Species>& species = context.species();
     for (std::size_t k = 0; k < species.size(); ++k) {
         subject.lines.push_back({species[k].name, species_role(context, k)});
         subject.names.push_back(species[k].name);

@@ -20,7 +20,7 @@ std::unique_ptr<Panel> make_energy_histogram(const PanelContext& context, const 
                                                                  const auto& take) {
         take(square_of_speed(piece, 0.5 / inverse[piece.particle]));
     };
-    if (context.scene.gas.box.dimension == 1)  // infinite at 0
+    if (context.box().dimension == 1)  // infinite at 0
         subject.probability = energy_probability;
     return std::make_unique<HistogramPanel>(context, spec, std::move(subject));
 }

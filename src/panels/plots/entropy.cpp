@@ -84,7 +84,7 @@ void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
 std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec& spec) {
     const EntropyOf what = spec.options.as<EntropyOptions>().of;
     const auto known = std::make_shared<Entropies>();
-    const PositionEntropy places(context.scene.gas.box, context.particles,
+    const PositionEntropy places(context.box(), context.particles,
                                  spec.options.as<EntropyOptions>().cells);
     SeriesSubject subject{.quantity = quantities::entropy};
     if (what != EntropyOf::positions) subject.lines.push_back({"velocities", of_velocities});
@@ -92,7 +92,7 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
     if (what == EntropyOf::velocities) subject.lines = {{"all"}};
     subject.measure = [context, known, places, what](const FrameInput& o) {
         if (!std::exchange(known->is_known, true)) {
-            const auto start = thermal_motion(context.scene.gas.box, context.particles, o.sample);
+            const auto start = thermal_motion(context.box(), context.particles, o.sample);
             if (start.energy > 0.0) known->velocities.emplace(context.particles, start);
         }
         std::vector<double> now;

@@ -14,6 +14,7 @@
 #include "panels/surfaces/side_extent.h"
 #include "physics/mechanics.h"
 #include "physics/sample_times.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {
@@ -80,11 +81,11 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
     : context_(context),
       spec_(spec),
       subject_(std::move(subject)),
-      paths_(context.scene.gas.box, velocity_changes(context.scene.run)) {
+      paths_(context.box(), velocity_changes(context.run())) {
     record_.time = with_samples(context.language(), time_words(context.language(), spec),
-                                options().by_clock, context.scene.run);
+                                options().by_clock, context.run());
     record_.pools.resize(1);
-    if (options().parts.any()) parts_.emplace(context.scene.gas.box, options().parts);
+    if (options().parts.any()) parts_.emplace(context.box(), options().parts);
     for (std::size_t k = 0; parts_ && k < parts_->count(); ++k) {
         choices_.push_back({.chosen = {}, .members = {}, .within = parts_->regions({})[k]});
         record_.series.push_back({.name = parts_->names(Language::english)[k],
@@ -116,9 +117,7 @@ std::optional<double> HistogramPanel::window() const {
     return window_of(spec_.over.value_or(Over{}));
 }
 
-double HistogramPanel::samples() const {
-    return static_cast<double>(sample_count(context_.scene.run));
-}
+double HistogramPanel::samples() const { return static_cast<double>(sample_count(context_.run())); }
 
 bool HistogramPanel::shows_one_mean() const { return spec_.at && window() != 0.0; }
 
@@ -133,7 +132,7 @@ bool HistogramPanel::is_probe(double time, double numbers) const {
         const double end = *spec_.at, length = window().value_or(end);
         if (time > end || time < end - length) return false;
         if (time == end) return true;
-        samples *= std::min(1.0, length / context_.scene.run.until);
+        samples *= std::min(1.0, length / context_.run().until);
     }
     return surveyed_ % std::max(1, static_cast<int>(samples) / probes) == 0;
 }
@@ -146,7 +145,7 @@ void HistogramPanel::survey(const FrameInput& input) {
     for (HistogramSeries& one : record_.series) one.values_each = static_cast<double>(all.cols());
     span_ = input.tick.time;
     if (subject_.position_axis)
-        widen_to_sides(*subject_.extent, context_.scene.gas.box, *subject_.position_axis, input);
+        widen_to_sides(*subject_.extent, context_.box(), *subject_.position_axis, input);
     find_members(input);
     if (surveyed_ == 0) find_law_of_parts(input);
     const double numbers = record_.values();
@@ -182,11 +181,11 @@ void HistogramPanel::find_law_of_parts(const FrameInput& input) {
     if (!parts_ || options().parts.surfaces.empty()) return;
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         const std::vector<Eigen::Index>& members = choices_[k].members;
-        const Law found = law(context_.gas, LawOf::side_distribution,
-                              {.of = members,
-                               .thermal = thermal_motion(context_.scene.gas.box, context_.particles,
-                                                         input.sample, members),
-                               .surface = options().parts.surfaces.front()});
+        const Law found = law(
+            context_.gas, LawOf::side_distribution,
+            {.of = members,
+             .thermal = thermal_motion(context_.box(), context_.particles, input.sample, members),
+             .surface = options().parts.surfaces.front()});
         if (found) record_.series[k].equilibria.push_back(*found.equilibrium);
     }
 }
@@ -231,7 +230,7 @@ void HistogramPanel::take_axes(const RecordPanel& of) {
 
 void HistogramPanel::begin_counting() {
     record_ = {};
-    const Run& run = context_.scene.run;
+    const Run& run = context_.run();
     bars_.assign(choices_.size(),
                  HistogramOverTime(axes_.bins, window(), {sample_interval(run), run.until},
                                    options().by_clock));
@@ -246,7 +245,7 @@ void HistogramPanel::archive(Archive& archive) {
 
 void HistogramPanel::add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars) {
     for (std::size_t k = 0; parts_ && k < bars.size(); ++k) {
-        find_stays(context_.scene.gas.box, *choices_[k].within, piece, stays_);
+        find_stays(context_.box(), *choices_[k].within, piece, stays_);
         for (const Stay& stay : stays_)
             subject_.courses(piece.part(stay.from, stay.to),
                              [&](const Course& course) { bars[k].add(course, stay.is_inside); });

@@ -10,6 +10,7 @@
 #include "panels/plot/draw_bars.h"
 #include "panels/plot/layers.h"
 #include "panels/plots/histogram_panel.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {

@@ -170,7 +170,7 @@ void HistogramPanel::require_equilibrium(const Choice& choice) const {
                "choose them in `of`: the name of one species");
     refuse(spec_.place,
            "there is no equilibrium that these bars could be tested against: " +
-               to_text(Language::english, *found.none, context_.scene.gas.species),
+               to_text(Language::english, *found.none, context_.species()),
            "leave out `test`, or change the gas so that it comes to one");
 }
 

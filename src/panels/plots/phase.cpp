@@ -43,7 +43,7 @@ void check_phase(PanelSpec& panel, const Node& node, Reading& reading) {
 }
 
 std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& spec) {
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
     const auto along = [&](Phrase alone, Phrase x, Phrase y) {
         return box.dimension == 1 ? alone : axis == 1 ? y : x;
@@ -56,7 +56,7 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
     const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     std::vector<Flights> flights;  // of the first of each: of several there is no path
     for (const std::vector<Eigen::Index>& list : lists)
-        flights.emplace_back(box, context.scene.run, axis, std::vector<Eigen::Index>{list.front()});
+        flights.emplace_back(box, context.run(), axis, std::vector<Eigen::Index>{list.front()});
     PointsSubject subject{
         .titles = titles(context, spec, chosen),
         .language = context.language(),

@@ -35,15 +35,13 @@ const plot::Stroke faint{.role = {.of = Role::Of::muted}, .width = 0.06, .dashes
 void show_samples(const PanelContext& context, const PanelSpec& spec, PointsSubject& subject) {
     const bool by_clock = spec.options.as<PointOptions>().by_clock;
     if (!by_clock) return;
-    subject.is_sample = [&run = context.scene.run](double time) {
-        return is_sample_time(run, time);
-    };
+    subject.is_sample = [&run = context.run()](double time) { return is_sample_time(run, time); };
     subject.shows_present = context.in_film;
     subject.corners = nullptr;
     PanelSpec so_far = spec;
     so_far.over = Over{Over::Since::start, 0.0};
     subject.remark = with_samples(subject.language, time_words(subject.language, so_far), by_clock,
-                                  context.scene.run);
+                                  context.run());
 }
 
 std::vector<Binding<PanelSpec>> point_keys() {

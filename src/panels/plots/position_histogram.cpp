@@ -8,7 +8,7 @@ namespace carom {
 namespace {
 
 std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, const PanelSpec& spec) {
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
     HistogramSubject subject{
         .title = Phrase{"Distribution of positions"},

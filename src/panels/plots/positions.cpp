@@ -21,7 +21,7 @@ void check_positions(PanelSpec& panel, const Node& node, Reading& reading) {
 }
 
 std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSpec& spec) {
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
     const Phrase title = box.dimension == 1 ? Phrase{"Positions of two particles"}
                          : axis == 1        ? Phrase{"Positions of two particles along y"}
@@ -48,8 +48,8 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
                     {o.sample.position(first, axis), o.sample.position(second, axis)}};
             },
         .corners =
-            [flights = Flights(box, context.scene.run, axis, {first, second})](
-                const FrameInput& o, std::size_t) mutable {
+            [flights = Flights(box, context.run(), axis, {first, second})](const FrameInput& o,
+                                                                           std::size_t) mutable {
                 std::vector<Point> points;
                 for (const Flights::Corner& corner : flights.see(o))
                     points.push_back({corner.place[0], corner.place[1]});

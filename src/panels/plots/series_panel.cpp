@@ -121,13 +121,13 @@ void SeriesPanel::finish_record() {
     std::erase_if(run.levels, [](const ReferenceLevel& of) { return !std::isfinite(of.value); });
     if (subject_.numbers) run.numbers = subject_.numbers();
     if (subject_.laws) run.laws = subject_.laws();
-    run.turns = reversal_times(context_.scene.run);
+    run.turns = reversal_times(context_.run());
     const auto add = [&](double at, std::string word) {
         if (!word.empty()) run.events.emplace_back(at, std::move(word));
     };
-    const std::vector<RunEvent>& events = context_.scene.run.events;
+    const std::vector<RunEvent>& events = context_.run().events;
     for (const RunEvent& event : events) add(event.at, series_event_word(event));
-    for (const MirroredEvent& mirrored : mirrored_events(context_.scene.run)) {
+    for (const MirroredEvent& mirrored : mirrored_events(context_.run())) {
         const RunEvent& event = events[mirrored.event];
         const auto opposite = mirrored.is_undone ? opposite_of(event) : event;
         const std::string own = series_event_word(event);

@@ -16,8 +16,8 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
     subject.measure = [context, of = members(context, choices(spec))](const FrameInput& o) {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : of)
-            now.push_back(thermal_motion(context.scene.gas.box, context.particles, o.sample, list)
-                              .temperature());
+            now.push_back(
+                thermal_motion(context.box(), context.particles, o.sample, list).temperature());
         return now;
     };
     if (const Law bath = law(context.gas, LawOf::bath))

@@ -16,7 +16,7 @@ int velocities_each(const PanelSpec& panel, const Gas& gas) {
 std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Component component = spec.component.value_or(Component::both);
     const bool both = component == Component::both;
-    const bool plane = context.scene.gas.box.dimension == 2;  // where each particle counts twice
+    const bool plane = context.box().dimension == 2;  // where each particle counts twice
     const Eigen::Index first = component == Component::y ? 1 : 0;
     HistogramSubject subject{.title = both && plane ? Phrase{"Distribution of velocity components"}
                                                     : Phrase{"Velocity distribution"},

@@ -9,6 +9,7 @@
 #include "panels/surfaces/surface_view.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/surfaces/behaviours.h"
+#include "scene/scene.h"
 #include "util/overloaded.h"
 
 namespace carom {

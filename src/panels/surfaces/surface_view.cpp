@@ -8,6 +8,7 @@
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/surfaces/behaviours.h"
+#include "scene/scene.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -60,10 +61,9 @@ Rect BoxMap::rect(const Region& region) const {
 
 SurfaceView::SurfaceView(const PanelContext& context)
     : scene_(context.scene),
-      plain_(context.scene.gas.box.surfaces.are_plain() &&
-             !change_behaviours(context.scene.run.events)),
-      behaviours_(behaviours_in_time(context.scene.gas.box.surfaces, context.scene.run)),
-      extent_{Vec(), context.scene.gas.box.size} {
+      plain_(context.box().surfaces.are_plain() && !change_behaviours(context.run().events)),
+      behaviours_(behaviours_in_time(context.box().surfaces, context.run())),
+      extent_{Vec(), context.box().size} {
     for (std::size_t side = 0; side < 4; ++side) still_ = still_ && !may_move(side);
     constexpr double infinite = std::numeric_limits<double>::infinity();
     temperatures_ = {infinite, -infinite};
@@ -74,7 +74,7 @@ SurfaceView::SurfaceView(const PanelContext& context)
                                  std::max(temperatures_[1], bath->temperature)};
     if (!plain_) margins_ = margins_of();
     for (const int axis : {0, 1}) {
-        if (!context.scene.gas.box.is_periodic(axis)) continue;
+        if (!context.box().is_periodic(axis)) continue;
         for (double* margin : axis == 0 ? std::array{&margins_.left, &margins_.right}
                                         : std::array{&margins_.top, &margins_.bottom})
             *margin = std::max(*margin, SurfaceSize::chevron);

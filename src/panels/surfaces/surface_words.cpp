@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/gas.h"
 #include "scene/describe.h"
 #include "util/overloaded.h"
 #include "util/text.h"

@@ -4,6 +4,7 @@
 
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
+#include "scene/scene.h"
 #include "scene/words.h"
 #include "util/text.h"
 

@@ -235,7 +235,7 @@ MonitorsPanel::MonitorsPanel(const PanelContext& context, const std::vector<Moni
                              const std::optional<std::string>& title)
     : context_(context), are_asked_(!numbers.empty()), numbers_(numbers), title_(title) {
     smallest_.fill(infinity);
-    largest_[index_of(Monitor::time)] = farthest_time(context.scene.run);
+    largest_[index_of(Monitor::time)] = farthest_time(context.run());
     if (numbers_.empty())
         numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy};
     if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
@@ -274,7 +274,7 @@ std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) 
     const CollisionCounts& counts = input.advanced.counts;
     const double mean_speed = mean_of_speeds(context_.particles, input.speed);
     const auto shares = class_shares(input.speed, mean_speed);
-    state->numbers = {folded_time(context_.scene.run, input.tick.time),
+    state->numbers = {folded_time(context_.run(), input.tick.time),
                       static_cast<double>(counts.particle),
                       mean_speed,
                       mean_over_finite_masses(context_.particles, input.energy),
@@ -334,7 +334,7 @@ std::optional<double> MonitorsPanel::enough_height() const {
     return enough + (title_ ? title_height : 0.0);
 }
 
-bool MonitorsPanel::turns() const { return branch_count(context_.scene.run) > 1; }
+bool MonitorsPanel::turns() const { return branch_count(context_.run()) > 1; }
 
 bool MonitorsPanel::shows_time() const {
     return std::ranges::find(numbers_, Monitor::time) != numbers_.end();

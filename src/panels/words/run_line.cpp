@@ -5,6 +5,7 @@
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {

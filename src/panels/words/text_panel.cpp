@@ -8,6 +8,7 @@
 #include "panels/registry.h"
 #include "scene/limits.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 #include "util/formula/formula.h"
 
 namespace carom {

@@ -7,6 +7,7 @@
 
 #include "physics/placement/draws.h"
 #include "scene/limits.h"
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 
 namespace carom {

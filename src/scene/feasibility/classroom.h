@@ -2,10 +2,11 @@
 // what one machine can compute in a few minutes.
 #pragma once
 
-#include "scene/scene.h"
 #include "scene/yaml/node.h"
 
 namespace carom {
+
+struct Scene;
 
 /// Adds an error for each classroom limit (limits.h) that a complete scene exceeds, placed at the
 /// key in `root`, the scene's mapping. Checks the film only if `has_film`. Also lowers the scene's

@@ -8,6 +8,7 @@
 #include "physics/placement/draws.h"
 #include "physics/placement/feasibility.h"
 #include "scene/limits.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {

@@ -11,6 +11,8 @@
 
 namespace carom {
 
+struct Scene;
+
 /// The nodes of surfaces and events, indexed by their numbers; null: a side that is not in the
 /// file.
 struct SurfaceNodes {

@@ -8,7 +8,6 @@
 #include "scene/keys/binding.h"
 #include "scene/reading/run_reading.h"
 #include "scene/reading/surface_reading.h"
-#include "scene/scene.h"
 
 namespace carom {
 

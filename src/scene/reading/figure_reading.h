@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "scene/figure_spec.h"
 #include "scene/keys/binding.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 
 namespace carom {
 

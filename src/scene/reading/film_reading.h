@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "scene/film.h"
 #include "scene/keys/made_once.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/overlay_reading.h"
-#include "scene/scene.h"
 
 namespace carom {
 

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "scene/keys/binding.h"
+#include "scene/looks.h"
+#include "scene/panel_spec.h"
 #include "scene/reading/wall_reading.h"
-#include "scene/scene.h"
 
 namespace carom {
 

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "scene/film.h"
 #include "scene/keys/binding.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 
 namespace carom {
 

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "scene/keys/binding.h"
+#include "scene/looks.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
+#include "scene/panel_spec.h"
 
 namespace carom {
 

@@ -9,7 +9,6 @@
 
 #include "scene/keys/binding.h"
 #include "scene/reading/wall_reading.h"
-#include "scene/scene.h"
 
 namespace carom {
 

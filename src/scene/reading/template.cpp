@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/scene.h"
 #include "scene/time/captions.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"

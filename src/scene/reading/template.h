@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "scene/keys/binding.h"
-#include "scene/scene.h"
+#include "scene/layout.h"
 #include "scene/yaml/node.h"
 
 namespace carom {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "scene/keys/binding.h"
-#include "scene/scene.h"
 
 namespace carom {
 

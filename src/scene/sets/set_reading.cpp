@@ -8,6 +8,7 @@
 #include "scene/keys/check.h"
 #include "scene/keys/made_once.h"
 #include "scene/reading/figure_reading.h"
+#include "scene/scene.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"
 #include "util/files/atomic_file.h"

@@ -8,13 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "scene/figure_spec.h"
 #include "scene/keys/binding.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 #include "scene/yaml/node.h"
 #include "util/diagnostics.h"
 
 namespace carom {
+
+struct FigureSpec;
+struct Scene;
 
 /// A scene of a set. Each `Diagnostic` is a place in the file with an empty message, for errors
 /// that are found later.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 
 namespace carom {

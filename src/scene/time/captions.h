@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/layout.h"
 #include "scene/time/showing.h"
 
 namespace carom {
+
+struct Scene;
 
 /// A caption on the screen for less time than this cannot be read.
 constexpr double least_caption_seconds = 2.5;

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 

@@ -6,10 +6,12 @@
 #include <optional>
 #include <vector>
 
-#include "scene/scene.h"
+#include "scene/panel_spec.h"
 #include "scene/time/timeline.h"
 
 namespace carom {
+
+struct Film;
 
 /// The frames `first` to `last`, both included; none if `last` < `first`.
 struct Showing {

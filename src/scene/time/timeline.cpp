@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "scene/scene.h"
+
 namespace carom {
 namespace {
 

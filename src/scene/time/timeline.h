@@ -5,10 +5,13 @@
 
 #include <vector>
 
-#include "scene/scene.h"
+#include "physics/run.h"
 #include "scene/time/pace.h"
 
 namespace carom {
+
+struct Film;
+struct Scene;
 
 enum class Phase { title_card, opening, moving, reversing, pausing, closing, end_card };
 

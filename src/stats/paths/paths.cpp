@@ -40,9 +40,14 @@ Paths::Paths(const Box& box, std::vector<double> changes) : changes_(std::move(c
 }
 
 Paths::Point Paths::at(const Sample& sample, Eigen::Index particle) {
-    Point point{.time = sample.time};
-    point.place = vec_in(sample.position, particle);
-    point.velocity = vec_in(sample.velocity, particle);
+    const Eigen::Index rows = sample.position.rows();
+    const double *place = sample.position.data() + particle,
+                 *velocity = sample.velocity.data() + particle;
+    Point point{sample.time, {place[0], 0.0}, {velocity[0], 0.0}};
+    for (Eigen::Index axis = 1; axis < sample.position.cols(); ++axis) {
+        point.place[axis] = place[axis * rows];
+        point.velocity[axis] = velocity[axis * rows];
+    }
     return point;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "scene/film.h"
 #include "util/diagnostics.h"
 
 using namespace carom;

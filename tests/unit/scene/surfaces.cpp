@@ -150,8 +150,8 @@ TEST_CASE("sides and partitions may be diffuse, from the start or by an event") 
     CHECK(std::holds_alternative<Diffuse>(surfaces.sides[0]));
     CHECK(only_reflects(surfaces.sides[1]));
     CHECK(std::holds_alternative<Diffuse>(surfaces.partitions.at(0).behaviour));
-    for (const Behaviour& side : surfaces_of_scene("", "size: [64, 48], walls: diffuse").sides)
-        CHECK(std::holds_alternative<Diffuse>(side));
+    const Surfaces all = surfaces_of_scene("", "size: [64, 48], walls: diffuse");
+    for (const Behaviour& side : all.numbered_sides()) CHECK(std::holds_alternative<Diffuse>(side));
     const auto events = events_of(
         "{at: 1, wall: left, diffuse: true}, {at: 2, wall: divider, diffuse: true}, {at: 3, wall: "
         "left, solid: true}");

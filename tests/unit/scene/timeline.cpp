@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene.h"
+
 using namespace carom;
 
 namespace {

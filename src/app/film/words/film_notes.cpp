@@ -7,6 +7,7 @@
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"
 #include "panels/registry.h"
+#include "scene/scene.h"
 #include "scene/time/showing.h"
 #include "util/formula/formula.h"
 

@@ -6,10 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
 #include "scene/time/timeline.h"
 
 namespace carom {
+
+struct Scene;
 
 /// A change of the picture, at a simulated time.
 struct FilmNote {

@@ -16,6 +16,7 @@
 #include "physics/mechanics.h"
 #include "scene/describe.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
 #include "stats/speed_classes.h"

@@ -13,10 +13,11 @@
 #include "app/film/frame_span.h"
 #include "physics/advance_result.h"
 #include "physics/particles.h"
-#include "scene/scene.h"
 #include "util/pending/pending_output.h"
 
 namespace carom {
+
+struct Scene;
 
 /// Words that are shown from `start` to `end` (seconds of the film). Line breaks are kept.
 struct Cue {

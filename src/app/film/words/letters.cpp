@@ -9,6 +9,7 @@
 #include "draw/text.h"
 #include "panels/registry.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 #include "util/formula/formula.h"
 
 namespace carom {

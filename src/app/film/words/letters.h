@@ -3,10 +3,11 @@
 
 #include <string>
 
-#include "scene/scene.h"
 #include "util/diagnostics.h"
 
 namespace carom {
+
+struct Scene;
 
 /// Thrown if a scene's words contain letters that no font of this machine has.
 class MissingLetters : public SystemError {

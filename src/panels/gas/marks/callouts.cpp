@@ -1,6 +1,7 @@
 #include "panels/gas/marks/callouts.h"
 
 #include "panels/gas/marks/spotlights.h"
+#include "scene/scene.h"
 
 namespace carom {
 

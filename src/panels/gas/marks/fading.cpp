@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene.h"
+
 namespace carom {
 
 void Fading::see(const Tick& tick, const Eigen::ArrayXXd& position, std::vector<float>& light) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {

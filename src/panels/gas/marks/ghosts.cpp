@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "scene/scene.h"
+
 namespace carom {
 namespace {
 

@@ -14,7 +14,7 @@ std::vector<SeedPath> seed_paths(const PanelContext& context,
     constexpr int points = 800;
     std::vector<SeedPath> all;
     if (particles.empty() || !context.in_film) return all;
-    const Box& box = context.scene.gas.box;
+    const Box& box = context.box();
     for (int later = 1; later <= context.scene.film.trails.seeds; ++later) {
         Scene scene = context.scene;
         scene.gas.seed = scene.seed += static_cast<std::uint64_t>(later);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "panels/chosen.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {

@@ -4,15 +4,16 @@
 #include <cmath>
 
 #include "panels/archived.h"
+#include "scene/scene.h"
 
 namespace carom {
 
 Streaks::Streaks(const PanelContext& context)
     : shown_(context.scene.film.streaks && context.in_film),
       fps_(context.scene.film.fps),
-      tolerance_(1e-4 * context.scene.gas.box.shortest_side()),
+      tolerance_(1e-4 * context.box().shortest_side()),
       count_(context.particles.count()),
-      paths_(context.scene.gas.box, velocity_changes(context.scene.run)) {}
+      paths_(context.box(), velocity_changes(context.run())) {}
 
 // How many frames before the end of a step a streak begins, at a later frame.
 double Streaks::frames_left(const Step& step, int frame) const {

@@ -1,0 +1,142 @@
+// A film as plain values: its time, its picture, its panels, and what is shown over the gas.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "physics/box.h"
+#include "scene/figure_spec.h"
+#include "scene/layout.h"
+#include "scene/looks.h"
+#include "scene/panel_spec.h"
+#include "util/language.h"
+
+namespace carom {
+
+/// A pause: the film shows a still picture, and simulated time does not advance.
+struct Pause {
+    double at = 0.0;       ///< simulated time
+    double seconds = 0.0;  ///< of film
+};
+
+/// The whole box, or the whole line in one dimension.
+struct WholeBox {};
+
+/// A view of a given width, centred on a particle or on the centre of mass of several.
+struct Followed {
+    Chosen what;
+    double width = 0.0;  ///< length
+};
+
+/// The part of the box that the picture shows.
+using View = std::variant<WholeBox, Region, Followed>;
+
+/// A quantity in square cells, drawn over the gas.
+struct Field {
+    FieldOf of = FieldOf::density;
+    std::optional<std::size_t> species = {};  ///< for the concentration
+    int cells = 32;                           ///< along the longer side of the box
+    double over = 0.5;      ///< simulated time before the present that it is averaged over
+    double opacity = 0.85;  ///< of its colours over the background
+};
+
+/// The trails that a film shows; `trail` of a species overrides them.
+struct Trails {
+    std::vector<Chosen> of;  ///< empty: none
+    double seconds = 0.0;    ///< of film
+    int seeds = 0;           ///< runs with further seeds whose whole paths are drawn faintly
+};
+
+/// A span of simulated time that a film shows in slow motion.
+struct SlowSpan {
+    double from = 0.0, to = 0.0;
+    double factor = 1.0;  ///< 0.1: ten times slower
+};
+
+/// Particles that are highlighted for a while: all others are dimmed.
+struct Spotlight {
+    TimeSpan time;
+    std::vector<Chosen> on;
+};
+
+/// A part of the box in which particles fade out after they have entered it.
+struct FadeOut {
+    Region within = {{0.0, 0.0}, {0.0, 0.0}};
+    double seconds = 3.0;  ///< of film
+};
+
+/// A point of a panel's plot.
+struct PlotPoint {
+    std::size_t panel = 0;         ///< of Film::panels
+    double x = 0.0;                ///< on its horizontal axis
+    std::optional<double> y = {};  ///< none: the top of what is drawn there
+};
+
+/// A text that points to a particle, or to a point in a plot.
+struct Callout {
+    double at = 0.0;       ///< simulated time
+    double seconds = 4.0;  ///< of film
+    std::variant<std::int64_t, PlotPoint> on = std::int64_t{0};
+    std::string words;
+};
+
+/// A move of the camera to another view.
+struct CameraMove {
+    double at = 0.0;  ///< simulated time
+    View view;
+    double seconds = 1.5;  ///< of film, duration of the move
+};
+
+/// The second run that a film shows side by side with the scene's own, at the same times.
+struct Beside : ComparedRun {
+    std::string own_label;     ///< of the scene's own run
+    bool is_overlaid = false;  ///< both in one box, each in its own colour
+};
+
+/// The sound of a film: a click for each collision of its run.
+struct Sound {
+    SoundOf of = SoundOf::collisions;
+    double loudness = 0.3;                 ///< the largest sample, as a share of full scale
+    std::optional<double> reference = {};  ///< impulse of a collision that sounds at 880 Hz; none:
+                                           ///< as usual_impulse() (sound/film_sound.h)
+};
+
+struct Film {
+    std::string template_name = "lecture";
+    LayoutSpec layout;
+    double seconds = 30.0;  ///< of the whole film, including holds and pauses
+    int fps = 30;
+    PictureSize size;
+    ThemeName theme = ThemeName::dark;
+    bool transparent = false;  ///< no background behind the box, the panels and the text
+    ColorBy color_by = ColorBy::speed;
+    std::optional<std::string> palette;  ///< none: the theme's
+    Labels labels = Labels::none;
+    bool velocities = false;  ///< whether arrows show the velocities
+    std::optional<double>
+        velocity_scale;    ///< length of an arrow divided by its velocity, a time; none: automatic
+    bool flashes = false;  ///< whether a mark shows where two particles collide
+    double title_card = 0.0;  ///< duration in seconds; 0: none
+    std::string end_card;     ///< its text; empty: none
+    Trails trails;
+    bool streaks = false;           ///< whether disks show the path of their last moment
+    std::vector<Pause> pauses;      ///< in order of time; from the run's events
+    std::vector<SlowSpan> slow;     ///< in order, without overlap, with room for easing in between
+    std::vector<Monitor> monitors;  ///< the quantities in the layout's row; empty: its default
+    std::vector<PanelSpec> panels;  ///< at most as many as layout.panels
+    std::vector<std::string> panels_left_out = {};  ///< kinds an overriding template cannot place
+    std::vector<Spotlight> spotlights;
+    std::optional<FadeOut> fade_out;
+    std::vector<Callout> callouts;
+    std::vector<CameraMove> camera;  ///< in order of time; empty: the whole box throughout
+    std::optional<Field> field;
+    std::optional<Beside> beside;
+    std::optional<Sound> sound;             ///< none: the film is silent
+    Language language = Language::english;  ///< of carom's own words, not the scene's
+};
+
+}  // namespace carom

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "media/film_writer.h"
-#include "scene/film.h"
 #include "util/archive.h"
 #include "util/files/atomic_file.h"
 #include "util/files/spool.h"

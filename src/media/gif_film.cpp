@@ -13,7 +13,6 @@
 #include "media/film_file.h"
 #include "media/gif_palette.h"
 #include "media/libav.h"
-#include "scene/film.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/spool.h"

@@ -19,7 +19,6 @@
 #include "media/libav.h"
 #include "media/sound_encoder.h"
 #include "media/yuv.h"
-#include "scene/film.h"
 #include "sound/rate.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"

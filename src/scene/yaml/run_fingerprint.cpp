@@ -1,4 +1,4 @@
-#include "scene/run_fingerprint.h"
+#include "scene/yaml/run_fingerprint.h"
 
 #include <fmt/format.h>
 

@@ -120,7 +120,9 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"speed_alone", several_places},  // speeds against walls and counts
     {"speed_unbalanced", several_places},
     {"speed_wire", several_places},
-    {"time_step_precision", several_places},  // the step against `precision`
+    {"surface_diffuse_reversal", several_places},  // a wall against an event
+    {"surface_diffuse_wire", several_places},      // a wall against the box
+    {"time_step_precision", several_places},       // the step against `precision`
     {"time_step_wire", several_places},
     {"precision", "53 bits are a double, those between 53 and 64 are nothing"},
     {"reversal_no_way_home", several_places},  // `at` against `until`

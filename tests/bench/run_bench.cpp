@@ -9,6 +9,7 @@
 
 #include "bench/process_cost.h"
 #include "runs/run.h"
+#include "scene/scene.h"
 #include "support/equal_disks.h"
 #include "support/files.h"
 

@@ -432,22 +432,4 @@ std::vector<SurfaceState> Simulation::surfaces() const { return implementation_-
 
 EnergyAccount Simulation::energy_account() const { return implementation_->energy_account(); }
 
-const Sample& VelocitySamples::after(Simulation& simulation, double time,
-                                     const AdvanceResult& advanced) {
-    following_.see(!is_known_ || advanced.velocities.has_value());
-    if (is_known_ && advanced.velocities) {
-        for (const VelocityChange& change : *advanced.velocities)
-            for (Eigen::Index axis = 0; axis < sample_.velocity.cols(); ++axis)
-                sample_.velocity(change.particle, axis) =
-                    change.after.at(static_cast<std::size_t>(axis));
-    } else {
-        sample_ = {};  // frees it before the next one is allocated
-        sample_ = simulation.sample_of_velocities();
-    }
-    is_known_ = true;
-    sample_.time = time;
-    simulation.follow_velocities(following_.is_on());
-    return sample_;
-}
-
 }  // namespace carom

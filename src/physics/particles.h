@@ -50,8 +50,10 @@ struct Sample {
 
 /// The position or the velocity of one particle: a row of `values`, N x dimension.
 inline Vec vec_in(const Eigen::ArrayXXd& values, Eigen::Index particle) {
+    const double* first = values.data() + particle;
     Vec vec;
-    for (Eigen::Index axis = 0; axis < values.cols(); ++axis) vec[axis] = values(particle, axis);
+    for (Eigen::Index axis = 0; axis < values.cols(); ++axis)
+        vec[axis] = first[axis * values.rows()];
     return vec;
 }
 inline void put(const Vec& vec, Eigen::ArrayXXd& values, Eigen::Index particle) {

@@ -48,7 +48,7 @@ bool is_number(const std::string& text) {
 bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Sample& start) {
     const std::vector<Barrier> barriers = barriers_of(box, box.longest_side());
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        const Vec center{start.position(i, 0), box.dimension == 1 ? 0.0 : start.position(i, 1)};
+        const Vec center = vec_in(start.position, i);
         if (surface_in_the_way(box, barriers, center, particles.radius[i])) return false;
     }
     return true;

@@ -45,6 +45,17 @@ template <typename Scalar>
             0.5 * (1.0 - square / (sigma * sigma))};
 }
 
+/// Values of Prediction::border: first the sides of the box, of which there are at most six, in the
+/// order of Side; then those of a cell or of a periodic box.
+inline constexpr unsigned first_cell_side = 6;
+inline constexpr int bits_of_border = 4;
+inline constexpr std::uint32_t most_border = (1U << bits_of_border) - 1U;
+
+/// Collision counts are compared modulo a power of 2, because a prediction stores only so many of
+/// their bits.
+inline constexpr int bits_of_collisions = 32 - bits_of_border;
+inline constexpr std::uint32_t most_collisions = (1U << bits_of_collisions) - 1U;
+
 /// The predicted next event of a particle; its time is stored in the event queue. It is a contact
 /// with another particle if `contact_time` is not later than that time, otherwise the particle
 /// reaches a border.
@@ -53,8 +64,8 @@ struct Prediction {
                                           ///< doubles it may be the time of a contact after the
                                           ///< border is reached
     std::int32_t partner = 0;             ///< the other particle of that contact
-    std::uint32_t partner_collisions : 28 = 0;
-    std::uint32_t border : 4 = 0;
+    std::uint32_t partner_collisions : bits_of_collisions = 0;
+    std::uint32_t border : bits_of_border = 0;
 
     template <class Archive>
     void archive(Archive& archive) {
@@ -66,8 +77,8 @@ struct Prediction {
   private:
     // Outside the template, because GCC 14 would warn there that the masked values are too large.
     void set(std::uint32_t collisions, std::uint32_t side) {
-        partner_collisions = collisions & ((1U << 28) - 1U);
-        border = side & 15U;
+        partner_collisions = collisions & most_collisions;
+        border = side & most_border;
     }
 };
 
@@ -83,13 +94,6 @@ struct Event : Prediction {
             std::min(second, std::max(static_cast<double>(time), static_cast<double>(another)));
     }
 };
-
-/// Values of Prediction::border: first the sides of the box, of which there are at most six, in the
-/// order of Side; then those of a cell or of a periodic box.
-inline constexpr unsigned first_cell_side = 6;
-
-/// Collision counts are compared modulo 2^28, because a prediction stores only 28 bits of them.
-inline constexpr std::uint32_t most_collisions = (1U << 28) - 1U;
 
 /// The constant properties of a particle.
 struct Properties {

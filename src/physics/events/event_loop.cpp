@@ -20,7 +20,7 @@ namespace {
 constexpr int cycles_between_sorts = 2;
 
 template <typename Scalar, std::size_t Dimension>
-Vec in_plane(const std::array<Scalar, Dimension>& x) {
+Vec as_vec(const std::array<Scalar, Dimension>& x) {
     Vec vec;
     for (std::size_t axis = 0; axis < Dimension; ++axis) vec[axis] = static_cast<double>(x[axis]);
     return vec;
@@ -425,16 +425,16 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
         note_velocity(second, in_two(second_before));
     }
     if (collision) {
-        const Vec position = in_plane(a.x);
+        const Vec position = as_vec(a.x);
         *collision = {clock_.absolute(now_),
                       number_of(first),
                       number_of(second),
                       position,
-                      position + in_plane(contact.separation),
-                      in_plane(first_before),
-                      in_plane(second_before),
-                      in_plane(a.v),
-                      in_plane(b.v)};
+                      position + as_vec(contact.separation),
+                      as_vec(first_before),
+                      as_vec(second_before),
+                      as_vec(a.v),
+                      as_vec(b.v)};
     }
     return true;
 }
@@ -462,11 +462,18 @@ void EventLoop<Dimension, Scalar, has_surfaces>::bounce(std::int32_t i, int side
     ++counts_.wall;
     if (velocities_) note_velocity(i, in_two(before));
     if (!collision) return;
-    const Vec position = in_plane(b.x);
+    const Vec position = as_vec(b.x);
     Vec contact = position;
     contact[side / 2] = side % 2 == 0 ? 0.0 : box_.size[side / 2];
-    *collision = {clock_.absolute(now_), number_of(i), static_cast<Side>(side), position, contact,
-                  in_plane(before),      Vec(),        in_plane(b.v),           Vec()};
+    *collision = {clock_.absolute(now_),
+                  number_of(i),
+                  static_cast<Side>(side),
+                  position,
+                  contact,
+                  as_vec(before),
+                  Vec(),
+                  as_vec(b.v),
+                  Vec()};
 }
 
 template class EventLoop<1>;

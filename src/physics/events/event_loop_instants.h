@@ -109,9 +109,9 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::is_tie(const ContactRounds<Scal
 }
 
 // Carries out all contacts of this instant that are connected with the event of body i, with or
-// without a partner j, except those with baths. Returns false, and changes nothing, if there is
-// only one: the event is then an ordinary collision. `is_random`: the event is a contact
-// with a surface that particles leave in random directions.
+// without a partner j, except those with surfaces that particles leave in random directions.
+// Returns false, and changes nothing, if there is only one: the event is then an ordinary
+// collision. `is_random`: the event is a contact with such a surface.
 template <int Dimension, typename Scalar, bool has_surfaces>
 bool EventLoop<Dimension, Scalar, has_surfaces>::settle_instant(std::int32_t i, std::int32_t j,
                                                                 bool is_random,
@@ -160,16 +160,16 @@ void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(
     const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit) {
     set_velocity(contact.first, hit.before[0], hit.after[0]);
     if (contact.is_pair) set_velocity(contact.second, hit.before[1], hit.after[1]);
-    const Vec place = in_plane(body(contact.first).x);
+    const Vec place = as_vec(body(contact.first).x);
     at_once_.push_back({clock_.absolute(now_),
                         number_of(contact.first),
                         {},
                         place,
-                        place + contact.distance * in_plane(contact.normal),
-                        in_plane(hit.before[0]),
-                        in_plane(hit.before[1]),
-                        in_plane(hit.after[0]),
-                        in_plane(hit.after[1])});
+                        place + contact.distance * as_vec(contact.normal),
+                        as_vec(hit.before[0]),
+                        as_vec(hit.before[1]),
+                        as_vec(hit.after[0]),
+                        as_vec(hit.after[1])});
     if (contact.is_pair)
         count_pair(contact, static_cast<double>(hit.impulse));
     else
@@ -200,7 +200,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::count_hit(
         Body& b = body(contact.first);
         surfaces.count_hit(b, contact.second, contact.normal, hit.before[0], now_);
         at_once_.back().second_position =
-            in_plane(surfaces.contact_point(b, surfaces.barrier(contact.second), now_));
+            as_vec(surfaces.contact_point(b, surfaces.barrier(contact.second), now_));
     }
 }
 

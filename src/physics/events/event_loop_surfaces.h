@@ -111,12 +111,12 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
                 *collision = {clock_.absolute(now_),
                               number_of(i),
                               Partner::of_surface(barrier.surface),
-                              in_plane(b.x),
-                              in_plane(surfaces.contact_point(b, barrier, now_)),
-                              in_plane(before),
-                              in_plane(surface_before),
-                              in_plane(b.v),
-                              in_plane(surfaces.velocity_of(barrier, now_))};
+                              as_vec(b.x),
+                              as_vec(surfaces.contact_point(b, barrier, now_)),
+                              as_vec(before),
+                              as_vec(surface_before),
+                              as_vec(b.v),
+                              as_vec(surfaces.velocity_of(barrier, now_))};
         }
         predict_next(i);
         if (reflected && surfaces.is_mobile(barrier))

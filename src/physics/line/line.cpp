@@ -92,7 +92,7 @@ template <typename Scalar, typename BodyType>
     if (time >= first.time) return;
     first.time = time;
     first.contact_time = never<double>;
-    first.border = ((periodic_ ? first_cell_side : 0U) + (up ? 1U : 0U)) & 15U;
+    first.border = ((periodic_ ? first_cell_side : 0U) + (up ? 1U : 0U)) & most_border;
 }
 
 template <typename Scalar, typename BodyType>

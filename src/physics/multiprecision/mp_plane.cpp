@@ -299,7 +299,7 @@ void MpPlane::predict_border(const Viewer& a, const Real& now, First& first) {
     for (const Border& border : borders) {
         if (border.kind < first_cell_side || border.soonest >= cell) continue;
         cell = border.soonest;
-        first.border = border.kind & 15U;
+        first.border = border.kind & most_border;
     }
     if (cell < never<double>) first.time.set_sum(now, cell);
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -309,7 +309,7 @@ void MpPlane::predict_border(const Viewer& a, const Real& now, First& first) {
         solve_wall(a.disk, axis, border.place, now);
         if (time_ >= first.time) continue;
         first.time.set(time_);
-        first.border = border.kind & 15U;
+        first.border = border.kind & most_border;
     }
     first.late = first.time.rounded_up();
 }

@@ -29,7 +29,7 @@ class Placement {
 
     void run() {
         for_each_listed(gas_,
-                        [&](std::size_t, Eigen::Index i, const Vec& place) { put(i, place); });
+                        [&](std::size_t, Eigen::Index i, const Vec& place) { place_at(i, place); });
         place_on_lattice();
         place_at_random();
     }
@@ -39,8 +39,8 @@ class Placement {
         return static_cast<std::size_t>(particles_.species[i]);
     }
 
-    void put(Eigen::Index i, const Vec& centre) {
-        ::carom::put(centre, start_.position, i);
+    void place_at(Eigen::Index i, const Vec& centre) {
+        put(centre, start_.position, i);
         placed_.add(static_cast<std::int32_t>(i), centre, particles_.radius[i]);
     }
 
@@ -52,7 +52,7 @@ class Placement {
         if (species_of(disks.front()) != species_of(disks.back()))
             Random(gas_.seed, "sites of the lattice").shuffle(disks);
         for (std::size_t k = 0; k < disks.size(); ++k)  // sites left over are spread evenly
-            put(disks[k], sites[k * sites.size() / disks.size()]);
+            place_at(disks[k], sites[k * sites.size() / disks.size()]);
     }
 
     // The free sites of the most widely spaced fitting lattice that has enough sites clear of the
@@ -100,7 +100,7 @@ class Placement {
     bool place_somewhere(Eigen::Index i, Random& random) {
         const Species& species = gas_.species[species_of(i)];
         const double radius = particles_.radius[i];
-        Vec low(0.0, 0.0), high = gas_.box.size;
+        Vec low, high = gas_.box.size;
         const auto* within = std::get_if<WithinRegion>(&species.position);
         if (within) {
             low = within->region.low;
@@ -116,7 +116,7 @@ class Placement {
             const double x = random.uniform(low[0], high[0]);
             const double y = random.uniform(low[1], high[1]);
             if (!placed_.is_free({x, y}, radius)) continue;
-            put(i, {x, y});
+            place_at(i, {x, y});
             return true;
         }
         return false;

@@ -74,7 +74,7 @@ bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& 
     d.prediction = {.contact_time = contact.time,
                     .partner = contact.partner(),
                     .partner_collisions = contact.collisions() & most_collisions,
-                    .border = static_cast<std::uint32_t>(first_kind[0]) & 15U};
+                    .border = static_cast<std::uint32_t>(first_kind[0]) & most_border};
     return select(contact_time < border_time, contact_time, border_time)[0];
 }
 

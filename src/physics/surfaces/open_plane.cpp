@@ -355,7 +355,7 @@ inline Scalar OpenPlane<Scalar>::next_event(Body& body, double radius, const Sca
         .contact_time = of_doubles || is_contact ? rounded_down(first.time) : never<double>,
         .partner = first.partner,
         .partner_collisions = first.partner_collisions & most_collisions,
-        .border = side & 15U};
+        .border = side & most_border};
     return is_contact ? std::move(first.time) : std::move(border);
 }
 

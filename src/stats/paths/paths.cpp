@@ -39,18 +39,6 @@ Paths::Paths(const Box& box, std::vector<double> changes) : changes_(std::move(c
     is_straight_ = changes_.empty() && gravity_ == Vec();
 }
 
-Paths::Point Paths::at(const Sample& sample, Eigen::Index particle) {
-    const Eigen::Index rows = sample.position.rows();
-    const double *place = sample.position.data() + particle,
-                 *velocity = sample.velocity.data() + particle;
-    Point point{sample.time, {place[0], 0.0}, {velocity[0], 0.0}};
-    for (Eigen::Index axis = 1; axis < sample.position.cols(); ++axis) {
-        point.place[axis] = place[axis * rows];
-        point.velocity[axis] = velocity[axis * rows];
-    }
-    return point;
-}
-
 void Paths::take(const Sample& sample, std::vector<Point>& points) {
     points.resize(static_cast<std::size_t>(sample.position.rows()));
     for (Eigen::Index i = 0; i < sample.position.rows(); ++i)

@@ -112,7 +112,9 @@ class Paths {
         Vec place = {}, velocity = {};
         void archive(auto& archive) { archive(time, place, velocity); }
     };
-    static Point at(const Sample& sample, Eigen::Index particle);
+    static Point at(const Sample& sample, Eigen::Index particle) {
+        return {sample.time, vec_in(sample.position, particle), vec_in(sample.velocity, particle)};
+    }
     static void take(const Sample& sample, std::vector<Point>& points);
     bool changes_in(double after, double until) const;
     void part(Eigen::Index particle, const Point& from, const Point& to,

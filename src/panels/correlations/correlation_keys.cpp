@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 
 namespace carom {
+namespace {
+
+constexpr double usual_share = 0.1;  // of the measured time: the longest lag, unless given
+
+}  // namespace
 
 Binding<double> from_key() {
     return bind_value("from", number(not_negative),
@@ -36,12 +41,12 @@ void check_lags(std::optional<double> longest, double from, const Node& node, Re
 }
 
 double longest_lag(const DisplacementOptions& options, const Run& run) {
-    const double share = options.all_origins ? 0.25 : 0.1;
+    const double share = options.all_origins ? 0.25 : usual_share;
     return options.lags.value_or(share * (run.until - options.from));
 }
 
 double longest_lag(const AutocorrelationOptions& options, const Run& run) {
-    return options.lags.value_or(0.1 * (run.until - options.from));
+    return options.lags.value_or(usual_share * (run.until - options.from));
 }
 
 }  // namespace carom

@@ -34,7 +34,7 @@ struct Heading {
 Heading standard_error_of(const Heading& column);
 
 struct Table {
-    std::vector<Heading> columns;
+    std::vector<Heading> columns = {};
     std::vector<std::vector<Cell>> rows = {};  ///< a cell for each column
     UnitSystem units = UnitSystem::reduced;    ///< of the numbers
 };

@@ -194,7 +194,7 @@ std::string note_text(const Diagnostic& note) {
 
 void say_notes(const SceneOptions& options, const Scene& scene) {
     if (options.quiet) return;
-    for (const Diagnostic& note : scene.notes) say("carom: " + note_text(note) + "\n");
+    for (const Diagnostic& note : scene.notes) print_to_stderr("carom: " + note_text(note) + "\n");
 }
 
 int threads_of(const SceneOptions& options) {

@@ -11,7 +11,7 @@
 
 namespace carom {
 
-void say(const std::string& text) {
+void print_to_stderr(const std::string& text) {
     std::fputs(text.c_str(), stderr);
     std::fflush(stderr);
 }
@@ -74,21 +74,21 @@ void Progress::show(Clock::time_point now) {
     shown_ = now;
     const std::string text = line(std::chrono::duration<double>(now - begun_).count());
     if (form_ == Form::lines) {
-        say(text + "\n");
+        print_to_stderr(text + "\n");
         return;
     }
     constexpr std::size_t width = 24;
     const auto filled = static_cast<std::size_t>(width * done_ / total_);
     std::string bar;
     for (std::size_t i = 0; i < width; ++i) bar += i < filled ? "█" : "░";
-    say(fmt::format("\r\033[K{} {}", bar, text));
+    print_to_stderr(fmt::format("\r\033[K{} {}", bar, text));
     bar_stands_ = true;
 }
 
 void Progress::finish() {
     const std::scoped_lock lock(mutex_);
     if (!bar_stands_) return;
-    say("\r\033[K");
+    print_to_stderr("\r\033[K");
     bar_stands_ = false;
 }
 

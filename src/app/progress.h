@@ -45,7 +45,7 @@ class Progress {
 };
 
 /// Writes to standard error. Errors in writing are ignored.
-void say(const std::string& text);
+void print_to_stderr(const std::string& text);
 
 /// Seconds as 0:07, 12:34 or 1:02:03.
 std::string clock_text(double seconds);

@@ -91,18 +91,19 @@ void print_report(const FigureSet& set, const SetReport& report) {
 
 void warn(const FigureSet& set, const SetReport& report) {
     if (!report.replaced.empty())
-        say(fmt::format("carom: {}: replaced {}, not written by carom or changed since\n",
+        print_to_stderr(
+            fmt::format("carom: {}: replaced {}, not written by carom or changed since\n",
                         printable(set.folder.string()), printable(listed(report.replaced))));
     for (const auto& [page, letters] : report.unset)
-        say(
+        print_to_stderr(
             fmt::format("carom: {}: pdfLaTeX cannot set {}; LuaLaTeX and XeLaTeX can, with a font "
                         "that has {}\n",
                         printable((set.folder / page).string()), fmt::join(letters, " "),
                         letters.size() == 1 ? "it" : "them"));
     if (!report.gone.empty())
-        say(fmt::format("carom: {}: {} of figures that no longer exist; left as {}\n",
-                        printable(set.folder.string()), printable(listed(report.gone)),
-                        report.gone.size() == 1 ? "it is" : "they are"));
+        print_to_stderr(fmt::format("carom: {}: {} of figures that no longer exist; left as {}\n",
+                                    printable(set.folder.string()), printable(listed(report.gone)),
+                                    report.gone.size() == 1 ? "it is" : "they are"));
 }
 
 // What the figures and pages of the set in the file `name` are made from.

@@ -27,10 +27,12 @@ constexpr const char* finished_films = "films that were finished stay, and are n
 
 void warn(const std::string& site, const GalleryReport& report) {
     if (!report.replaced.empty())
-        say(fmt::format("carom: {}: replaced {}, not written by carom or changed since\n", site,
+        print_to_stderr(
+            fmt::format("carom: {}: replaced {}, not written by carom or changed since\n", site,
                         printable(listed(report.replaced))));
     if (!report.left.empty())
-        say(fmt::format("carom: {}: {} of scenes that no longer exist; changed since, and left\n",
+        print_to_stderr(
+            fmt::format("carom: {}: {} of scenes that no longer exist; changed since, and left\n",
                         site, printable(listed(report.left))));
 }
 

@@ -342,7 +342,7 @@ constexpr int exit_code_of_temporary_error = 75;
 constexpr int exit_code_of_closed_pipe = 128 + SIGPIPE;
 
 int complain(int code, const std::string& what) {
-    say(what + "\n");
+    print_to_stderr(what + "\n");
     return code;
 }
 

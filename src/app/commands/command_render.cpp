@@ -217,7 +217,7 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
                             scene.film.size.width, scene.film.size.height, scene.film.fps,
                             arguments.max_size);
     if (arguments.timings) text += timings_of(report);
-    if (streamed) return say(text);
+    if (streamed) return print_to_stderr(text);
     fmt::print("{}", text);
 }
 
@@ -303,7 +303,8 @@ void render_film(const RenderArguments& arguments, const std::string& name,
         if (fits(report, options)) break;
     }
     print_report(arguments, scenes.front(), report);
-    if (!arguments.quiet) say(warnings_of(report, format_of_film(options.output), is_page));
+    if (!arguments.quiet)
+        print_to_stderr(warnings_of(report, format_of_film(options.output), is_page));
 }
 
 // Refuses options that a plan has fixed already, or that would be the same for all its chunks.

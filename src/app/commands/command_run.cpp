@@ -99,7 +99,7 @@ std::string report_text(const RunArguments& arguments, const Scene& scene,
 
 void print(const RunArguments& arguments, const std::string& text) {
     if (text.empty()) return;
-    if (standard_output_is_taken(arguments)) return say(text);
+    if (standard_output_is_taken(arguments)) return print_to_stderr(text);
     Output("-").write(text);
 }
 

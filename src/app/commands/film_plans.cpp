@@ -103,8 +103,8 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
             plan_film(loaded[i], film, division, folder, arguments.force, progress);
         if (options.quiet) continue;
         Output("-").write(report_of(folder, report));
-        if (loaded[i].film.sound && !format.sound) say(warning_of_silence(format));
-        say(warning_of_cut(report.cut));
+        if (loaded[i].film.sound && !format.sound) print_to_stderr(warning_of_silence(format));
+        print_to_stderr(warning_of_cut(report.cut));
     }
 }
 

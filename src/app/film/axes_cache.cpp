@@ -84,8 +84,8 @@ void AxesCache::keep(SettledAxes settled) const {
     try {
         write_file(file_, archive.finished());
     } catch (const SystemError& error) {
-        say(fmt::format("carom: --cache: {}; nothing is kept for the next time\n",
-                        printable(error.what())));
+        print_to_stderr(fmt::format("carom: --cache: {}; nothing is kept for the next time\n",
+                                    printable(error.what())));
     }
 }
 

@@ -10,8 +10,8 @@
 
 #include "app/film/film_request.h"
 #include "app/granted_cores.h"
+#include "app/own_files.h"
 #include "app/progress.h"
-#include "app/resources.h"
 #include "media/formats.h"
 #include "scene/limits.h"
 #include "util/diagnostics.h"

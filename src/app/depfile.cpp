@@ -6,7 +6,7 @@
 #include <set>
 #include <system_error>
 
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "util/diagnostics.h"
 
 namespace carom {

@@ -35,7 +35,7 @@ extern "C" {
 
 #include "app/film/film_motion.h"
 #include "app/film/film_plan.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "draw/canvas.h"
 #include "draw/disks/disks.h"
 #include "draw/text.h"

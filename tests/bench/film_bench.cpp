@@ -19,7 +19,7 @@ extern "C" {
 }
 
 #include "app/film/render.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "media/yuv.h"
 #include "panels/frame.h"
 #include "scene/load.h"

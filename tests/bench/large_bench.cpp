@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/film/render.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "bench/process_cost.h"
 #include "draw/disks/disks.h"
 #include "draw/disks/small_disks.h"

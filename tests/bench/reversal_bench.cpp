@@ -12,7 +12,7 @@
 #include <string>
 
 #include "app/film/render.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "scene/load.h"
 
 using namespace carom;

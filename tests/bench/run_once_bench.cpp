@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/film/film_plan.h"
+#include "app/own_files.h"
 #include "app/progress.h"
-#include "app/resources.h"
 #include "bench/measured.h"
 #include "panels/recording.h"
 #include "physics/simulation.h"

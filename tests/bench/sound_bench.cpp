@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "app/film/render.h"
+#include "app/own_files.h"
 #include "app/progress.h"
-#include "app/resources.h"
 #include "bench/measured.h"
 #include "scene/load.h"
 #include "support/files.h"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/film/render.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "bench/process_cost.h"
 #include "runs/run.h"
 #include "scene/load.h"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "bench/measured.h"
 #include "panels/frame.h"
 #include "scene/load.h"

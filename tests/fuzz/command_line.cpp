@@ -2,7 +2,7 @@
 // contain a `=` are also tried as overrides of a scene and as the axis of a sweep.
 #include "app/commands/command_line.h"
 
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "fuzz/fuzz.h"
 #include "scene/sweep.h"
 

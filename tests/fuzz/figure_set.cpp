@@ -3,7 +3,7 @@
 #include "app/check/check_facts.h"
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "fuzz/fuzz.h"
 
 using namespace carom;

@@ -8,7 +8,7 @@
 #include <csignal>
 
 #include "app/film/render.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "fuzz/fuzz.h"

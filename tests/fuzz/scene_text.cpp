@@ -2,7 +2,7 @@
 // estimated, or it is rejected.
 #include "app/check/check_facts.h"
 #include "app/film/words/letters.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "fuzz/fuzz.h"
 #include "panels/words/text_panel.h"
 #include "scene/describe.h"

@@ -8,8 +8,8 @@
 #include <system_error>
 
 #include "app/command.h"
+#include "app/own_files.h"
 #include "app/report/schema_json.h"
-#include "app/resources.h"
 #include "panels/registry.h"
 #include "scene/manual/starter.h"
 #include "scene/sets/set_reading.h"

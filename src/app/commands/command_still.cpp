@@ -13,9 +13,9 @@
 #include "app/film/film_request.h"
 #include "app/film/render.h"
 #include "app/film/words/letters.h"
-#include "app/means.h"
+#include "app/machine_resources.h"
 #include "app/output.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/interrupt.h"
@@ -57,7 +57,7 @@ void make_still(const StillArguments& arguments) {
         load_scene(arguments.scene, resources_of(arguments), overrides_of(arguments));
     say_notes(arguments, scene);
     require_letters(scene);
-    require_means(1, 0);
+    require_machine_resources(1, 0);
     if (!(arguments.at >= 0.0 && arguments.at <= scene.run.until))
         throw UsageError(
             fmt::format("--at {}: the scene runs from 0 to {}", arguments.at, scene.run.until));

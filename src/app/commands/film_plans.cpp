@@ -11,7 +11,7 @@
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/output.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "media/formats.h"
 #include "util/diagnostics.h"
 #include "util/joined.h"

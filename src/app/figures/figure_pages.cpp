@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/base64.h"

@@ -10,7 +10,7 @@
 
 #include "app/figures/figure_pages.h"
 #include "app/film/render.h"
-#include "app/means.h"
+#include "app/machine_resources.h"
 #include "app/simulate.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
@@ -381,7 +381,7 @@ std::vector<std::filesystem::path> outputs_of(const FigureSet& set, const SetOpt
 SetReport make_figures(const FigureSet& set, const SetOptions& options) {
     refuse_same_names(set);
     refuse_unknown(set, options.only);
-    require_means(options.threads, 0);
+    require_machine_resources(options.threads, 0);
     return Maker(set, options).make();
 }
 

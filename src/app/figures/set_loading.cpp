@@ -8,7 +8,7 @@
 #include "app/command.h"
 #include "app/figures/figure_pages.h"
 #include "app/film/words/letters.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "media/formats.h"
 #include "panels/registry.h"
 #include "scene/sets/set_reading.h"

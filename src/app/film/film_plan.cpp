@@ -5,7 +5,7 @@
 
 #include "app/film/axes_cache.h"
 #include "app/film/segment_workers.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "app/simulate.h"
 #include "media/formats.h"
 #include "media/gif_palette.h"

@@ -9,7 +9,7 @@
 
 #include "app/film/axes_cache.h"
 #include "app/film/film_motion.h"
-#include "app/means.h"
+#include "app/machine_resources.h"
 #include "app/simulate.h"
 #include "draw/pages/pages.h"
 #include "panels/words_left_out.h"
@@ -210,7 +210,8 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
         std::clamp(options.threads, 1, std::max(1, static_cast<int>(plan.segments.size()) - 1));
     const double pixels = static_cast<double>(film.size.width) * film.size.height;
     const FormatCost& cost = *format_of_film(options.output).film;
-    require_means(threads, static_cast<std::size_t>(threads * cost.memory_per_pixel * pixels));
+    require_machine_resources(threads,
+                              static_cast<std::size_t>(threads * cost.memory_per_pixel * pixels));
     return film_writer(options.output,
                        {.width = film.size.width,
                         .height = film.size.height,

@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "app/figures/figure_pages.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "panels/registry.h"
 #include "scene/reading/scene_reading.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "media/base64.h"
 #include "util/files/input_file.h"
 #include "util/text.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/chunks/build_facts.h"
-#include "app/resources.h"
+#include "app/own_files.h"
 #include "app/sweep/sweep_scenes.h"
 #include "runs/number_json.h"
 #include "util/archive.h"

@@ -9,6 +9,6 @@ namespace carom {
 
 /// Throws SystemError if the system does not grant `threads` threads that draw text, or `bytes` of
 /// memory in addition to what these threads need themselves, or if a font cannot be read.
-void require_means(int threads, std::size_t bytes);
+void require_machine_resources(int threads, std::size_t bytes);
 
 }  // namespace carom

@@ -1,4 +1,4 @@
-#include "app/resources.h"
+#include "app/own_files.h"
 
 #ifdef __linux__
 #include <sys/auxv.h>

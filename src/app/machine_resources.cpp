@@ -1,4 +1,4 @@
-#include "app/means.h"
+#include "app/machine_resources.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ void set_text() {
 
 }  // namespace
 
-void require_means(int threads, std::size_t bytes) {
+void require_machine_resources(int threads, std::size_t bytes) {
     require_font();
     require_memory(bytes + static_cast<std::size_t>(threads) * bytes_of_thread,
                    fmt::format("work on {}", counted(threads, "thread")), threads);

@@ -82,15 +82,15 @@ std::string fingerprint_of_film(const OutputFormat& format, const Canvas& pictur
 
 }  // namespace
 
-BuildFacts physics_facts() {
+BuildFacts physics_build_facts() {
     static const BuildFacts facts{{"carom", CAROM_VERSION},
                                   {"source", source_fingerprint},
                                   {"physics", fingerprint_of_physics()}};
     return facts;
 }
 
-BuildFacts film_facts(const OutputFormat& format) {
-    BuildFacts facts = physics_facts();
+BuildFacts film_build_facts(const OutputFormat& format) {
+    BuildFacts facts = physics_build_facts();
     const Canvas picture = reference_picture();
     facts.emplace_back("pictures", fmt::format("{}, {}, {}", drawing_library(), text_library(),
                                                fingerprint_of(picture)));

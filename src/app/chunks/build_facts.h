@@ -18,10 +18,10 @@ namespace carom {
 using BuildFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// The facts that runs of the physics depend on. May be called from any thread.
-BuildFacts physics_facts();
+BuildFacts physics_build_facts();
 
 /// The facts that films in a format depend on. Throws SystemError.
-BuildFacts film_facts(const OutputFormat& format);
+BuildFacts film_build_facts(const OutputFormat& format);
 
 Json to_json(const BuildFacts& facts);
 

@@ -216,7 +216,7 @@ void run_sweep(const RunArguments& arguments) {
     const PlanFolder plan(arguments.scene);
     const PlannedSweep sweep(plan, "run", arguments.is_classroom);
     refuse_much_sweep(sweep.sweep(), [&](std::int64_t point) { return sweep.scene_at(point); });
-    if (!arguments.allow_mixed) plan.require_same_build(carom::to_json(physics_facts()));
+    if (!arguments.allow_mixed) plan.require_same_build(carom::to_json(physics_build_facts()));
     std::vector<PlannedChunk> chunks = plan.chunks();
     if (arguments.chunk > 0) chunks = {plan.chunk(arguments.chunk)};
     for (const PlannedChunk& chunk : chunks) {

@@ -26,7 +26,7 @@ std::string fingerprint_of(const SceneSource& source) {
         all.add(std::to_string(text.size()) + ":");  // so that the boundaries between parts count
         all.add(text);
     };
-    for (const auto& [name, value] : physics_facts()) add(value);
+    for (const auto& [name, value] : physics_build_facts()) add(value);
     add(source.text);
     add(source.template_text);
     for (const std::string& value : source.overrides) add(value);

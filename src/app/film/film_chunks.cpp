@@ -55,7 +55,7 @@ Json request_of(const Scene& scene, const FilmOptions& options, const FilmDivisi
                  {"to", nullable(options.to)},
                  {"chunks", division.chunks ? Json(*division.chunks) : Json()},
                  {"chunk_seconds", nullable(division.seconds)},
-                 {"build", carom::to_json(film_facts(format))}};
+                 {"build", carom::to_json(film_build_facts(format))}};
     return request;
 }
 
@@ -335,7 +335,7 @@ bool render_chunk(const PlanFolder& folder, const PlannedChunk& chunk, const Chu
                   Progress& progress) {
     if (!options.force && folder.is_done(chunk)) return false;
     const Stopwatch watch;
-    const Json build = carom::to_json(film_facts(output_format(format_of_plan(folder))));
+    const Json build = carom::to_json(film_build_facts(output_format(format_of_plan(folder))));
     if (!options.allow_mixed) folder.require_same_build(build);
     FilmOptions film;
     const FilmPlan whole = read_plan(folder, film);

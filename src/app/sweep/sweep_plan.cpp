@@ -73,7 +73,7 @@ Json request_to_json(const SweepRequest& request, const Scene& scene) {
             {"seeds", {request.sweep.seeds.first, request.sweep.seeds.last}},
             {"axes", axes_to_json(request.sweep)},
             {"chunks", request.chunks ? Json(*request.chunks) : Json()},
-            {"build", carom::to_json(physics_facts())}};
+            {"build", carom::to_json(physics_build_facts())}};
 }
 
 SweptScene swept_scene(const Json& request) {
@@ -225,7 +225,7 @@ void PlannedSweep::run_chunk(const PlannedChunk& chunk, int threads, Progress& p
     Archive archive;
     archive(plan, first, rows);
     write_file(folder_.output(chunk), archive.finished());
-    folder_.finish(chunk, carom::to_json(physics_facts()), watch.wall());
+    folder_.finish(chunk, carom::to_json(physics_build_facts()), watch.wall());
     progress.finish();
 }
 

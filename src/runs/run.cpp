@@ -232,13 +232,13 @@ class Course {
     // Means that are known exactly take the place of those over samples.
     RunSummary summary() const {
         RunSummary summary = statistics_.summary(advanced_);
-        const TimeAverages::Means means = averages_.means();
+        const TimeAverages::Values averages = averages_.averages();
         for (std::size_t k = 0; k < summary.species.size(); ++k) {
-            SpeciesMeans& its = summary.species[k];
-            if (its.energy) its.energy = means.energy[k];
-            if (its.speed) its.speed = means.speed[k];
+            SpeciesMeans& species = summary.species[k];
+            if (species.energy) species.energy = averages.energy[k];
+            if (species.speed) species.speed = averages.speed[k];
         }
-        if (summary.temperature) summary.temperature = means.temperature;
+        if (summary.temperature) summary.temperature = averages.temperature;
         return summary;
     }
 

@@ -71,7 +71,7 @@ void DisplacementMeter::see(const FrameInput& input) {
 
 CurveValues DisplacementMeter::values() const {
     CurveValues now;
-    const Eigen::ArrayXXd means = averages_.means(), squares = speeds_.means();
+    const Eigen::ArrayXXd means = averages_.averages(), squares = speeds_.averages();
     const std::vector<Eigen::ArrayXXd> of_parts = means_of_parts();
     Eigen::Index group = 0, few = 0;
     for (std::size_t k = 0; k < lists_.size(); ++k) {
@@ -114,7 +114,7 @@ std::vector<Eigen::ArrayXXd> DisplacementMeter::means_of_parts() const {
     constexpr double rounding = 1e-9;
     std::vector<Eigen::ArrayXXd> all;
     for (std::size_t k = 0; k < parts_.size(); ++k)
-        if (time_ >= end_of_part(k) * (1.0 - rounding)) all.push_back(parts_[k].means());
+        if (time_ >= end_of_part(k) * (1.0 - rounding)) all.push_back(parts_[k].averages());
     return all;
 }
 

@@ -55,7 +55,7 @@ class AutocorrelationMeter : public LagMeter {
     // each particle.
     CurveValues values() const override {
         CurveValues now;
-        const Eigen::ArrayXXd means = averages_.means();
+        const Eigen::ArrayXXd means = averages_.averages();
         for (std::size_t k = 0; k < sizes_.size(); ++k) {
             const auto its = means.row(static_cast<Eigen::Index>(k));
             const Eigen::ArrayXd shares = its / its[0];

@@ -102,7 +102,7 @@ double LagAverages::value(const PathPiece& early, double early_time, const PathP
 
 // With the flights that are still going on. If velocities change on the way, a flight has several
 // pieces, so the tracks of such a particle are continued in a copy.
-Eigen::ArrayXXd LagAverages::means() const {
+Eigen::ArrayXXd LagAverages::averages() const {
     Sums all = sums_;
     Eigen::Index particle = -1;
     std::vector<Track> going_on;

@@ -32,11 +32,11 @@ class LagAverages {
 
     double lag(int k) const { return longest_ * k / (count_ - 1); }
 
-    /// The means over all particles of a list (a row for each) and all pairs of times between the
-    /// start and the last sample, at each lag (a column); NaN for lags longer than the time so far.
-    /// They do not depend on which samples were given before. Takes as long as a collision of
+    /// The averages over all particles of a list (a row for each) and all pairs of times between
+    /// the start and the last sample, at each lag (a column); NaN for lags longer than the time so
+    /// far. They do not depend on which samples were given before. Takes as long as a collision of
     /// each particle.
-    Eigen::ArrayXXd means() const;
+    Eigen::ArrayXXd averages() const;
 
     /// Writes or reads the accumulated state; lists and lags are not part of it.
     void archive(auto& archive) { archive(paths_, tracks_, sums_); }

@@ -73,24 +73,24 @@ void TimeAverages::see(const Sample& sample, std::span<const Collision> collisio
     time_ = sample.time;
 }
 
-TimeAverages::Means TimeAverages::means() const {
+TimeAverages::Values TimeAverages::averages() const {
     Integrals all = integrals_;
     paths_.see_open([&](const PathPiece& piece) { add(piece, all); });
     const double span = time_ - start_;
-    Means means{all.energy, all.speed, std::numeric_limits<double>::quiet_NaN()};
-    for (std::vector<double>* each : {&means.energy, &means.speed})
+    Values averages{all.energy, all.speed, std::numeric_limits<double>::quiet_NaN()};
+    for (std::vector<double>* each : {&averages.energy, &averages.speed})
         for (double& sum : *each) sum /= span;
     for (Eigen::Index i = 0; i < inverse_mass_.size(); ++i) {
-        means.energy[static_cast<std::size_t>(species_[i])] += first_energy_[i];
-        means.speed[static_cast<std::size_t>(species_[i])] += first_speed_[i];
+        averages.energy[static_cast<std::size_t>(species_[i])] += first_energy_[i];
+        averages.speed[static_cast<std::size_t>(species_[i])] += first_speed_[i];
     }
-    const double energy = std::accumulate(means.energy.begin(), means.energy.end(), 0.0);
+    const double energy = std::accumulate(averages.energy.begin(), averages.energy.end(), 0.0);
     for (std::size_t k = 0; k < counts_.size(); ++k) {
-        means.energy[k] /= counts_[k];
-        means.speed[k] /= counts_[k];
+        averages.energy[k] /= counts_[k];
+        averages.speed[k] /= counts_[k];
     }
-    if (freedom_ > 0.0) means.temperature = 2.0 * (energy - drift_integral_ / span) / freedom_;
-    return means;
+    if (freedom_ > 0.0) averages.temperature = 2.0 * (energy - drift_integral_ / span) / freedom_;
+    return averages;
 }
 
 }  // namespace carom

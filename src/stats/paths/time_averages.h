@@ -1,4 +1,4 @@
-// Means over time of the speeds and energies of particles, and of their temperature: exact, from
+// Averages over time of the speeds and energies of particles, and of their temperature: exact, from
 // the flights between collisions, not from samples.
 #pragma once
 
@@ -27,13 +27,13 @@ class TimeAverages {
     /// the previous one.
     void see(const Sample& sample, std::span<const Collision> collisions);
 
-    /// The means over the time since the first sample, which must be longer than 0.
-    struct Means {
+    /// The averages over the time since the first sample, which must be longer than 0.
+    struct Values {
         std::vector<double> energy, speed;  ///< by species, over its particles; particles of
                                             ///< infinite mass have no energy
         double temperature;                 ///< as in ThermalMotion; NaN if nothing can move
     };
-    Means means() const;
+    Values averages() const;
 
   private:
     /// Integrals over time, by species, of what exceeds the first sample: what never changes has an

@@ -42,8 +42,8 @@ SlowMeans slowly_averaged(const Scene& scene, int species, int moments) {
     return sums;
 }
 
-TimeAverages::Means exactly_averaged(const Scene& scene, int species,
-                                     const std::vector<double>& times) {
+TimeAverages::Values exactly_averaged(const Scene& scene, int species,
+                                      const std::vector<double>& times) {
     Simulation simulation(scene.gas, scene.run);
     simulation.record_collisions(true);
     TimeAverages averages(simulation.box(), simulation.particles(), species,
@@ -55,7 +55,7 @@ TimeAverages::Means exactly_averaged(const Scene& scene, int species,
         alone.time = time;
         averages.see(averages.needs_samples() ? simulation.sample() : alone, advanced.collisions);
     }
-    return averages.means();
+    return averages.averages();
 }
 
 }  // namespace
@@ -69,10 +69,10 @@ TEST_CASE("averages over time are those of very many moments, however often samp
                                     std::string("box: {size: [20, 15]}\ngravity: [0, -0.3]\n")}) {
         CAPTURE(more);
         const Scene scene = test::scene_from("title: T\nrun: {until: 8}\n" + more + two);
-        const TimeAverages::Means once = exactly_averaged(scene, 2, {8.0});
+        const TimeAverages::Values once = exactly_averaged(scene, 2, {8.0});
         std::vector<double> often;
         for (int k = 1; k <= 100; ++k) often.push_back(0.08 * k);
-        const TimeAverages::Means many = exactly_averaged(scene, 2, often);
+        const TimeAverages::Values many = exactly_averaged(scene, 2, often);
         constexpr int moments = 40'000;
         constexpr double error = 20.0 / moments;  // a collision moves by half of a step at most
         const SlowMeans slow = slowly_averaged(scene, 2, moments);
@@ -92,7 +92,7 @@ TEST_CASE("heat at a moment changes averages over time from then on") {
         "title: T\nbox: {size: [20, 15]}\ngas: [{count: 6, radius: 0.4, speed: 1}]\n"
         "run: {until: 8, events: [{at: 2, heat: {by: 9}}]}\n");
     // 3 in all for 2 units of time, then 12 for 6: 9.75 of 6 particles with two directions each.
-    const TimeAverages::Means found = exactly_averaged(scene, 1, {1.0, 2.0, 8.0});
+    const TimeAverages::Values found = exactly_averaged(scene, 1, {1.0, 2.0, 8.0});
     CHECK(found.energy[0] == doctest::Approx(9.75 / 6.0).epsilon(1e-12));
     CHECK(found.temperature == doctest::Approx(9.75 / 6.0).epsilon(1e-12));
 }

@@ -115,11 +115,12 @@ TEST_CASE("a bead that runs to and fro is autocorrelated as a square wave") {
         const double lag = 0.25 * k, share = std::min(lag, 3.0 - lag) / 1.5;
         CHECK(velocities.lag(k) == doctest::Approx(lag));
         // Of 100 periods the last one lacks the lag.
-        CHECK(velocities.means()(0, k) == doctest::Approx(4.0 * (1.0 - 2.0 * share)).epsilon(0.02));
+        CHECK(velocities.averages()(0, k) ==
+              doctest::Approx(4.0 * (1.0 - 2.0 * share)).epsilon(0.02));
         // For a triangle wave of height h: (2 v s)^2 (1 - 4 s / 3 h ...), integrated by hand:
         const double s = std::min(lag, 3.0 - lag);
         const double square = 4.0 * s * s * (1.0 - 4.0 * s / 9.0);
-        CHECK(std::abs(ways.means()(0, k) - square) < 0.02 * 3.0);
+        CHECK(std::abs(ways.averages()(0, k) - square) < 0.02 * 3.0);
     }
 }
 
@@ -160,9 +161,9 @@ TEST_CASE("averages over lags are sums over a fine grid of times") {
             }
             CAPTURE(k);
             // The grid misses a part of a step at each of some hundred collisions.
-            CHECK(std::abs(velocities.means()(0, k) - products / count) < 0.02);
-            CHECK(std::abs(velocities.means()(1, k) - products_of_one / count) < 0.05);
-            CHECK(std::abs(ways.means()(0, k) - squares / count) < 0.02);
+            CHECK(std::abs(velocities.averages()(0, k) - products / count) < 0.02);
+            CHECK(std::abs(velocities.averages()(1, k) - products_of_one / count) < 0.05);
+            CHECK(std::abs(ways.averages()(0, k) - squares / count) < 0.02);
         }
     }
 }
@@ -210,7 +211,7 @@ TEST_CASE("averages over lags do not depend on the samples before") {
                 see(gas, 6.0, samples, [&](const Sample& sample, std::span<const Collision> all) {
                     averages.see(sample, all);
                 });
-                return averages.means();
+                return averages.averages();
             };
             for (const auto of : {LagAverages::Of::velocities, LagAverages::Of::displacements}) {
                 const Eigen::ArrayXXd few = means(of, 2), many = means(of, 900);
@@ -237,11 +238,11 @@ TEST_CASE("averages over lags go on through a reversal between two samples") {
         velocities.see(sample, {});
     }
     // The last lag has one pair of times only, whose integral has no length.
-    CHECK(velocities.means()(0, 0) == doctest::Approx(1.0));
+    CHECK(velocities.averages()(0, 0) == doctest::Approx(1.0));
     // Over a lag of 3: both ends before the reversal never; (t, t + 3) has v v' = -1.
-    CHECK(velocities.means()(0, 1) == doctest::Approx(-1.0));
+    CHECK(velocities.averages()(0, 1) == doctest::Approx(-1.0));
     // From t to t + 3 it moves 3 - t forward and t back: the mean of (3 - 2 t)^2 is 3.
-    CHECK(ways.means()(0, 1) == doctest::Approx(3.0));
+    CHECK(ways.averages()(0, 1) == doctest::Approx(3.0));
 }
 
 TEST_CASE("lags that the run has not come to are unknown") {
@@ -250,8 +251,8 @@ TEST_CASE("lags that the run has not come to are unknown") {
     see(gas, 3.5, 3, [&](const Sample& sample, std::span<const Collision> collisions) {
         averages.see(sample, collisions);
     });
-    CHECK(std::isfinite(averages.means()(0, 2)));
-    CHECK(std::isnan(averages.means()(0, 3)));
+    CHECK(std::isfinite(averages.averages()(0, 2)));
+    CHECK(std::isnan(averages.averages()(0, 3)));
 }
 
 TEST_CASE("free flights add up to the whole path, and their mean is way over collisions") {

@@ -104,7 +104,7 @@ TEST_CASE("what lies on a floor goes nowhere, has no energy and crosses nothing"
             cells.see(sample, collisions);
         });
         CHECK(energy_of(simulation, times) == 0.0);
-        CHECK(ways.means()(0, 2) == 0.0);
+        CHECK(ways.averages()(0, 2) == 0.0);
         CHECK(cells.sums().speed.maxCoeff() == 0.0);
         CHECK(cells.sums().thermal_energy.maxCoeff() == 0.0);
     }

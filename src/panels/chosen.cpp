@@ -123,14 +123,14 @@ bool are_numbers(const std::vector<Chosen>& chosen) {
 
 // Of particles their numbers only.
 plot::Text bare_names(const PanelContext& context, const std::vector<Chosen>& chosen,
-                      plot::Sample sample, Joint joint) {
+                      plot::Swatch swatch, Joint joint) {
     std::vector<plot::Text> names;
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         const std::string name = are_numbers(chosen) ? std::to_string(*chosen[k].particle)
                                                      : name_of(context.scene, chosen[k]);
         names.push_back(chosen.size() == 1
                             ? plot::Text(escape_markup(name))
-                            : plot::named(name, choice_role(context, chosen[k], k), sample, k));
+                            : plot::named(name, choice_role(context, chosen[k], k), swatch, k));
     }
     return joined(context.language(), names, joint);
 }
@@ -138,20 +138,20 @@ plot::Text bare_names(const PanelContext& context, const std::vector<Chosen>& ch
 }  // namespace
 
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
-                    plot::Sample sample, Joint joint) {
+                    plot::Swatch swatch, Joint joint) {
     if (chosen.size() == 1) return escape_markup(name_of(context.scene, chosen.front()));
-    const plot::Text names = bare_names(context, chosen, sample, joint);
+    const plot::Text names = bare_names(context, chosen, swatch, joint);
     return are_numbers(chosen) ? plot::text_of(context.language(), Phrase{"particles {}"}, {names})
                                : names;
 }
 
 plot::Text shown_of(const PanelContext& context, const plot::Text& what,
-                    const std::vector<Chosen>& chosen, plot::Sample sample) {
+                    const std::vector<Chosen>& chosen, plot::Swatch swatch) {
     const Phrase phrase = !are_numbers(chosen) ? Phrase{"{} of {}"}
                           : chosen.size() == 1 ? Phrase{"{} of particle {}"}
                                                : Phrase{"{} of particles {}"};
     return plot::text_of(context.language(), phrase,
-                         {what, bare_names(context, chosen, sample, Joint::last_by_and)});
+                         {what, bare_names(context, chosen, swatch, Joint::last_by_and)});
 }
 
 std::string single_name(const PanelContext& context, Eigen::Index particle) {

@@ -66,10 +66,10 @@ plot::Text joined(Language language, const std::vector<plot::Text>& texts,
 /// The names of choices in their colours: "light and heavy", "particles 3 and 7". A single name is
 /// not coloured.
 plot::Text names_of(const PanelContext& context, const std::vector<Chosen>& chosen,
-                    plot::Sample sample, Joint joint = Joint::last_by_and);
+                    plot::Swatch swatch, Joint joint = Joint::last_by_and);
 
 /// What is shown, with the names of the choices: "Temperature of light and heavy".
 plot::Text shown_of(const PanelContext& context, const plot::Text& what,
-                    const std::vector<Chosen>& chosen, plot::Sample sample);
+                    const std::vector<Chosen>& chosen, plot::Swatch swatch);
 
 }  // namespace carom

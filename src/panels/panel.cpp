@@ -68,11 +68,11 @@ std::string fitting_title(const DrawContext& dc, const std::vector<std::string>&
     return titles.empty() ? "" : titles.back();
 }
 
-std::string line_sample(std::size_t line, Color color, const Theme& theme) {
+std::string line_swatch(std::size_t line, Color color, const Theme& theme) {
     if (theme.kind != ThemeKind::print) return "";
-    constexpr std::array<const char*, 4> samples = {"—", "- -", "···", "–·–"};
+    constexpr std::array<const char*, 4> swatches = {"—", "- -", "···", "–·–"};
     return fmt::format("<span foreground=\"{}\" weight=\"900\">{}</span> ",
-                       hex_of(edge_of(color, theme)), samples[line % samples.size()]);
+                       hex_of(edge_of(color, theme)), swatches[line % swatches.size()]);
 }
 
 bool looks_hollow(Color color, const Theme& theme) {
@@ -80,7 +80,7 @@ bool looks_hollow(Color color, const Theme& theme) {
     return is_grey && contrast(color, theme.page) < least_contrast_of_marks;
 }
 
-std::string disk_sample(Color color, const Theme& theme) {
+std::string disk_swatch(Color color, const Theme& theme) {
     if (theme.kind != ThemeKind::print) return "";
     return fmt::format("<span foreground=\"{}\">{}</span> ", hex_of(edge_of(color, theme)),
                        looks_hollow(color, theme) ? "○" : "●");

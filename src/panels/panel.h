@@ -234,10 +234,10 @@ void draw_panel_title(Canvas& canvas, const DrawContext& dc, const std::string& 
 /// last if none fits. Empty if there are no titles.
 std::string fitting_title(const DrawContext& dc, const std::vector<std::string>& titles);
 
-/// In print, a sample of a line or a disk to be put before the text about it, as markup followed by
+/// In print, a swatch of a line or a disk to be put before the text about it, as markup followed by
 /// a space. Empty on other themes, where the text itself is coloured.
-std::string line_sample(std::size_t line, Color color, const Theme& theme);
-std::string disk_sample(Color color, const Theme& theme);
+std::string line_swatch(std::size_t line, Color color, const Theme& theme);
+std::string disk_swatch(Color color, const Theme& theme);
 
 /// Whether the grey of a disk differs so little from the paper that the disk looks like a ring.
 bool looks_hollow(Color color, const Theme& theme);

@@ -84,19 +84,20 @@ std::vector<Column> CollisionMapPanel::columns(const std::vector<Vector>& veloci
     return {column(column_of(0), std::move(first)), column(column_of(1), std::move(second))};
 }
 
-Line CollisionMapPanel::line(const std::vector<Vector>& through, Stroke stroke, int depth) const {
+Polyline CollisionMapPanel::line(const std::vector<Vector>& through, Stroke stroke,
+                                 int depth) const {
     const std::vector<Column> places = columns(through);
-    Line line{{.depth = depth, .still = true}, places[0], places[1]};
+    Polyline line{{.depth = depth, .still = true}, places[0], places[1]};
     line.is_thinned = false;
     line.stroke = std::move(stroke);
     line.marks_exits = false;  // arrows are velocities
     return line;
 }
 
-Points CollisionMapPanel::points(const std::vector<Vector>& at, const plot::Mark& mark) const {
+Points CollisionMapPanel::points(const std::vector<Vector>& at, const plot::Dot& dot) const {
     const std::vector<Column> places = columns(at);
     Points points{{}, places[0], places[1]};
-    points.mark = mark;
+    points.dot = dot;
     return points;
 }
 
@@ -128,7 +129,7 @@ void CollisionMapPanel::add_energy() {
         const double turn = 2.0 * std::numbers::pi * i / ellipse_points;
         around.push_back({half[0] * std::cos(turn), half[1] * std::sin(turn)});
     }
-    Line ellipse = line(around, of_energy, depth_of_energy);
+    Polyline ellipse = line(around, of_energy, depth_of_energy);
     ellipse.part = "curve";
     ellipse.of = "energy";
     whole_.layers.emplace_back(std::move(ellipse));
@@ -138,8 +139,8 @@ void CollisionMapPanel::add_energy() {
 // and after; in the table they list the centre of mass and the eigenvectors.
 void CollisionMapPanel::add_collision() {
     const double time = met_ ? met_->time : std::nan("");
-    const auto add_point = [&](const char* of, const Vector& at, const plot::Mark& mark) {
-        Points point = points({at}, mark);
+    const auto add_point = [&](const char* of, const Vector& at, const plot::Dot& dot) {
+        Points point = points({at}, dot);
         static_cast<Layer&>(point) = {.part = "point", .of = of, .still = true};
         point.more = {column(whole_.columns[1], {time})};
         whole_.layers.emplace_back(std::move(point));
@@ -219,7 +220,7 @@ void CollisionMapPanel::add_walk(Plot& plot, std::size_t steps) const {
             pieces.insert(pieces.end(), 2, static_cast<int>(i));
         }
         stroke.width *= fine;
-        Line line = this->line(ends, std::move(stroke), depth_of_lines);
+        Polyline line = this->line(ends, std::move(stroke), depth_of_lines);
         line.still = false;
         line.piece = std::make_shared<const std::vector<int>>(std::move(pieces));
         plot.layers.emplace_back(std::move(line));

@@ -14,15 +14,15 @@
 
 namespace carom::collision_map {
 
-using plot::Arrow, plot::Axis, plot::Column, plot::Layer, plot::Level, plot::Line, plot::Marker,
+using plot::Arrow, plot::Axis, plot::Column, plot::Layer, plot::Level, plot::Polyline, plot::Marker,
     plot::Note, plot::Plot, plot::Points, plot::Role, plot::Shade, plot::Stroke, plot::Text;
 using plot::column, plot::dashes_in_print, plot::named, plot::text_of;
 using Vector = Eigen::Array2d;
 using Cause = WalkStep::Cause;
 
-/// The marks of a state after and before, and the strokes of the lines, which keys show too.
-inline const plot::Mark full{.role = {Role::Of::ink}, .radius = 0.36, .halo = 0.1};
-inline const plot::Mark hollow{
+/// The dots of a state after and before, and the strokes of the lines, which keys show too.
+inline const plot::Dot full{.role = {Role::Of::ink}, .radius = 0.36, .halo = 0.1};
+inline const plot::Dot hollow{
     .role = {Role::Of::ink}, .radius = 0.36, .is_hollow = true, .halo = 0.1};
 inline const Stroke of_energy{.width = 0.16}, of_equal{.width = 0.1, .dashes = {0.12, 0.3}};
 inline const Stroke of_steps{.role = {Role::Of::highlight}, .width = 0.14, .shade = Shade::legible};
@@ -75,8 +75,8 @@ class CollisionMapPanel : public PlotPanel {
     Note key_of_collision() const;
     std::string energy_words() const;
     std::vector<Column> columns(const std::vector<Vector>& velocities) const;
-    Line line(const std::vector<Vector>& through, Stroke stroke, int depth) const;
-    Points points(const std::vector<Vector>& at, const plot::Mark& mark) const;
+    Polyline line(const std::vector<Vector>& through, Stroke stroke, int depth) const;
+    Points points(const std::vector<Vector>& at, const plot::Dot& dot) const;
     Arrow arrow(const Vector& from, const Vector& to, const Role& role, const Role& edge) const;
     void make_plot();
     void add_energy();

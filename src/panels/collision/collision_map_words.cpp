@@ -121,16 +121,16 @@ Note CollisionMapPanel::key_of_walk(std::size_t steps) const {
     };
     return {
         .entries =
-            {{.words = {say(language, "start")}, .mark = hollow},
+            {{.words = {say(language, "start")}, .dot = hollow},
              {.words = {spec_.at ? say(language, "at time {}", plain_number(language, *spec_.at))
                                  : say(language, "now")},
-              .mark = full},
-             {.sample = of_energy, .words = {energy_words()}},
-             {.sample = of_steps,
+              .dot = full},
+             {.swatch = of_energy, .words = {energy_words()}},
+             {.swatch = of_steps,
               .words = {with_each_other(counts)},
               .reserved = {{with_each_other(all)}}},
-             {.sample = of_walls, .words = {with_a_wall(counts)}, .reserved = {{with_a_wall(all)}}},
-             {.sample = of_equal,
+             {.swatch = of_walls, .words = {with_a_wall(counts)}, .reserved = {{with_a_wall(all)}}},
+             {.swatch = of_equal,
               .words = {walking_names() ? say(language, "equal velocities")
                                         : subscripted("v", 0) + " = " + subscripted("v", 1)}}},
         .changes = true};
@@ -151,27 +151,27 @@ Note CollisionMapPanel::key_of_collision() const {
     const Vector stays = factor_ / factor_[0];
     Vector turns = factor_ * motion_.turning();
     turns /= turns[0] != 0.0 ? turns[0] : turns[1];
-    const auto sample = [](double from, double to, const Role& role, const Role& edge) {
+    const auto swatch = [](double from, double to, const Role& role, const Role& edge) {
         return Arrow{{}, {from, 0.0}, {to, 0.0}, role, edge};
     };
     return {
         .entries = {{.words = {say(language, "before {}", in_brackets(language, motion_.before))},
-                     .mark = hollow},
+                     .dot = hollow},
                     {.words = {say(language, "after {}", in_brackets(language, motion_.after))},
-                     .mark = full},
-                    {.sample = of_energy, .words = {energy}},
-                    {.sample = of_momentum(), .words = {momentum}},
-                    {.sample = of_equal,
+                     .dot = full},
+                    {.swatch = of_energy, .words = {energy}},
+                    {.swatch = of_momentum(), .words = {momentum}},
+                    {.swatch = of_equal,
                      .words = {say(language, "{} is conserved", in_brackets(language, stays))},
-                     .arrows = {sample(0.0, 0.6, muted, page)}},
+                     .arrows = {swatch(0.0, 0.6, muted, page)}},
                     {.words = {say(language, "{} is reversed", in_brackets(language, turns))},
-                     .arrows = {sample(0.5, 0.0, page, ink), sample(0.5, 1.0, ink, page)}}}};
+                     .arrows = {swatch(0.5, 0.0, page, ink), swatch(0.5, 1.0, ink, page)}}}};
 }
 
 Note CollisionMapPanel::key(std::size_t steps) const {
     Note note = is_walk() ? key_of_walk(steps) : key_of_collision();
     note.wraps = note.may_be_beside = true;
-    note.sample_width = 2.0;
+    note.swatch_width = 2.0;
     return note;
 }
 

@@ -53,10 +53,10 @@ class ContactTimePanel : public PlotPanel {
 
   private:
     using Curve = std::function<double(double)>;
-    Line line(const char* of, const Curve& curve, double from, double to, Stroke stroke) const;
+    Polyline line(const char* of, const Curve& curve, double from, double to, Stroke stroke) const;
     void add_lines(Plot& plot) const;
     void add_parabola(Plot& plot) const;
-    void add_point(Plot& plot, const char* of, Point at, const plot::Mark& mark, const Role& drop,
+    void add_point(Plot& plot, const char* of, Point at, const plot::Dot& dot, const Role& drop,
                    bool still) const;
     void add_roots(Plot& plot) const;
     Label label(const std::string& words, std::vector<Anchor> anchors) const;
@@ -98,16 +98,16 @@ std::shared_ptr<const PanelState> ContactTimePanel::state(const FrameInput& inpu
     return state;
 }
 
-Line ContactTimePanel::line(const char* of, const Curve& curve, double from, double to,
-                            Stroke stroke) const {
+Polyline ContactTimePanel::line(const char* of, const Curve& curve, double from, double to,
+                                Stroke stroke) const {
     std::vector<double> times, squares;
     for (int i = 0; i <= curve_points; ++i) {
         times.push_back(from + (to - from) * i / curve_points);
         squares.push_back(curve(times.back()));
     }
-    Line line{{.part = "curve", .of = of, .still = true},
-              column(time_column, std::move(times)),
-              column(square_column, std::move(squares))};
+    Polyline line{{.part = "curve", .of = of, .still = true},
+                  column(time_column, std::move(times)),
+                  column(square_column, std::move(squares))};
     line.is_thinned = false;
     line.stroke = std::move(stroke);
     return line;
@@ -126,7 +126,7 @@ void ContactTimePanel::add_lines(Plot& plot) const {
                                      say(context_.language(), "without a collision")}}}}};
     if (from > first_)
         plot.layers.push_back(line("without the collision before", parabola, first_, from, dashed));
-    Line through = line(passing.data(), parabola, met, last_, dashed);
+    Polyline through = line(passing.data(), parabola, met, last_, dashed);
     through.depth = 1;
     plot.layers.push_back(line("before", truth, from, met, solid));
     solid.fade = 0.35;
@@ -146,14 +146,14 @@ void ContactTimePanel::add_parabola(Plot& plot) const {
 }
 
 // A point, with a line down to the time.
-void ContactTimePanel::add_point(Plot& plot, const char* of, Point at, const plot::Mark& mark,
+void ContactTimePanel::add_point(Plot& plot, const char* of, Point at, const plot::Dot& dot,
                                  const Role& drop, bool still) const {
     const Stroke dashed{.role = drop, .width = 0.07, .dashes = {0.25}};
     plot.layers.emplace_back(Marker{{.still = still}, "", at.x, at.y, dashed});
     Points point{{.part = "mark", .of = of, .still = still},
                  column(time_column, {at.x}),
                  column(square_column, {at.y})};
-    point.mark = mark;
+    point.dot = dot;
     plot.layers.emplace_back(std::move(point));
 }
 
@@ -176,7 +176,7 @@ void ContactTimePanel::add_roots(Plot& plot) const {
 
 Label ContactTimePanel::label(const std::string& words, std::vector<Anchor> anchors) const {
     Label label{{.still = true}, {words}, std::move(anchors), {Role::Of::ink}};
-    label.sample = level_stroke;
+    label.swatch = level_stroke;
     return label;
 }
 
@@ -191,13 +191,13 @@ void ContactTimePanel::add_labels(Plot& plot) const {
     const auto at_left = [&](double down) {
         return Anchor{.at = {0.0, contact_}, .x_is_share = true, .offset = {0.4, down}};
     };
-    const auto at_right = [](double y, bool is_share, double down, bool has_sample = false) {
+    const auto at_right = [](double y, bool is_share, double down, bool has_swatch = false) {
         return Anchor{.at = {1.0, y},
                       .x_is_share = true,
                       .y_is_share = is_share,
                       .offset = {-0.2, down},
                       .align = Align::right,
-                      .has_sample = has_sample};
+                      .has_swatch = has_swatch};
     };
     const auto add = [&](const std::string& words, std::vector<Anchor> anchors) {
         plot.layers.emplace_back(label(words, std::move(anchors)));

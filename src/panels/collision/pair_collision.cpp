@@ -163,7 +163,7 @@ plot::Text names_of(const PanelContext& context, const PairCollision& pair) {
     const auto own = own_names(context, pair);
     const auto name = [&](std::size_t k) {
         return plot::named(own ? own->at(k) : std::to_string(pair.particle[k]),
-                           role_of(context, pair, k), plot::Sample::disk);
+                           role_of(context, pair, k), plot::Swatch::disk);
     };
     return plot::text_of(context.language(),
                          own ? Phrase{"{} and {}"} : Phrase{"particles {} and {}"},

@@ -87,7 +87,7 @@ void name_curves(CurveSubject& subject, const PanelContext& context, const Panel
             {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
     const plot::Text base = spec.title ? escape_markup(*spec.title) : what;
     const bool has_names = !spec.of.empty() && !spec.title;
-    const plot::Text named = has_names ? shown_of(context, base, chosen, plot::Sample::line) : base;
+    const plot::Text named = has_names ? shown_of(context, base, chosen, plot::Swatch::line) : base;
     if (!time.empty())
         subject.titles.push_back(
             plot::text_of(context.language(), Phrase{"{}: {}"}, {named, time}));
@@ -97,7 +97,7 @@ void name_curves(CurveSubject& subject, const PanelContext& context, const Panel
     subject.titles.push_back(base);
     for (std::size_t k = 0; k < chosen.size(); ++k)
         subject.names.push_back(
-            {.sample = plot::Stroke{.role = subject.lines[k].role,
+            {.swatch = plot::Stroke{.role = subject.lines[k].role,
                                     .print_dashes = plot::dashes_in_print(k, chosen.size()),
                                     .shade = plot::Shade::legible},
              .words = {plot::named(name_of(context.scene, chosen[k]), subject.lines[k].role)}});
@@ -301,8 +301,8 @@ plot::Bars CurvePanel::bars_of(const CurveValues& run, std::size_t line) const {
     return bars;
 }
 
-plot::Line CurvePanel::line_of(const CurveValues& run, std::size_t index) const {
-    plot::Line line;
+plot::Polyline CurvePanel::line_of(const CurveValues& run, std::size_t index) const {
+    plot::Polyline line;
     line.part = "curve";
     line.x = plot::column(whole_.columns[0], places(run, index));
     line.y = plot::column(whole_.columns[1], run.curves[index]);
@@ -335,7 +335,7 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
         add(std::move(bars));
         return;
     }
-    plot::Line curve = line_of(state.runs[run], line);
+    plot::Polyline curve = line_of(state.runs[run], line);
     curve.stroke = stroke;
     if (!state.errors.empty()) {
         plot::Band band;

@@ -160,7 +160,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     CurveValues values_of(const CurveMeter& meter) const;
     std::vector<double> places(const CurveValues& run, std::size_t line) const;
     plot::Bars bars_of(const CurveValues& run, std::size_t line) const;
-    plot::Line line_of(const CurveValues& run, std::size_t index) const;
+    plot::Polyline line_of(const CurveValues& run, std::size_t index) const;
 
     PanelContext context_;
     CurveSubject subject_;

@@ -22,8 +22,8 @@ const plot::Stroke of_ballistic{.role = {.of = plot::Role::Of::accent},
 
 const plot::Stroke of_plateau{.width = 0.08, .dashes = {0.9, 0.3}};
 
-plot::Line straight_line(const plot::Plot& plot, const LineFit& fit, double from, double to) {
-    plot::Line line;
+plot::Polyline straight_line(const plot::Plot& plot, const LineFit& fit, double from, double to) {
+    plot::Polyline line;
     line.part = "fit";
     line.still = true;
     line.x = plot::column(plot.columns[0], {from, to});
@@ -80,8 +80,8 @@ std::string reason_of(Language language, const Finding& finding) {
     return finding.problem ? to_text(language, *finding.problem) : finding.law.reason;
 }
 
-std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<double>& x,
-                                 const std::vector<double>& y, double from, double until) {
+std::optional<plot::Polyline> fit_of(const plot::Plot& plot, const std::vector<double>& x,
+                                     const std::vector<double>& y, double from, double until) {
     std::vector<double> times, squares;
     for (std::size_t i = 0; i < x.size() && x[i] <= until; ++i) {
         const bool stands = !times.empty() && times.back() == x[i];
@@ -108,7 +108,7 @@ bool add_ballistic(const PanelContext& context, double from, double square_speed
         x.push_back(from + time);
         y.push_back(square_speed * time * time);
     }
-    plot::Line line;
+    plot::Polyline line;
     line.part = "ballistic";
     line.still = is_still;
     line.x = plot::column(plot.columns[0], std::move(x));
@@ -184,7 +184,7 @@ plot::KeyEntry finding_entry(Language language, const Finding& finding) {
         reserve(short_words(language, problem));
     entry.reserved.push_back({words("0.0000 ± 0.0000")});
     if (!finding.is_known()) return entry;
-    entry.sample = of_fit;
+    entry.swatch = of_fit;
     const bool is_known = std::isfinite(finding.diffusion.mean);
     entry.words = {words(is_known ? with_error(language, finding.diffusion) : "")};
     return entry;

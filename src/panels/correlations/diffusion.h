@@ -53,8 +53,8 @@ std::string with_error(Language language, const MeanError& number);
 
 /// The straight line fitted to a line of a run between `from` and `until`, the first reversal; none
 /// if there are too few points.
-std::optional<plot::Line> fit_of(const plot::Plot& plot, const std::vector<double>& x,
-                                 const std::vector<double>& y, double from, double until);
+std::optional<plot::Polyline> fit_of(const plot::Plot& plot, const std::vector<double>& x,
+                                     const std::vector<double>& y, double from, double until);
 
 /// Adds the ballistic parabola as far as it is visible. Returns false if it is not, and under
 /// gravity, where it does not hold.

@@ -174,7 +174,7 @@ plot::Stroke stroke_of_law(const PanelContext& context, const std::vector<Chosen
 
 // The share of flights in each bin if flights were memoryless: an exponential law with the measured
 // mean.
-plot::Line law_of(const plot::Plot& plot, double mean) {
+plot::Polyline law_of(const plot::Plot& plot, double mean) {
     const double reach = plot.x.high, width = reach / flight_bins;
     const double share_at_0 = percent * (1.0 - std::exp(-width / mean));
     std::vector<double> along, up;
@@ -183,7 +183,7 @@ plot::Line law_of(const plot::Plot& plot, double mean) {
         along.push_back(reach * i / points);
         up.push_back(share_at_0 * std::exp(-(along.back() - 0.5 * width) / mean));
     }
-    plot::Line line;
+    plot::Polyline line;
     line.part = "memoryless";
     line.x = plot::column(plot.columns[0], std::move(along));
     line.y = plot::column(plot.columns[2], std::move(up));
@@ -217,13 +217,13 @@ struct FlightNotes {
             const std::vector<double>& numbers = values != nullptr ? values->numbers[k] : unknown;
             add_mean(k, numbers, note, plot);
             if (!has_law || !std::isfinite(numbers.front())) continue;
-            plot::Line line = law_of(plot, numbers.front());
+            plot::Polyline line = law_of(plot, numbers.front());
             line.of = column_name_of(context.scene, chosen[k]);
             line.stroke = stroke;
             plot.layers.emplace_back(std::move(line));
         }
         if (has_law)
-            note.entries.push_back({.sample = stroke_of_law(context, chosen, 0),
+            note.entries.push_back({.swatch = stroke_of_law(context, chosen, 0),
                                     .words = {say(language, "exponential law (Boltzmann)"),
                                               say(language, "exponential law")}});
         plot.notes.push_back(std::move(note));
@@ -251,7 +251,7 @@ struct FlightNotes {
             return plot::Text(all);
         };
         const bool is_known = std::isfinite(mean);
-        note.entries.push_back({.sample = marker.stroke,
+        note.entries.push_back({.swatch = marker.stroke,
                                 .words = {words(is_known ? three_digits(language, mean) : "")},
                                 .reserved = {{words(longest_number)}}});
         if (is_known) plot.layers.emplace_back(std::move(marker));

@@ -205,7 +205,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
                                          law_of_line(run.laws, i, context, choice, run.numbers[i]),
                                          run.numbers[i], record.runs_in_mean));
                 if (!all.back().is_known()) continue;
-                std::optional<plot::Line> line =
+                std::optional<plot::Polyline> line =
                     fit_of(whole, run.time, run.lines[i], fit_from,
                            run.turns.empty() ? INFINITY : run.turns.front());
                 if (!line) continue;
@@ -280,7 +280,7 @@ class LagTheory {
         if (values == nullptr) return;
         std::vector<double> x;
         for (int i = 0; i < lag_count; ++i) x.push_back(lags_ * i / (lag_count - 1));
-        std::optional<plot::Line> line;
+        std::optional<plot::Polyline> line;
         if (found.is_known()) line = fit_of(plot, x, values->curves[k], fit_from_, INFINITY);
         if (line) {
             line->still = false;

@@ -117,18 +117,18 @@ class PairMeter : public CurveMeter {
 };
 
 void add_contact(Language language, double contact, double value, plot::Plot& plot) {
-    const plot::Mark mark{.role = {.of = plot::Role::Of::accent}, .radius = 0.35, .halo = 0.1};
+    const plot::Dot dot{.role = {.of = plot::Role::Of::accent}, .radius = 0.35, .halo = 0.1};
     plot::Points points;
     points.part = "contact";
     points.still = true;
     points.x = plot::column(plot.columns[0], {contact});
     points.y = plot::column(plot.columns[2], {value});
-    points.mark = mark;
+    points.dot = dot;
     plot.layers.emplace_back(std::move(points));
     const std::string number = three_digits(language, value);
     plot.notes.push_back({.entries = {{.words = {say(language, "{}: Henderson at contact", number),
                                                  say(language, "{}: Henderson", number), number},
-                                       .mark = mark}}});
+                                       .dot = dot}}});
 }
 
 std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const PanelSpec& spec) {
@@ -154,7 +154,7 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     if (chosen.size() > 1) {  // one curve, of pairs
         subject.lines = {
             {subject.lines[0].name + " and " + subject.lines[1].name, {.of = plot::Role::Of::bar}}};
-        subject.names = {{.words = {names_of(context, chosen, plot::Sample::none)}}};
+        subject.names = {{.words = {names_of(context, chosen, plot::Swatch::none)}}};
     }
     subject.along = quantities::distance;
     subject.up = quantities::number.named(Phrase{"pair correlation"});

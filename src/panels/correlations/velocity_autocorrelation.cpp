@@ -112,12 +112,12 @@ void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, 
         const auto words = [&](const std::string& number) {
             return plot::Text(say(language, "slope {}", number));
         };
-        note.entries.push_back({.sample = stroke,
+        note.entries.push_back({.swatch = stroke,
                                 .words = {words(slope < 0.0 ? three_digits(language, slope) : "")},
                                 .reserved = {{words(longest_number)}}});
         if (!(slope < 0.0)) continue;
         const double end = std::min(lags, -1.0 / slope);
-        plot::Line line;
+        plot::Polyline line;
         line.part = "slope at 0";
         line.of = column_name_of(context.scene, chosen[k]);
         line.x = plot::column(plot.columns[0], {0.0, end});

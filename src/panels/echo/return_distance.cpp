@@ -95,8 +95,8 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     std::string account_of(const Echo& run, std::size_t shown) const;
 
     Stroke stroke(const Distance& distance, std::size_t run) const;
-    Line line(const char* part, const std::string& of, const Steps& steps,
-              const Distance& distance) const;
+    Polyline line(const char* part, const std::string& of, const Steps& steps,
+                  const Distance& distance) const;
     void add_distance(Plot& plot, std::size_t run, const Distance& distance,
                       std::size_t shown) const;
     void add_law(Plot& plot, std::size_t run, std::size_t shown) const;
@@ -221,8 +221,8 @@ const Heading log_column{"log10 of distance", quantities::distance.logarithm()};
 const Heading reversal_column{"reversal", quantities::ordinal};
 
 // A piece of the line ends at each reversal, and where the distance is exactly 0.
-Line ReturnDistancePanel::line(const char* part, const std::string& of, const Steps& steps,
-                               const Distance& distance) const {
+Polyline ReturnDistancePanel::line(const char* part, const std::string& of, const Steps& steps,
+                                   const Distance& distance) const {
     std::vector<double> reversal, since, collisions, value, log;
     std::vector<int> pieces;
     int piece = 0;
@@ -237,7 +237,7 @@ Line ReturnDistancePanel::line(const char* part, const std::string& of, const St
             ++piece;
         pieces.push_back(piece);
     }
-    Line line;
+    Polyline line;
     line.part = part;
     line.of = of;
     Column along = column(since_column, std::move(since));
@@ -258,7 +258,7 @@ void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distan
     const Steps& steps = record_.runs[run].steps;
     std::size_t present = shown;
     while (present > 0 && steps[present - 1].reversal == steps[shown - 1].reversal) --present;
-    Line line = this->line("line", std::string(distance.name.english), steps, distance);
+    Polyline line = this->line("line", std::string(distance.name.english), steps, distance);
     if (compares()) line.run = run;
     line.depth = distance.name == largest.name ? static_cast<int>(run) : 1;
     const auto add = [&](Shown part, double fade) {
@@ -277,7 +277,7 @@ void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distan
         }
         zeros.y = column(log_column, std::move(at_zero));
         zeros.spacing = 0.3;
-        zeros.mark = {.role = line.stroke.role, .radius = 0.2, .fade = fade, .ring = 0.1};
+        zeros.dot = {.role = line.stroke.role, .radius = 0.2, .fade = fade, .ring = 0.1};
         plot.layers.emplace_back(std::move(zeros));
     };
     if (present > 0) add({0, present}, 0.4);
@@ -289,7 +289,7 @@ void ReturnDistancePanel::add_distance(Plot& plot, std::size_t run, const Distan
     head.depth = line.depth;
     head.x = column(line.x.heading, {line.x[shown - 1]});
     head.y = column(line.y.heading, {line.y[shown - 1]});
-    head.mark = {.role = line.stroke.role, .radius = 0.3};
+    head.dot = {.role = line.stroke.role, .radius = 0.3};
     plot.layers.emplace_back(std::move(head));
 }
 
@@ -297,7 +297,7 @@ void ReturnDistancePanel::add_law(Plot& plot, std::size_t run, std::size_t shown
     const Echo& echo = record_.runs[run];
     const Steps points = law(echo, shown > 0 ? echo.steps[shown - 1].reversal : 0);
     if (points.empty()) return;
-    Line curve = line("curve", "upper estimate", points, largest);
+    Polyline curve = line("curve", "upper estimate", points, largest);
     if (shown == 0) curve.shown.end = 0;
     curve.stroke = stroke_of_law();
     curve.depth = static_cast<int>(record_.runs.size()) + 1;

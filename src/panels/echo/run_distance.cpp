@@ -126,7 +126,7 @@ class RunDistancePanel : public FramesPanel<RunDistanceRecord> {
     }
 
   private:
-    plot::Line line_until(std::size_t shown) const;
+    plot::Polyline line_until(std::size_t shown) const;
     void add_growth(plot::Plot& plot) const;
 
     PanelContext context_;
@@ -157,7 +157,7 @@ void RunDistancePanel::make_axes() {
 }
 
 // The samples so far, and the present.
-plot::Line RunDistancePanel::line_until(std::size_t shown) const {
+plot::Polyline RunDistancePanel::line_until(std::size_t shown) const {
     const LogDistance &samples = record_.at_samples, &frames = record_.at_frames;
     std::vector<double> time, distance;
     const auto add = [&](const LogDistance& of, std::size_t i) {
@@ -171,13 +171,13 @@ plot::Line RunDistancePanel::line_until(std::size_t shown) const {
             add(samples, i);
         add(frames, now);
     }
-    plot::Line line;
+    plot::Polyline line;
     line.part = "line";
     line.of = "root mean square distance";
     line.x = plot::column(whole_.columns[0], std::move(time));
     line.y = plot::column(whole_.columns[1], std::move(distance));
     line.stroke = {.role = {.of = plot::Role::Of::bar}, .shade = plot::Shade::rimmed};
-    line.head = plot::Mark{.role = line.stroke.role, .shade = line.stroke.shade};
+    line.head = plot::Dot{.role = line.stroke.role, .shade = line.stroke.shade};
     return line;
 }
 
@@ -186,7 +186,7 @@ void RunDistancePanel::add_growth(plot::Plot& plot) const {
     const Language language = context_.language();
     const Growth& growth = *record_.growth;
     const auto value_at = [&](double time) { return growth.at_zero + growth.slope * time; };
-    plot::Line fit;
+    plot::Polyline fit;
     fit.part = "fit";
     fit.x = plot::column(whole_.columns[0], {0.0, growth.until});
     fit.y = plot::column(whole_.columns[1], {value_at(0.0), value_at(growth.until)});
@@ -218,7 +218,7 @@ plot::Plot RunDistancePanel::plot(const PanelState* state) const {
     plot::Plot now = whole_;
     if (state == nullptr) return now;
     const std::size_t shown = dynamic_cast<const ShownState&>(*state).shown.at(0);
-    plot::Line line = line_until(shown);
+    plot::Polyline line = line_until(shown);
     const bool has_points = line.x.size() > 0;
     const double time = has_points ? line.x[line.x.size() - 1] : 0.0;
     const Language language = context_.language();

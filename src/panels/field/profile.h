@@ -95,12 +95,12 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
     Eigen::ArrayXd values_of(const CellQuantity& quantity) const {
         return quantity.values(axis_, options().quantity == FieldOf::density ? 0.0 : least_in_cell);
     }
-    plot::Line curve(std::size_t run, std::size_t choice, const char* part,
-                     std::vector<double> along, std::vector<double> up) const;
-    plot::Line line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
-                       const char* part) const;
-    plot::Line law_of(std::size_t run, std::size_t choice) const;
-    plot::Band band_of(const plot::Line& line, const Eigen::ArrayXd& values,
+    plot::Polyline curve(std::size_t run, std::size_t choice, const char* part,
+                         std::vector<double> along, std::vector<double> up) const;
+    plot::Polyline line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
+                           const char* part) const;
+    plot::Polyline law_of(std::size_t run, std::size_t choice) const;
+    plot::Band band_of(const plot::Polyline& line, const Eigen::ArrayXd& values,
                        const Eigen::ArrayXd& errors) const;
     plot::Column column_of_errors(const Eigen::ArrayXd& values, const Eigen::ArrayXd& errors) const;
     std::string account_of(const Eigen::ArrayXd& values, std::size_t choice) const;

@@ -16,13 +16,13 @@ std::vector<plot::Text> ProfilePanel::titles() const {
     if (context_.box().dimension == 2)
         name = is_up() ? say(language, "{} along y", name) : say(language, "{} along x", name);
     if (spec_.of.empty()) return {name};
-    const plot::Text names = names_of(context_, choices_, plot::Sample::line);
+    const plot::Text names = names_of(context_, choices_, plot::Swatch::line);
     return {name + ": " + names, names};
 }
 
-plot::Line ProfilePanel::curve(std::size_t run, std::size_t choice, const char* part,
-                               std::vector<double> along, std::vector<double> up) const {
-    plot::Line line;
+plot::Polyline ProfilePanel::curve(std::size_t run, std::size_t choice, const char* part,
+                                   std::vector<double> along, std::vector<double> up) const {
+    plot::Polyline line;
     line.part = part;
     line.of = column_name_of(context_.scene, choices_[choice]);
     if (record_.compares()) line.run = run;
@@ -33,8 +33,8 @@ plot::Line ProfilePanel::curve(std::size_t run, std::size_t choice, const char* 
 }
 
 // A horizontal piece for each slab; the line is broken at slabs without a value.
-plot::Line ProfilePanel::line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
-                                 const char* part) const {
+plot::Polyline ProfilePanel::line_of(std::size_t run, std::size_t choice,
+                                     const Eigen::ArrayXd& values, const char* part) const {
     const double width = record_.runs[run].length / static_cast<double>(values.size());
     std::vector<double> along, up;
     std::vector<int> piece;
@@ -50,7 +50,7 @@ plot::Line ProfilePanel::line_of(std::size_t run, std::size_t choice, const Eige
             piece.push_back(pieces);
         }
     }
-    plot::Line line = curve(run, choice, part, std::move(along), std::move(up));
+    plot::Polyline line = curve(run, choice, part, std::move(along), std::move(up));
     line.piece = std::make_shared<const std::vector<int>>(std::move(piece));
     line.piece_column = whole_.columns[0];
     return line;
@@ -64,13 +64,13 @@ plot::Stroke ProfilePanel::stroke_of_law() const {
 }
 
 // The law as a line through the middles of the slabs.
-plot::Line ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
+plot::Polyline ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
     const std::vector<double>& densities = record_.runs[run].laws[choice];
     const double width = record_.runs[run].length / static_cast<double>(densities.size());
     std::vector<double> along;
     for (std::size_t slab = 0; slab < densities.size(); ++slab)
         along.push_back((static_cast<double>(slab) + 0.5) * width);
-    plot::Line law = curve(run, choice, "law", std::move(along), densities);
+    plot::Polyline law = curve(run, choice, "law", std::move(along), densities);
     law.still = true;
     law.depth = 1;
     law.stroke = stroke_of_law();
@@ -91,7 +91,7 @@ plot::Note ProfilePanel::note() const {
             run.laws, [&](const auto& law) { return std::ranges::any_of(law, is_known); });
     };
     if (std::ranges::any_of(record_.runs, has_law))
-        note.entries.push_back({.sample = stroke_of_law(), .words = {say(language, "ideal gas")}});
+        note.entries.push_back({.swatch = stroke_of_law(), .words = {say(language, "ideal gas")}});
     if (record_.runs_in_mean > 1)
         note.entries.push_back(
             {.words = {plot::Text(counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
@@ -145,7 +145,7 @@ plot::Column ProfilePanel::column_of_errors(const Eigen::ArrayXd& values,
 }
 
 // A step for each slab, broken where the value or its error is unknown.
-plot::Band ProfilePanel::band_of(const plot::Line& line, const Eigen::ArrayXd& values,
+plot::Band ProfilePanel::band_of(const plot::Polyline& line, const Eigen::ArrayXd& values,
                                  const Eigen::ArrayXd& errors) const {
     const double width = record_.runs.front().length / static_cast<double>(values.size());
     std::vector<double> along, up, its;
@@ -193,7 +193,7 @@ plot::Plot ProfilePanel::plot(const PanelState* state) const {
     for (std::size_t run = 0; run < shown.runs.size(); ++run)
         for (std::size_t k = 0; k < shown.runs[run].size(); ++k) {
             const Eigen::ArrayXd& values = shown.runs[run][k];
-            plot::Line line = line_of(run, k, values, "profile");
+            plot::Polyline line = line_of(run, k, values, "profile");
             line.stroke =
                 record_.compares()
                     ? plot::stroke_of_run(run, 0.22)

@@ -226,7 +226,7 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
         const Cell at = place_of_surface(its.box, gas.surfaces, k), none;
         std::vector<Cell>& row = table.rows.emplace_back();
         row = {"surface",        none, none, is_x ? at : none,
-               is_x ? none : at, none, none, surface_label(its, surface, k)};
+               is_x ? none : at, none, none, table_entry_of_surface(its, surface, k)};
         row.resize(table.columns.size());
     }
     if (gas.field) field_.add_rows(table, *gas.field, 3, 4);

@@ -156,7 +156,7 @@ class PistonMeter : public CurveMeter {
     std::optional<PistonOverGas> law_;
 };
 
-plot::Line curve_of(const PistonOverGas& piston, const plot::Plot& plot) {
+plot::Polyline curve_of(const PistonOverGas& piston, const plot::Plot& plot) {
     constexpr int points = 200;
     const double length = plot.x.high - plot.x.low, width = length / shown_bins;
     std::vector<double> along, up;
@@ -164,7 +164,7 @@ plot::Line curve_of(const PistonOverGas& piston, const plot::Plot& plot) {
         along.push_back(plot.x.low + length * i / points);
         up.push_back(percent * width * piston.density_at(along.back()));
     }
-    plot::Line line;
+    plot::Polyline line;
     line.part = "theory";
     line.x = plot::column(plot.columns[0], std::move(along));
     line.y = plot::column(plot.columns[2], std::move(up));
@@ -204,7 +204,7 @@ std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const 
     if (spec.theory && law(context.gas, LawOf::piston, {.surface = surface}))
         subject.add = [language](const CurveValues* values, plot::Plot& plot) {
             plot.notes.push_back(
-                {.entries = {{.sample = of_law, .words = {say(language, "ideal gas")}}}});
+                {.entries = {{.swatch = of_law, .words = {say(language, "ideal gas")}}}});
             if (values != nullptr)
                 plot.layers.emplace_back(
                     curve_of(LawNumbers(values->numbers.front()).piston(), plot));

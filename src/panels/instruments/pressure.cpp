@@ -126,14 +126,14 @@ const plot::Role of_virial{.of = plot::Role::Of::highlight};
 
 std::vector<plot::Text> titles(Language language, bool has_walls) {
     const plot::Text virial =
-        plot::named(say(language, "from collisions"), of_virial, plot::Sample::line, 1);
+        plot::named(say(language, "from collisions"), of_virial, plot::Swatch::line, 1);
     const plot::Text walls =
-        plot::named(say(language, "on the walls"), of_walls, plot::Sample::line, 0);
+        plot::named(say(language, "on the walls"), of_walls, plot::Swatch::line, 0);
     if (!has_walls) return {plot::text_of(language, Phrase{"Pressure {}"}, {virial})};
     const auto short_title = [&](const std::string& collisions) {
         return plot::text_of(language, Phrase{"Pressure: {}, {}"},
-                             {plot::named(say(language, "walls"), of_walls, plot::Sample::line, 0),
-                              plot::named(collisions, of_virial, plot::Sample::line, 1)});
+                             {plot::named(say(language, "walls"), of_walls, plot::Swatch::line, 0),
+                              plot::named(collisions, of_virial, plot::Swatch::line, 1)});
     };
     return {plot::text_of(language, Phrase{"Pressure {} and {}"}, {walls, virial}),
             short_title(say(language, "collisions")), short_title(say(language, "virial"))};

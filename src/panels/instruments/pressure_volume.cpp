@@ -104,8 +104,8 @@ PressureVolumeRecord compare(std::vector<PressureVolumeRecord> records,
     return all;
 }
 
-plot::Line curve(const plot::Plot& plot, std::string name, const plot::Stroke& stroke,
-                 const std::vector<double>& area, const std::vector<double>& pressure) {
+plot::Polyline curve(const plot::Plot& plot, std::string name, const plot::Stroke& stroke,
+                     const std::vector<double>& area, const std::vector<double>& pressure) {
     std::vector<double> across, up;
     for (std::size_t i = 0; i < area.size(); ++i) {
         if (area[i] < plot.x.low || area[i] > plot.x.high) continue;
@@ -113,7 +113,7 @@ plot::Line curve(const plot::Plot& plot, std::string name, const plot::Stroke& s
         across.push_back(area[i]);
         up.push_back(pressure[i]);
     }
-    plot::Line line;
+    plot::Polyline line;
     line.part = "theory";
     line.of = std::move(name);
     line.still = true;
@@ -177,8 +177,8 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
     }
     void make_axes() override;
     void add_curves(const Compression& theory);
-    plot::Line path_of(std::size_t run, std::size_t shown) const;
-    plot::Line whole_path(std::size_t run) const;
+    plot::Polyline path_of(std::size_t run, std::size_t shown) const;
+    plot::Polyline whole_path(std::size_t run) const;
 
     PanelContext context_;
     PanelSpec spec_;
@@ -291,9 +291,9 @@ void PressureVolumePanel::add_curves(const Compression& theory) {
 }
 
 // All of it, of which nothing is shown: words keep off it in all frames.
-plot::Line PressureVolumePanel::whole_path(std::size_t run) const {
+plot::Polyline PressureVolumePanel::whole_path(std::size_t run) const {
     const PressureVolumeRun& its = record_.runs[run];
-    plot::Line line;
+    plot::Polyline line;
     line.shown = {0, 0};
     line.x = plot::column(whole_.columns[0], its.area);
     line.y = plot::column(whole_.columns[1], its.pressure);
@@ -301,7 +301,7 @@ plot::Line PressureVolumePanel::whole_path(std::size_t run) const {
 }
 
 // The samples up to a frame, and the frame itself.
-plot::Line PressureVolumePanel::path_of(std::size_t run, std::size_t shown) const {
+plot::Polyline PressureVolumePanel::path_of(std::size_t run, std::size_t shown) const {
     const PressureVolumeRun& its = record_.runs[run];
     const std::size_t frame = std::min(shown, its.frame_time.size()) - 1;
     const double now = its.frame_time.at(frame);
@@ -312,7 +312,7 @@ plot::Line PressureVolumePanel::path_of(std::size_t run, std::size_t shown) cons
         area.push_back(its.frame_area[frame]);
         pressure.push_back(its.frame_pressure[frame]);
     }
-    plot::Line line;
+    plot::Polyline line;
     line.part = "path";
     line.depth = 1;
     line.shown.end = area.size();
@@ -326,7 +326,7 @@ plot::Line PressureVolumePanel::path_of(std::size_t run, std::size_t shown) cons
         line.run = run;
         line.stroke = plot::stroke_of_run(run, 0.12);
     }
-    line.head = plot::Mark{
+    line.head = plot::Dot{
         .role = line.stroke.role, .radius = 0.35, .is_hollow_if_pale = true, .halo = 0.12};
     return line;
 }

@@ -171,8 +171,8 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
         const auto from = all.begin() + std::ptrdiff_t(choice) * rings_.count();
         return {from, from + rings_.count()};
     }
-    plot::Line line_of(std::size_t run, std::size_t choice,
-                       const std::vector<double>& values) const;
+    plot::Polyline line_of(std::size_t run, std::size_t choice,
+                           const std::vector<double>& values) const;
     void add_front(plot::Plot& plot, const std::vector<double>& values) const;
     void add_rest();
     double relative_variance() const;
@@ -219,7 +219,7 @@ void RadialProfilePanel::make_axes() {
     else if (spec_.of.empty())
         whole_.titles = {title};
     else
-        whole_.titles = {title + ": " + names_of(context_, choices_, plot::Sample::line)};
+        whole_.titles = {title + ": " + names_of(context_, choices_, plot::Swatch::line)};
     if (record_.runs_in_mean > 1) whole_.columns.push_back(standard_error_of(density));
     std::vector<std::string> names;
     for (const RadialRun& run : record_.runs) names.push_back(run.name);
@@ -248,15 +248,15 @@ void RadialProfilePanel::add_rest() {
 }
 
 // A horizontal piece for each ring.
-plot::Line RadialProfilePanel::line_of(std::size_t run, std::size_t choice,
-                                       const std::vector<double>& values) const {
+plot::Polyline RadialProfilePanel::line_of(std::size_t run, std::size_t choice,
+                                           const std::vector<double>& values) const {
     std::vector<double> along, up;
     for (std::size_t ring = 0; ring < values.size(); ++ring)
         for (const double end : {0.0, 1.0}) {
             along.push_back((static_cast<double>(ring) + end) * rings_.width());
             up.push_back(values[ring]);
         }
-    plot::Line line;
+    plot::Polyline line;
     line.part = "profile";
     line.of = column_name_of(context_.scene, choices_[choice]);
     if (record_.compares()) line.run = run;
@@ -318,7 +318,7 @@ plot::Plot RadialProfilePanel::plot(const PanelState* state) const {
         const std::size_t frame = std::min(shown.at(run), its.frames.size()) - 1;
         for (std::size_t k = 0; k < choices_.size(); ++k) {
             const std::vector<double> values = of_choice(its.frames[frame], k);
-            plot::Line line = line_of(run, k, values);
+            plot::Polyline line = line_of(run, k, values);
             if (!its.errors.empty()) {
                 std::vector<double> errors;
                 for (const double error : of_choice(its.errors[frame], k))

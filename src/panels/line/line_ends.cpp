@@ -73,7 +73,7 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
         const double middle = x + out * (is_imposed ? 2.0 : 1.6) * u;
         draw_surface_arrow(canvas, dc, {middle - length / 2, y}, {length, 0.0});
     }
-    const std::string words = mark_of_surface(scene_.film.language, scene_.gas, behaviour, 0);
+    const std::string words = label_of_surface(scene_.film.language, scene_.gas, behaviour, 0);
     if (words.empty()) return;
     TextStyle style = label_style(dc);
     style.color = dc.theme.ink;
@@ -85,7 +85,7 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
 bool LineEnds::has_words(std::size_t side) const {
     const auto in_time = behaviours_in_time(scene_.gas.box.surfaces, scene_.run);
     return std::ranges::any_of(in_time[side], [&](const Behaviour& behaviour) {
-        return !mark_of_surface(scene_.film.language, scene_.gas, behaviour, 0).empty();
+        return !label_of_surface(scene_.film.language, scene_.gas, behaviour, 0).empty();
     });
 }
 

@@ -57,7 +57,7 @@ double height_of_names(const DrawContext& dc, const BarNotes& notes) {
     return (row_of_name(notes.names.size()) - after_last) * dc.unit;
 }
 
-// The place of all names at the top of an area, with the samples before them.
+// The place of all names at the top of an area, with the swatches before them.
 Rect beside(const Rect& area, Side side, const DrawContext& dc, const BarNotes& notes,
             double width) {
     const double air = 0.3 * dc.unit;
@@ -240,11 +240,11 @@ void draw_names(Canvas& canvas, const Frame& frame, const Plot& plot) {
         }
         const Point at = place_of_name(frame, plot, k, is_short);
         TextStyle style = label_style(frame.dc);
-        style.color = legible(color_of(name.sample, frame.dc.theme), frame.dc.theme);
+        style.color = legible(color_of(name.swatch, frame.dc.theme), frame.dc.theme);
         style.max_width = frame.notes.width;
         draw_text(canvas, {at.x + 0.6 * u, at.y}, words, style);
         draw_straight(canvas, frame.dc, {at.x, at.y + 0.1 * u}, {at.x, at.y - 0.85 * u},
-                      name.sample);
+                      name.swatch);
     }
 }
 

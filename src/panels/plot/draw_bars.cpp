@@ -159,7 +159,7 @@ void draw_errors(Canvas& canvas, const Frame& frame, const Bars& bars) {
     }
 }
 
-void draw_casing(Canvas& canvas, const Frame& frame, const Line& line) {
+void draw_casing(Canvas& canvas, const Frame& frame, const Polyline& line) {
     std::vector<Point> path;
     for (std::size_t i = 0; i < line.x.size(); ++i)
         path.push_back({frame.x(line.x[i]), frame.y(line.y[i])});
@@ -187,7 +187,7 @@ void draw_casings(Canvas& canvas, const Frame& frame, const Plot& plot, const Ba
         const double right = right_of(frame, bars, to - 1);
         canvas.clip_to({left, area.y, right - left, area.height - frame.pixels(cased_from)});
         for (const AnyLayer& layer : plot.layers)
-            if (const auto* line = std::get_if<Line>(&layer)) draw_casing(canvas, frame, *line);
+            if (const auto* line = std::get_if<Polyline>(&layer)) draw_casing(canvas, frame, *line);
         canvas.release_clip();
         from = to;
     }

@@ -95,7 +95,7 @@ CutPath cut_to(const Rect& area, std::span<const Point> path, double apart) {
 }
 
 std::vector<std::vector<Point>> draw_exits(Canvas& canvas, const Frame& frame,
-                                           std::span<const Point> path, const Line& line) {
+                                           std::span<const Point> path, const Polyline& line) {
     constexpr double apart = 0.8;  // units
     CutPath cut = cut_to(frame.area, path, frame.pixels(apart));
     if (!line.marks_exits) return std::move(cut.pieces);
@@ -136,13 +136,13 @@ std::size_t end_of(const Curve& curve) {
     return std::min(curve.shown.end, curve.x.size());
 }
 
-bool piece_ends(const Line& line, std::size_t i) {
+bool piece_ends(const Polyline& line, std::size_t i) {
     return i + 1 == end_of(line) || (line.piece && (*line.piece)[i + 1] != (*line.piece)[i]);
 }
 
 }  // namespace
 
-void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
+void draw_layer(Canvas& canvas, const Frame& frame, const Polyline& line) {
     std::vector<Point> path;
     std::optional<Point> last;
     bool is_inside = true;
@@ -164,7 +164,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Line& line) {
         is_inside = true;
     }
     if (last && line.head && is_in_area(frame, *last))
-        draw_mark(canvas, frame.dc, *last, *line.head);
+        draw_dot(canvas, frame.dc, *last, *line.head);
 }
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Band& band) {
@@ -201,7 +201,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Points& points) {
         const Point at{frame.x(points.x[i]), frame.y(points.y[i])};
         if (!is_in_area(frame, at)) continue;
         if (last && !is_apart(*last, at, frame.pixels(points.spacing))) continue;
-        draw_mark(canvas, frame.dc, at, points.mark);
+        draw_dot(canvas, frame.dc, at, points.dot);
         if (points.spacing > 0.0) last = at;
     }
 }

@@ -11,7 +11,7 @@ namespace carom::plot {
 namespace {
 
 constexpr double ascent = 1.1, descent = 0.4;           // of words, units, with air
-constexpr double sample_from = -1.8, sample_to = -0.6;  // of a sample before words, units
+constexpr double swatch_from = -1.8, swatch_to = -0.6;  // of a swatch before words, units
 
 // Where an anchor is on the canvas.
 Point place_of(const Frame& frame, const Anchor& anchor) {
@@ -33,18 +33,18 @@ struct Place {
     Point baseline;
     Align align;
     Rect rect;
-    bool has_sample;
+    bool has_swatch;
     std::string words = {};
     bool is_away = false;  ///< from what they name
 };
 
-// With the sample before the words, which keeps off other words.
+// With the swatch before the words, which keeps off other words.
 Rect whole_of(const Frame& frame, const Place& place) {
     constexpr double air = 0.5;  // units
     Rect whole = place.rect;
-    if (!place.has_sample) return whole;
-    whole.x += frame.pixels(sample_from - air);
-    whole.width -= frame.pixels(sample_from - air);
+    if (!place.has_swatch) return whole;
+    whole.x += frame.pixels(swatch_from - air);
+    whole.width -= frame.pixels(swatch_from - air);
     return whole;
 }
 
@@ -59,9 +59,9 @@ bool reaches_title(const Frame& frame, const Rect& words) {
     return words.y < frame.area.y - frame.pixels(most_over);
 }
 
-// Whether words, and the sample before them, are within the plot from left to right.
+// Whether words, and the swatch before them, are within the plot from left to right.
 bool fits_across(const Frame& frame, const Place& place) {
-    const double left = place.rect.x + (place.has_sample ? frame.pixels(sample_from) : 0.0);
+    const double left = place.rect.x + (place.has_swatch ? frame.pixels(swatch_from) : 0.0);
     return left >= frame.area.x && place.rect.right() <= frame.area.right();
 }
 
@@ -84,21 +84,21 @@ bool is_at_its_own(const Frame& frame, const Label& label, const Rect& words) {
     return !label.line || frame.placer.is_nearest_line(*label.line, words, frame.pixels(close));
 }
 
-// In print the words of names begin with samples.
-bool has_own_sample(const Frame& frame, const Label& label) {
+// In print the words of names begin with swatches.
+bool has_own_swatch(const Frame& frame, const Label& label) {
     return label.is_name && frame.dc.theme.kind == ThemeKind::print;
 }
 
-// A name to which its line comes late in the film has a sample until then; false if it has no room.
+// A name to which its line comes late in the film has a swatch until then; false if it has no room.
 bool add_sample_until_come(const Frame& frame, const Label& label, Place& place) {
     constexpr double late = 0.15;  // of the film
-    if (has_own_sample(frame, label) || place.rect.x < frame.area.x + late * frame.area.width)
+    if (has_own_swatch(frame, label) || place.rect.x < frame.area.x + late * frame.area.width)
         return true;
-    Place with_sample = place;
-    with_sample.has_sample = true;
-    if (!frame.placer.is_free(whole_of(frame, with_sample)) || !fits_across(frame, with_sample))
+    Place with_swatch = place;
+    with_swatch.has_swatch = true;
+    if (!frame.placer.is_free(whole_of(frame, with_swatch)) || !fits_across(frame, with_swatch))
         return false;
-    place = with_sample;
+    place = with_swatch;
     return true;
 }
 
@@ -106,11 +106,11 @@ bool add_sample_until_come(const Frame& frame, const Label& label, Place& place)
 // place must hold the words completely.
 std::optional<Place> free_place(const Frame& frame, const Label& label, double width,
                                 bool has_shorter, bool over_markers) {
-    constexpr double latest = 0.4;  // of the film, for a name without a sample until then
+    constexpr double latest = 0.4;  // of the film, for a name without a swatch until then
     std::optional<Place> late;
     for (const Anchor& anchor : label.anchors) {
         const bool steps = anchor.step.x != 0.0 || anchor.step.y != 0.0;
-        Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
+        Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_swatch};
         for (;;) {
             place.rect = rect_of(frame, place.baseline, anchor.align, width);
             keep_inside(frame, place);
@@ -118,7 +118,7 @@ std::optional<Place> free_place(const Frame& frame, const Label& label, double w
             if (reaches_x_axis(frame, place.rect) || reaches_title(frame, place.rect)) break;
             if (!fits_across(frame, place)) {
                 if (has_shorter) break;
-                place.has_sample = false;  // it would lie on the numbers of the axis
+                place.has_swatch = false;  // it would lie on the numbers of the axis
                 if (!fits_across(frame, place)) break;
             }
             if (frame.placer.is_free(whole_of(frame, place), over_markers) &&
@@ -134,11 +134,11 @@ std::optional<Place> free_place(const Frame& frame, const Label& label, double w
     return late;
 }
 
-// Whether the words say by a sample what they belong to, and may therefore be anywhere: words of a
+// Whether the words say by a swatch what they belong to, and may therefore be anywhere: words of a
 // level, and names.
-bool has_sample(const Label& label) {
-    return label.sample && !label.anchors.empty() &&
-           (label.is_name || label.level || label.anchors.front().has_sample);
+bool has_swatch(const Label& label) {
+    return label.swatch && !label.anchors.empty() &&
+           (label.is_name || label.level || label.anchors.front().has_swatch);
 }
 
 // The free place nearest to the first anchor.
@@ -152,7 +152,7 @@ std::optional<Place> place_anywhere(const Frame& frame, const Label& label, doub
     const double air = frame.pixels(step);
     for (double y = area.y + frame.pixels(ascent); y < area.bottom(); y += air)
         for (double x = area.right() - air; x > area.x; x -= air) {
-            Place place{{x, y}, Align::right, {}, !has_own_sample(frame, label)};
+            Place place{{x, y}, Align::right, {}, !has_own_swatch(frame, label)};
             place.is_away = true;
             place.rect = rect_of(frame, place.baseline, place.align, width);
             const double distance = std::hypot(x - wanted.x, y - wanted.y);
@@ -192,7 +192,7 @@ std::optional<Place> place_of(const Frame& frame, const Label& label) {
         return {};
     };
     std::optional<Place> place = found({});
-    if (place || !has_sample(label)) return place;
+    if (place || !has_swatch(label)) return place;
     std::array<Search, 3> others{Search{true, false}, Search{false, true}, Search{true, true}};
     if (label.level) std::swap(others[0], others[1]);  // beside its line, not in a key
     for (const Search& search : others)
@@ -217,15 +217,15 @@ void draw_in_place(Canvas& canvas, const Frame& frame, const Label& label, const
     TextStyle style = style_of(frame, label);
     style.align = place.align;
     draw_text(canvas, place.baseline, place.words, clear_of_grid(frame, style, rect));
-    if (!place.has_sample || !label.sample) return;
+    if (!place.has_swatch || !label.swatch) return;
     const double y = place.baseline.y - frame.pixels(0.35);
-    draw_straight(canvas, frame.dc, {rect.x + frame.pixels(sample_from), y},
-                  {rect.x + frame.pixels(sample_to), y}, *label.sample);
+    draw_straight(canvas, frame.dc, {rect.x + frame.pixels(swatch_from), y},
+                  {rect.x + frame.pixels(swatch_to), y}, *label.swatch);
 }
 
 // How much of a name is to be seen of a line that has come so far: it fades in as the end of the
 // line passes its beginning.
-double share_seen(const Frame& frame, const Line& line, const Rect& words) {
+double share_seen(const Frame& frame, const Polyline& line, const Rect& words) {
     constexpr double way = 1.0;  // units
     const std::size_t end = std::min(line.shown.end, line.x.size());
     double head = -INFINITY;
@@ -263,22 +263,22 @@ Label fixed_label(const Frame& frame, const Label& label) {
                      .x_is_share = true,
                      .y_is_share = true,
                      .align = place->align,
-                     .has_sample = place->has_sample}};
+                     .has_swatch = place->has_swatch}};
     return name;
 }
 
-void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line) {
+void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Polyline& line) {
     if (label.anchors.empty()) return;
     const Anchor& anchor = label.anchors.front();
-    Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_sample};
+    Place place{place_of(frame, anchor), anchor.align, {}, anchor.has_swatch};
     place.words = markup_of(label.words.front(), frame.dc.theme);
     const double width = measure_text(place.words, style_of(frame, label)).width;
     place.rect = rect_of(frame, place.baseline, place.align, width);
-    const double share = has_own_sample(frame, label) ? 1.0 : share_seen(frame, line, place.rect);
+    const double share = has_own_swatch(frame, label) ? 1.0 : share_seen(frame, line, place.rect);
     Label fading = label;
-    if (place.has_sample) {
-        fading.sample->fade = share;
-        place.has_sample = share < 1.0;
+    if (place.has_swatch) {
+        fading.swatch->fade = share;
+        place.has_swatch = share < 1.0;
         return draw_in_place(canvas, frame, fading, place);
     }
     if (share == 0.0) return;

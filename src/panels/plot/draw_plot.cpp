@@ -226,7 +226,7 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
 
 // Whether a frame shows nothing of a line yet.
 bool is_hidden(const AnyLayer& layer) {
-    const auto* line = std::get_if<Line>(&layer);
+    const auto* line = std::get_if<Polyline>(&layer);
     return line != nullptr && line->shown.end == 0;
 }
 
@@ -271,8 +271,8 @@ double Frame::y(double value, Beyond beyond) const {
     return beyond == Beyond::clamped ? std::clamp(y, area.y, y_scale.from) : y;
 }
 
-void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part) {
-    const bool still = part == Part::still;
+void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, DrawnPart part) {
+    const bool still = part == DrawnPart::still;
     if (plot.at_lines && (still || depends_on_names(plot)))
         return draw_plot(canvas, dc, with_names(plot, dc), part);
     LabelPlacer placer({});

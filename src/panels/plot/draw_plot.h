@@ -13,10 +13,10 @@ namespace carom::plot {
 
 /// The part of a plot that is drawn: what is the same in every frame (title, notes, axes, still
 /// layers), or the rest, which is drawn over it.
-enum class Part { still, changing };
+enum class DrawnPart { still, changing };
 
 /// Draws a part of the plot into `dc.area`. A pure function; may be called from any thread.
-void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, Part part);
+void draw_plot(Canvas& canvas, const DrawContext& dc, const Plot& plot, DrawnPart part);
 
 /// Draws the names of growing lines, each once its line has come to it. `whole` is the plot of no
 /// frame, from with_fixed_names().

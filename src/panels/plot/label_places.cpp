@@ -42,7 +42,7 @@ void keep_clear_of_data(const Frame& frame, const Plot& plot, LabelPlacer& place
     for (std::size_t k = 0; k < plot.layers.size(); ++k) {
         const AnyLayer& layer = plot.layers[k];
         if (std::holds_alternative<Bars>(layer)) continue;
-        const auto* line = std::get_if<Line>(&layer);
+        const auto* line = std::get_if<Polyline>(&layer);
         if (line != nullptr && line->head) placer.set_line(k);
         keep_clear_of(of_all, layer);
         placer.set_line({});
@@ -99,7 +99,7 @@ bool all_names_stand(const Plot& plot, const DrawContext& dc) {
         const Label* label = label_of(*layer);
         if (label == nullptr || rect_of(frame, *label)) continue;
         const bool is_after = common(*layer).depth == depth_after_names;
-        if ((label->is_name && label->sample) || (label->level && is_after)) return false;
+        if ((label->is_name && label->swatch) || (label->level && is_after)) return false;
     }
     return true;
 }
@@ -165,7 +165,7 @@ void draw_arriving_names(Canvas& canvas, const DrawContext& dc, const Plot& whol
     frame.grid = grid_of(frame, whole);
     for (const AnyLayer& layer : whole.layers) {
         const auto& label = std::get<Label>(layer);
-        draw_arriving(canvas, frame, label, std::get<Line>(now.layers.at(*label.line)));
+        draw_arriving(canvas, frame, label, std::get<Polyline>(now.layers.at(*label.line)));
     }
 }
 
@@ -218,7 +218,7 @@ Height height_at(const Bars& bars, double x) {
 }
 
 // Interpolates between the points on either side.
-Height height_at(const Line& line, double x) {
+Height height_at(const Polyline& line, double x) {
     Height highest_there;
     const std::size_t end = std::min(line.shown.end, line.x.size());
     for (std::size_t i = line.shown.first + 1; i < end; ++i) {
@@ -236,7 +236,8 @@ Height top_at(const Plot& plot, double x) {
     Height bars, lines;
     for (const AnyLayer& layer : plot.layers) {
         if (const auto* its = std::get_if<Bars>(&layer)) bars = highest(bars, height_at(*its, x));
-        if (const auto* its = std::get_if<Line>(&layer)) lines = highest(lines, height_at(*its, x));
+        if (const auto* its = std::get_if<Polyline>(&layer))
+            lines = highest(lines, height_at(*its, x));
     }
     return bars ? bars : lines;
 }

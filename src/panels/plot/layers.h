@@ -87,7 +87,7 @@ std::optional<std::pair<double, double>> part_in(const Rect& area, Point from, P
 /// Draws the arrows of a line whose path leaves the area of the data, and gives the pieces of the
 /// path that are to be drawn over them.
 std::vector<std::vector<Point>> draw_exits(Canvas& canvas, const Frame& frame,
-                                           std::span<const Point> path, const Line& line);
+                                           std::span<const Point> path, const Polyline& line);
 
 /// Where the arrow of a level stands that lies beyond the axis, at the right end; none if it does
 /// not.
@@ -101,7 +101,7 @@ void draw_exit(Canvas& canvas, const Frame& frame, const Exit& exit, const Strok
 Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer);
 
 void draw_layer(Canvas& canvas, const Frame& frame, const Bars& bars);
-void draw_layer(Canvas& canvas, const Frame& frame, const Line& line);
+void draw_layer(Canvas& canvas, const Frame& frame, const Polyline& line);
 void draw_layer(Canvas& canvas, const Frame& frame, const Band& band);
 void draw_layer(Canvas& canvas, const Frame& frame, const Points& points);
 void draw_layer(Canvas& canvas, const Frame& frame, const Level& level);
@@ -114,7 +114,7 @@ void draw_layer(Canvas& canvas, const Frame& frame, const Label& label);
 Label fixed_label(const Frame& frame, const Label& label);
 
 /// Draws such a name as far as the end of its line has come to it.
-void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Line& line);
+void draw_arriving(Canvas& canvas, const Frame& frame, const Label& label, const Polyline& line);
 
 /// Places a label and reserves its place against other labels; none if the label is left out.
 std::optional<Rect> rect_of(const Frame& frame, const Label& label);
@@ -173,7 +173,7 @@ void draw_stroke(Canvas& canvas, const DrawContext& dc, std::span<const Point> p
 void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
                    const Stroke& stroke);
 
-void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark);
+void draw_dot(Canvas& canvas, const DrawContext& dc, Point at, const Dot& dot);
 
 /// The style of an arrow in an explanatory picture; `edge`: the width of its edge in units.
 ArrowStyle arrow_style(const DrawContext& dc, Color color, Color edge_color, double edge);

@@ -9,17 +9,17 @@
 namespace carom::plot {
 namespace {
 
-constexpr double sample_gap = 0.5, entry_gap = 1.5;  // units
+constexpr double swatch_gap = 0.5, entry_gap = 1.5;  // units
 constexpr double narrow_gap = 0.4;        // between entries that are squeezed into one row
 constexpr double first_baseline = 2.5;    // units
-constexpr double sample_over_plot = 2.4;  // of notes that begin at the plot's edge, units
+constexpr double swatch_over_plot = 2.4;  // of notes that begin at the plot's edge, units
 constexpr double gap_beside = 1.4;        // between a plot and the note beside it, units
 constexpr double most_rows = 0.45;  // of the height: limit for a note that may be beside the plot
 
-// Marks are narrower than other samples.
-double sample_of(const Note& note, const KeyEntry& entry, const DrawContext& dc) {
-    if (entry.sample || !entry.arrows.empty()) return note.sample_width * dc.unit;
-    return entry.mark ? 2.5 * entry.mark->radius * dc.unit : 0.0;
+// Dots are narrower than other swatches.
+double swatch_of(const Note& note, const KeyEntry& entry, const DrawContext& dc) {
+    if (entry.swatch || !entry.arrows.empty()) return note.swatch_width * dc.unit;
+    return entry.dot ? 2.5 * entry.dot->radius * dc.unit : 0.0;
 }
 
 double width_of(const Text& words, const DrawContext& dc) {
@@ -35,28 +35,28 @@ struct PlacedEntry {
     const KeyEntry* entry;
     Text words;
     Point at;  // of the baseline
-    double sample, width;
-    bool is_first = true;  // of its rows: with the sample
+    double swatch, width;
+    bool is_first = true;  // of its rows: with the swatch
 };
 
-// The width of a sample and the gap after it.
-double width_with_gap(double sample, const DrawContext& dc) {
-    return sample > 0.0 ? sample + sample_gap * dc.unit : 0.0;
+// The width of a swatch and the gap after it.
+double width_with_gap(double swatch, const DrawContext& dc) {
+    return swatch > 0.0 ? swatch + swatch_gap * dc.unit : 0.0;
 }
 
 double width_before(const Note& note, const KeyEntry::Reserved& reserved, const DrawContext& dc) {
-    return width_with_gap(reserved.has_sample ? note.sample_width * dc.unit : 0.0, dc);
+    return width_with_gap(reserved.has_swatch ? note.swatch_width * dc.unit : 0.0, dc);
 }
 
-// Measures an entry, with its sample in the given width or in its own.
+// Measures an entry, with its swatch in the given width or in its own.
 PlacedEntry measured(const Note& note, const KeyEntry& entry, std::size_t length,
-                     const DrawContext& dc, std::optional<double> sample_width = {}) {
-    const double sample = sample_width.value_or(sample_of(note, entry, dc));
+                     const DrawContext& dc, std::optional<double> swatch_width = {}) {
+    const double swatch = swatch_width.value_or(swatch_of(note, entry, dc));
     const Text& words = words_of(entry, length);
-    double width = entry.reserved.empty() ? width_with_gap(sample, dc) + width_of(words, dc) : 0.0;
-    for (const KeyEntry::Reserved& one : entry.reserved)
-        width = std::max(width, width_before(note, one, dc) + width_of(one.words, dc));
-    return {&entry, words, {}, sample, width};
+    double width = entry.reserved.empty() ? width_with_gap(swatch, dc) + width_of(words, dc) : 0.0;
+    for (const KeyEntry::Reserved& reserved : entry.reserved)
+        width = std::max(width, width_before(note, reserved, dc) + width_of(reserved.words, dc));
+    return {&entry, words, {}, swatch, width};
 }
 
 // The rows into which words are broken at spaces so that each fits into the room, if it can.
@@ -79,18 +79,19 @@ std::vector<Text> rows_of(const Text& words, double room, const DrawContext& dc)
 
 // How many rows an entry takes at most, whatever its words become.
 std::size_t most_rows_of(const Note& note, const PlacedEntry& placed, const DrawContext& dc) {
-    const double own = dc.area.width - width_with_gap(placed.sample, dc);
+    const double own = dc.area.width - width_with_gap(placed.swatch, dc);
     std::size_t most = rows_of(placed.words, own, dc).size();
-    for (const KeyEntry::Reserved& one : placed.entry->reserved)
-        most = std::max(most,
-                        rows_of(one.words, dc.area.width - width_before(note, one, dc), dc).size());
+    for (const KeyEntry::Reserved& reserved : placed.entry->reserved)
+        most = std::max(
+            most,
+            rows_of(reserved.words, dc.area.width - width_before(note, reserved, dc), dc).size());
     return most;
 }
 
 // Narrows the widest entries of a row until all fit side by side.
 void squeeze(std::vector<PlacedEntry>& row, double room) {
     std::vector<double> widths;
-    for (const PlacedEntry& one : row) widths.push_back(one.width);
+    for (const PlacedEntry& item : row) widths.push_back(item.width);
     std::ranges::sort(widths);
     double most = room;
     for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -98,7 +99,7 @@ void squeeze(std::vector<PlacedEntry>& row, double room) {
         if (widths[i] > most) break;
         room -= widths[i];
     }
-    for (PlacedEntry& one : row) one.width = std::min(one.width, most);
+    for (PlacedEntry& item : row) item.width = std::min(item.width, most);
 }
 
 // Puts all entries in one row, some cut at their ends; empty if more than `most_cut` would be cut
@@ -115,9 +116,9 @@ std::vector<PlacedEntry> places_in_one_row(const Note& note, const DrawContext& 
     const double room = dc.area.width - gap * static_cast<double>(placed.size() - 1);
     if (room < (1.0 - most_cut) * whole) return {};
     squeeze(placed, room);
-    for (PlacedEntry& one : placed) {
-        one.at = start;
-        start.x += one.width + gap;
+    for (PlacedEntry& item : placed) {
+        item.at = start;
+        start.x += item.width + gap;
     }
     return placed;
 }
@@ -128,13 +129,13 @@ struct PlacedEntries {
 };
 
 // Adds the rows of an entry that is too long for one, from a place on.
-void add_rows(const PlacedEntry& one, const DrawContext& dc, Point at, PlacedEntries& placed) {
-    const double room = dc.area.width - width_with_gap(one.sample, dc);
-    for (const Text& row : rows_of(one.words, room, dc)) {
-        PlacedEntry part = one;
+void add_rows(const PlacedEntry& item, const DrawContext& dc, Point at, PlacedEntries& placed) {
+    const double room = dc.area.width - width_with_gap(item.swatch, dc);
+    for (const Text& row : rows_of(item.words, room, dc)) {
+        PlacedEntry part = item;
         part.words = row;
         part.at = at;
-        part.is_first = placed.all.empty() || placed.all.back().entry != one.entry;
+        part.is_first = placed.all.empty() || placed.all.back().entry != item.entry;
         placed.all.push_back(std::move(part));
         at.y += note_height * dc.unit;
     }
@@ -154,20 +155,20 @@ PlacedEntries places(const Note& note, const DrawContext& dc, Point start = {}) 
     PlacedEntries placed;
     Point at;
     for (const KeyEntry& entry : note.entries) {
-        PlacedEntry one = measured(note, entry, length, dc);
-        const bool breaks = note.wraps && entry.breaks && one.width > dc.area.width;
-        one.width = std::min(dc.area.width, one.width);
-        if (note.wraps && at.x > 0.0 && at.x + one.width > dc.area.width)
+        PlacedEntry item = measured(note, entry, length, dc);
+        const bool breaks = note.wraps && entry.breaks && item.width > dc.area.width;
+        item.width = std::min(dc.area.width, item.width);
+        if (note.wraps && at.x > 0.0 && at.x + item.width > dc.area.width)
             at = {0.0, at.y + note_height * dc.unit};
         if (note.may_be_beside && at.y > most_rows * plot_area(dc).height) break;
-        one.at = {start.x + at.x, start.y + at.y};
+        item.at = {start.x + at.x, start.y + at.y};
         if (breaks) {
-            add_rows(one, dc, one.at, placed);
-            at.y += note_height * dc.unit * static_cast<double>(most_rows_of(note, one, dc) - 1);
+            add_rows(item, dc, item.at, placed);
+            at.y += note_height * dc.unit * static_cast<double>(most_rows_of(note, item, dc) - 1);
         } else {
-            placed.all.push_back(one);
+            placed.all.push_back(item);
         }
-        at.x += one.width + entry_gap * dc.unit;
+        at.x += item.width + entry_gap * dc.unit;
         placed.last_row = at.y;
     }
     return placed;
@@ -178,7 +179,7 @@ std::pair<std::vector<PlacedEntry>, double> column_of(const Note& note, const Dr
     std::vector<PlacedEntry> entries;
     double width = 0.0;
     for (const KeyEntry& entry : note.entries) {
-        entries.push_back(measured(note, entry, 0, dc, note.sample_width * dc.unit));
+        entries.push_back(measured(note, entry, 0, dc, note.swatch_width * dc.unit));
         width = std::max(width, entries.back().width + gap_beside * dc.unit);
     }
     return {std::move(entries), width};
@@ -266,18 +267,18 @@ double height_of_rows(const Plot& plot, const DrawContext& dc, bool is_key_besid
 
 namespace {
 
-// One entry at the left edge of the plot, its sample left of that.
+// One entry at the left edge of the plot, its swatch left of that.
 void draw_note_over_plot(Canvas& canvas, const Frame& frame, const Note& note, double y) {
     const DrawContext& dc = frame.dc;
     TextStyle style = label_style(dc);
     style.max_width = frame.area.width;
     for (const KeyEntry& entry : note.entries) {
-        const double end = frame.area.x - sample_gap * dc.unit, middle = y - 0.35 * dc.unit;
-        if (entry.sample)
+        const double end = frame.area.x - swatch_gap * dc.unit, middle = y - 0.35 * dc.unit;
+        if (entry.swatch)
             draw_stroke(
                 canvas, dc,
-                std::array{Point{end - sample_over_plot * dc.unit, middle}, Point{end, middle}},
-                *entry.sample);
+                std::array{Point{end - swatch_over_plot * dc.unit, middle}, Point{end, middle}},
+                *entry.swatch);
         std::string words;
         for (const Text& text : entry.words) {  // a little more room, as its numbers change
             words = markup_of(text, dc.theme);
@@ -287,41 +288,41 @@ void draw_note_over_plot(Canvas& canvas, const Frame& frame, const Note& note, d
     }
 }
 
-// A line, a mark in its middle, arrows over it.
-void draw_sample(Canvas& canvas, const DrawContext& dc, const PlacedEntry& placed) {
+// A line, a dot in its middle, arrows over it.
+void draw_swatch(Canvas& canvas, const DrawContext& dc, const PlacedEntry& placed) {
     const KeyEntry& entry = *placed.entry;
     const double y = placed.at.y - 0.35 * dc.unit;
-    const auto along = [&](double share) { return Point{placed.at.x + share * placed.sample, y}; };
-    if (entry.sample) draw_stroke(canvas, dc, std::array{along(0.0), along(1.0)}, *entry.sample);
-    if (entry.mark) draw_mark(canvas, dc, along(0.5), *entry.mark);
+    const auto along = [&](double share) { return Point{placed.at.x + share * placed.swatch, y}; };
+    if (entry.swatch) draw_stroke(canvas, dc, std::array{along(0.0), along(1.0)}, *entry.swatch);
+    if (entry.dot) draw_dot(canvas, dc, along(0.5), *entry.dot);
     for (const Arrow& arrow : entry.arrows)
         draw_arrow(canvas, dc, along(arrow.from.x), along(arrow.to.x), arrow);
 }
 
 void draw_note(Canvas& canvas, const Frame& frame, const std::vector<PlacedEntry>& placed) {
     const DrawContext& dc = frame.dc;
-    for (const PlacedEntry& one : placed) {
-        if (one.is_first) draw_sample(canvas, dc, one);
-        if (one.entry->is_hidden) continue;
-        const double words = width_with_gap(one.sample, dc);
+    for (const PlacedEntry& item : placed) {
+        if (item.is_first) draw_swatch(canvas, dc, item);
+        if (item.entry->is_hidden) continue;
+        const double words = width_with_gap(item.swatch, dc);
         TextStyle style = label_style(dc);
         style.max_width =
-            std::min(one.width - words + 0.1 * dc.unit, dc.area.right() - one.at.x - words);
-        draw_text(canvas, {one.at.x + words, one.at.y}, markup_of(one.words, dc.theme), style);
-        frame.placer.keep_clear(Rect{one.at.x, one.at.y - 0.9 * dc.unit,
-                                     one.width + entry_gap * dc.unit, 1.2 * dc.unit});
+            std::min(item.width - words + 0.1 * dc.unit, dc.area.right() - item.at.x - words);
+        draw_text(canvas, {item.at.x + words, item.at.y}, markup_of(item.words, dc.theme), style);
+        frame.placer.keep_clear(Rect{item.at.x, item.at.y - 0.9 * dc.unit,
+                                     item.width + entry_gap * dc.unit, 1.2 * dc.unit});
     }
 }
 
 }  // namespace
 
-void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part) {
+void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, DrawnPart part) {
     const DrawContext& dc = frame.dc;
     double y = first_note(plot, dc);
     for (const ShownNote& shown : notes_of(plot, dc)) {
         const Note& note = *shown.note;
         const bool is_beside = note.may_be_beside && frame.is_key_beside;
-        if (note.changes == (part == Part::changing)) {
+        if (note.changes == (part == DrawnPart::changing)) {
             if (note.is_over_plot)
                 draw_note_over_plot(canvas, frame, note, y);
             else

@@ -7,7 +7,7 @@
 namespace carom::plot {
 
 /// Draws the notes under the title: those that change from frame to frame, or the others.
-void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, Part part);
+void draw_notes(Canvas& canvas, const Frame& frame, const Plot& plot, DrawnPart part);
 
 /// The vertical position on the canvas of the baseline of the first note.
 double first_note(const Plot& plot, const DrawContext& dc);

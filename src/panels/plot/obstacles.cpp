@@ -28,7 +28,7 @@ struct Obstacles {
         if (part->second < 1.0) frame.placer.keep_clear(last, last, frame.pixels(arrow));
     }
 
-    void operator()(const Line& line) const {
+    void operator()(const Polyline& line) const {
         const double width = frame.pixels(line.stroke.width);
         std::optional<Point> before;
         for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -66,7 +66,7 @@ struct Obstacles {
     }
 
     void operator()(const Points& points) const {
-        const double radius = frame.pixels(points.mark.radius + points.mark.halo);
+        const double radius = frame.pixels(points.dot.radius + points.dot.halo);
         const std::size_t end = std::min(points.shown.end, points.x.size());
         for (std::size_t i = points.shown.first; i < end; ++i) {
             if (std::isnan(points.y[i])) continue;

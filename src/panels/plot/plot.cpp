@@ -48,9 +48,9 @@ Text text_of(Language language, Phrase phrase, const std::vector<Text>& texts) {
     return filled += std::string(words);
 }
 
-Text named(const std::string& name, const Role& role, Sample sample, std::size_t line) {
+Text named(const std::string& name, const Role& role, Swatch swatch, std::size_t line) {
     Text text;
-    text.pieces.push_back({escape_markup(name), role, sample, line});
+    text.pieces.push_back({escape_markup(name), role, swatch, line});
     return text;
 }
 
@@ -73,7 +73,7 @@ void name_level(Level& level, std::vector<Text> words, double deviation) {
     label.role = level.stroke.role;
     label.words = std::move(words);
     label.level = level.value;
-    label.sample = level.stroke;
+    label.swatch = level.stroke;
     for (double away = 0.0; away <= farthest; away += step)
         for (const bool is_over : {true, false})
             label.anchors.push_back({.at = {1.0, level.value + (is_over ? deviation : -deviation)},
@@ -86,12 +86,12 @@ void name_level(Level& level, std::vector<Text> words, double deviation) {
 void name_last_line(Plot& plot, const Text& words) {
     constexpr int places = 16;
     constexpr double over = -0.5, under = 1.25;  // units, to the baseline
-    const auto& line = std::get<Line>(plot.layers.back());
+    const auto& line = std::get<Polyline>(plot.layers.back());
     Label label;
     label.still = label.is_name = true;
     label.role = line.stroke.role;
     label.words = {words};
-    label.sample = line.stroke;
+    label.swatch = line.stroke;
     label.line = plot.layers.size() - 1;
     for (int k = 2; k < places && line.x.size() > 0; ++k) {
         const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;

@@ -68,16 +68,16 @@ Stroke stroke_of_run(std::size_t run, double width = 0.16);
 
 // ------------------------------------------------------------------------------------------ words
 
-/// The sample before a name in print, where the colour of the name cannot serve as a key.
-enum class Sample { none, line, disk };
+/// The swatch before a name in print, where the colour of the name cannot serve as a key.
+enum class Swatch { none, line, disk };
 
 /// Markup in pieces, each with its colour.
 struct Text {
     struct Piece {
         std::string markup;
         std::optional<Role> role = {};  ///< none: the text's own
-        Sample sample = Sample::none;
-        std::size_t line = 0;  ///< index of the line that the sample shows
+        Swatch swatch = Swatch::none;
+        std::size_t line = 0;  ///< index of the line that the swatch shows
     };
     std::vector<Piece> pieces;
 
@@ -94,7 +94,7 @@ Text operator+(Text first, const Text& second);
 Text text_of(Language language, Phrase phrase, const std::vector<Text>& texts);
 
 /// A plain name (not markup) in its colour.
-Text named(const std::string& name, const Role& role, Sample sample = Sample::none,
+Text named(const std::string& name, const Role& role, Swatch swatch = Swatch::none,
            std::size_t line = 0);
 
 /// Places for words: a point, and further points from there in steps, as far as the plot's area
@@ -105,7 +105,7 @@ struct Anchor {
     Point offset = {};  ///< from there to the baseline, units
     Align align = Align::left;
     Point step = {};          ///< units; none: this place only
-    bool has_sample = false;  ///< the label's sample is drawn before the words here
+    bool has_swatch = false;  ///< the label's swatch is drawn before the words here
     bool is_inside = false;   ///< only if the words lie wholly inside the plot
 };
 
@@ -137,7 +137,7 @@ struct Layer {
 };
 
 /// A disk at a point.
-struct Mark {
+struct Dot {
     Role role = {};
     double radius = 0.3;
     Shade shade = Shade::legible;
@@ -150,15 +150,15 @@ struct Mark {
 
 /// A path through points; it is broken where the number of the piece changes, and cut where it
 /// leaves the plot.
-struct Line : Layer {
+struct Polyline : Layer {
     Column x, y;
     Shown shown = {};
     std::shared_ptr<const std::vector<int>> piece = {};  ///< none: one piece
     Heading piece_column = {};                           ///< of the table; empty: not listed
     bool is_thinned = true;  ///< points that nearly coincide are drawn once
     Stroke stroke = {};
-    bool marks_exits = true;        ///< by arrows where it is cut
-    std::optional<Mark> head = {};  ///< mark at its present end
+    bool marks_exits = true;       ///< by arrows where it is cut
+    std::optional<Dot> head = {};  ///< at its present end
 };
 
 /// A band of an error to either side of a line.
@@ -176,17 +176,17 @@ struct Points : Layer {
     std::vector<std::string> of_each = {};  ///< in the table, instead of `of`
     Shown shown = {};
     double spacing = 0.0;  ///< units: a point nearer than this to the last one drawn is left out
-    Mark mark = {};
+    Dot dot = {};
 };
 
-/// Words at the first free one of some places. If none is free, words with a sample go to the
+/// Words at the first free one of some places. If none is free, words with a swatch go to the
 /// nearest free place of the plot; others are left out.
 struct Label : Layer {
     std::vector<Text> words;  ///< from longest to shortest; the first that fits its place is used
     std::vector<Anchor> anchors = {};
     Role role = {};
-    std::optional<Stroke> sample = {};  ///< before them
-    bool is_name = false;  ///< of a line or of bars, see NamedAtLines; of all, without a sample
+    std::optional<Stroke> swatch = {};  ///< before them
+    bool is_name = false;  ///< of a line or of bars, see NamedAtLines; of all, without a swatch
     std::optional<double> level = {};      ///< the level that they name, which is the nearest one
     std::optional<std::size_t> line = {};  ///< the layer of the growing line that they name: they
                                            ///< come when its end has come to them
@@ -202,7 +202,7 @@ struct Level : Layer {
 };
 
 /// Names a level at its line: over or under it, as near to its right end as the words are free; as
-/// a key, with a sample of the line, if they are nowhere free beside it. `deviation`: of a band
+/// a key, with a swatch of the line, if they are nowhere free beside it. `deviation`: of a band
 /// about the level, which they keep off.
 void name_level(Level& level, std::vector<Text> words, double deviation = 0.0);
 
@@ -247,19 +247,19 @@ struct Arrow : Layer {
     double shortest = 0.0;  ///< units; a shorter arrow is not drawn
 };
 
-using AnyLayer = std::variant<Bars, Line, Band, Points, Level, Marker, Arrow, Label>;
+using AnyLayer = std::variant<Bars, Polyline, Band, Points, Level, Marker, Arrow, Label>;
 
 /// What all kinds of layers have in common.
 const Layer& common(const AnyLayer& layer);
 
-/// The text over bars: names and numbers of marks, at places that are fixed while marks and numbers
-/// change, and how many values lie beyond the ends of the axis.
+/// The text over bars: names and numbers of markers, at places that are fixed while markers and
+/// numbers change, and how many values lie beyond the ends of the axis.
 struct BarNotes {
     struct Reach {
         double from, to, value;
     };
     struct Name {
-        Stroke sample;
+        Stroke swatch;
         std::string name, short_name;  ///< plain words
         std::string number;
         bool has_number = true;
@@ -275,7 +275,7 @@ struct BarNotes {
 
 /// What a plot shows instead where all names of its lines and bars (Label::is_name) have places
 /// beside these: titles without the names, no title of the vertical axis, and no notes under
-/// titles. Where one with a sample has no place, none of the names is drawn.
+/// titles. Where one with a swatch has no place, none of the names is drawn.
 struct NamedAtLines {
     std::vector<Text> titles = {};
     std::vector<std::string> means = {};  ///< instead of each name over bars, if there are any
@@ -283,16 +283,16 @@ struct NamedAtLines {
 
 // ----------------------------------------------------------------------------------- words around
 
-/// A sample, then words: a part of a key.
+/// A swatch, then words: a part of a key.
 struct KeyEntry {
-    std::optional<Stroke> sample = {};
+    std::optional<Stroke> swatch = {};
     std::vector<Text> words;         ///< from the longest on
-    std::optional<Mark> mark = {};   ///< the sample, or in its middle
-    std::vector<Arrow> arrows = {};  ///< over the sample; coordinates are shares of its width
+    std::optional<Dot> dot = {};     ///< the swatch, or in its middle
+    std::vector<Arrow> arrows = {};  ///< over the swatch; coordinates are shares of its width
     /// All that changing words may become: reserves their room.
     struct Reserved {
         Text words;
-        bool has_sample = true;  ///< whether the entry then has its sample, too
+        bool has_swatch = true;  ///< whether the entry then has its swatch, too
     };
     std::vector<Reserved> reserved = {};
     bool is_hidden = false;  ///< in this frame: only its room is kept
@@ -307,9 +307,9 @@ struct Note {
     std::vector<KeyEntry> entries = {};
     bool wraps = false;         ///< into as many rows as they need
     bool changes = false;       ///< from frame to frame; its row is reserved even while it is empty
-    bool is_over_plot = false;  ///< begins at the plot's left edge, with samples to the left
+    bool is_over_plot = false;  ///< begins at the plot's left edge, with swatches to the left
     bool may_be_beside = false;  ///< in a column right of the plot, if that makes the plot larger
-    double sample_width = 2.6;   ///< units
+    double swatch_width = 2.6;   ///< units
     std::size_t of_last_titles = 0;  ///< shown under so many last titles only; 0: under all
 };
 
@@ -358,7 +358,7 @@ struct Plot {
 /// one of the names of NamedAtLines.
 void name_last_line(Plot& plot, const Text& words);
 
-/// Names the runs that a plot compares, and adds a key: a sample of each run's line before its
+/// Names the runs that a plot compares, and adds a key: a swatch of each run's line before its
 /// name.
 void name_runs(Plot& plot, std::vector<std::string> names);
 

@@ -5,12 +5,12 @@
 namespace carom {
 
 void PlotPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    draw_plot(canvas, dc, plot(nullptr), plot::Part::still);
+    draw_plot(canvas, dc, plot(nullptr), plot::DrawnPart::still);
 }
 
 void PlotPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const {
     const plot::Plot now = plot(&state);
-    draw_plot(canvas, dc, now, plot::Part::changing);
+    draw_plot(canvas, dc, now, plot::DrawnPart::changing);
     plot::draw_arriving_names(canvas, dc, *with_fixed_names(dc), now);
 }
 

@@ -76,7 +76,7 @@ class Rows {
         }
     }
 
-    void rows_of(const Line& line) { rows_of_curve(line); }
+    void rows_of(const Polyline& line) { rows_of_curve(line); }
     void rows_of(const Points& points) { rows_of_curve(points); }
     void rows_of(const Band& band) { rows_of_curve(band, &band.error); }
     void rows_of(const Bars& bars) {

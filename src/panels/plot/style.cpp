@@ -1,4 +1,4 @@
-// Roles, strokes and marks as colours, dashes and disks of a theme.
+// Roles, strokes and dots as colours, dashes and disks of a theme.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -88,19 +88,19 @@ void draw_straight(Canvas& canvas, const DrawContext& dc, Point from, Point to,
         draw_stroke(canvas, dc, std::array{from, to}, stroke);
 }
 
-void draw_mark(Canvas& canvas, const DrawContext& dc, Point at, const Mark& mark) {
-    const double u = dc.unit, radius = mark.radius * u;
-    const Color color = color_of(mark.role, dc.theme);
-    const Color edge = mix(mark.shade == Shade::as_it_is ? color : edge_of(color, dc.theme),
-                           dc.theme.page, mark.fade);
-    if (mark.ring > 0.0) return canvas.stroke_circle(at, radius, mark.ring * u, edge);
-    if (mark.halo > 0.0) canvas.fill_circle(at, radius + mark.halo * u, dc.theme.page);
+void draw_dot(Canvas& canvas, const DrawContext& dc, Point at, const Dot& dot) {
+    const double u = dc.unit, radius = dot.radius * u;
+    const Color color = color_of(dot.role, dc.theme);
+    const Color edge = mix(dot.shade == Shade::as_it_is ? color : edge_of(color, dc.theme),
+                           dc.theme.page, dot.fade);
+    if (dot.ring > 0.0) return canvas.stroke_circle(at, radius, dot.ring * u, edge);
+    if (dot.halo > 0.0) canvas.fill_circle(at, radius + dot.halo * u, dc.theme.page);
     canvas.fill_circle(at, radius, edge);
-    if (mark.shade == Shade::rimmed)
+    if (dot.shade == Shade::rimmed)
         canvas.fill_circle(at, radius - (to_pixel(edge) != to_pixel(color) ? 0.1 * u : 0.0), color);
-    const bool is_pale = mark.is_hollow_if_pale && dc.theme.kind == ThemeKind::print &&
-                         looks_hollow(color, dc.theme);
-    if (mark.is_hollow || is_pale) canvas.fill_circle(at, 0.6 * radius, dc.theme.page);
+    const bool is_pale =
+        dot.is_hollow_if_pale && dc.theme.kind == ThemeKind::print && looks_hollow(color, dc.theme);
+    if (dot.is_hollow || is_pale) canvas.fill_circle(at, 0.6 * radius, dc.theme.page);
 }
 
 void draw_strip(Canvas& canvas, const Rect& rect, const std::function<Color(double)>& color_at) {
@@ -144,10 +144,10 @@ TextStyle clear_of_grid(const Frame& frame, TextStyle style, const Rect& words) 
 
 namespace {
 
-std::string sample_of(const Text::Piece& piece, const Theme& theme) {
+std::string swatch_of(const Text::Piece& piece, const Theme& theme) {
     const Color color = color_of(*piece.role, theme);
-    return piece.sample == Sample::line ? line_sample(piece.line, color, theme)
-                                        : disk_sample(color, theme);
+    return piece.swatch == Swatch::line ? line_swatch(piece.line, color, theme)
+                                        : disk_swatch(color, theme);
 }
 
 }  // namespace
@@ -159,7 +159,7 @@ std::string markup_of(const Text& text, const Theme& theme, double fade) {
             markup += piece.markup;
             continue;
         }
-        if (piece.sample != Sample::none) markup += sample_of(piece, theme);
+        if (piece.swatch != Swatch::none) markup += swatch_of(piece, theme);
         const Color color = mix(legible(color_of(*piece.role, theme), theme), theme.page, fade);
         markup += fmt::format("<span foreground=\"{}\">{}</span>", hex_of(color), piece.markup);
     }

@@ -50,7 +50,7 @@ std::vector<plot::Text> titles(const PanelContext& context) {
     for (std::size_t k = 0; k < count; ++k) all.push_back({.species = k});
     const auto named = [&](const std::string& what, Joint joint) {
         return plot::text_of(language, Phrase{"{}: {}"},
-                             {what, names_of(context, all, plot::Sample::line, joint)});
+                             {what, names_of(context, all, plot::Swatch::line, joint)});
     };
     return {named(title, Joint::last_by_and),
             named(capitalised(say(language, "energy")), Joint::commas), title};

@@ -72,8 +72,8 @@ void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
     } else {
         subject.names = {say(language, "velocities"), say(language, "positions")};
         const plot::Text names =
-            joined(language, {plot::named(subject.names[0], of_velocities, plot::Sample::line, 0),
-                              plot::named(subject.names[1], of_positions, plot::Sample::line, 1)});
+            joined(language, {plot::named(subject.names[0], of_velocities, plot::Swatch::line, 0),
+                              plot::named(subject.names[1], of_positions, plot::Swatch::line, 1)});
         subject.titles = {plot::text_of(language, Phrase{"Entropy of {}"}, {names}),
                           say(language, "Entropy")};
         subject.plain_title = subject.titles.back();

@@ -128,8 +128,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
         plot::Role bar, curve, fit;
     };
     struct SeriesLayers {
-        plot::Bars bars;   ///< without their heights
-        plot::Line curve;  ///< without points: no curve
+        plot::Bars bars;       ///< without their heights
+        plot::Polyline curve;  ///< without points: no curve
     };
 
     void finish_record() override;
@@ -168,7 +168,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     SeriesLayers layers_of(std::size_t k) const;
     plot::Stroke fit_stroke(std::size_t k) const;
     plot::Note fit_note(std::size_t k, const MeanHistogram* now) const;
-    plot::Marker mean_mark(std::size_t k, double mean, bool is_start) const;
+    plot::Marker mean_marker(std::size_t k, double mean, bool is_start) const;
     std::string mean_words(std::size_t k, double mean) const;
     std::vector<plot::BarNotes::Name> mean_names(const HistogramCounts* now) const;
     plot::BarNotes bar_notes(const HistogramCounts* now) const;

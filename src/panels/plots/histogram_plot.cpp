@@ -1,4 +1,4 @@
-// What a histogram shows in one frame, as a plot: bars, curves, fits and marks of means.
+// What a histogram shows in one frame, as a plot: bars, curves, fits and markers of means.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ namespace {
 
 using namespace plot;
 
-constexpr double line_width = 0.16, thin_width = 0.07, mark_width = 0.12;  // units
+constexpr double line_width = 0.16, thin_width = 0.07, marker_width = 0.12;  // units
 constexpr double tint_alpha = 0.3;        // of bars that others overlap
 constexpr double told_beyond = 0.01;      // of all values: fewer beyond the axis are not mentioned
 constexpr std::size_t most_fit_rows = 3;  // more would leave no room for the bars
@@ -27,8 +27,8 @@ constexpr int depth_of_bars = 3, depth_of_lines = 2, depth_of_starts = 1;
 
 const Heading error_column{"standard error", quantities::count_per_bin};
 
-Line line_of(const char* part, HistogramCurve curve, const Heading& x, const Heading& y) {
-    Line line;
+Polyline line_of(const char* part, HistogramCurve curve, const Heading& x, const Heading& y) {
+    Polyline line;
     line.part = part;
     line.x = column(x, std::move(curve.value));
     line.y = column(y, std::move(curve.count));
@@ -98,7 +98,7 @@ HistogramPanel::SeriesLayers HistogramPanel::layers_of(std::size_t k) const {
     bars.role = roles_[k].bar;
     bars.error_stroke.role = count() > 1 ? roles_[k].curve : Role{Role::Of::ink};
     bars.depth = depth_of_bars;
-    Line curve = line_of("curve", axes_.curves[k], from_column(), value_column());
+    Polyline curve = line_of("curve", axes_.curves[k], from_column(), value_column());
     curve.stroke = {.role = roles_[k].curve, .width = compares() ? thin_width : line_width};
     if (compares()) {  // filled areas of more than two runs would hide each other
         bars.alpha = 0.0;
@@ -145,25 +145,25 @@ plot::Note HistogramPanel::fit_note(std::size_t k, const MeanHistogram* now) con
                              named(say(language, "{}: {}", whose, short_numbers), role),
                              named(short_numbers, role)}};
     if (const Stroke stroke = fit_stroke(k); !stroke.dashes.empty() || !stroke.print_dashes.empty())
-        entry.sample = stroke;
+        entry.swatch = stroke;
     note.entries.push_back(std::move(entry));
     return note;
 }
 
-plot::Marker HistogramPanel::mean_mark(std::size_t k, double mean, bool is_start) const {
-    Marker mark;
-    mark.part = is_start ? "mean at start" : "mean";
-    mark.column = from_column();
-    mark.value = mean;
-    mark.stroke.width = mark_width;
-    mark.is_under_axis = true;
-    if (is_start) mark.depth = depth_of_starts;
-    if (is_start) mark.stroke.dashes = {0.25};
+plot::Marker HistogramPanel::mean_marker(std::size_t k, double mean, bool is_start) const {
+    Marker marker;
+    marker.part = is_start ? "mean at start" : "mean";
+    marker.column = from_column();
+    marker.value = mean;
+    marker.stroke.width = marker_width;
+    marker.is_under_axis = true;
+    if (is_start) marker.depth = depth_of_starts;
+    if (is_start) marker.stroke.dashes = {0.25};
     if (count() > 1)
-        mark.stroke.role = is_start ? roles_[k].bar : roles_[k].curve;
+        marker.stroke.role = is_start ? roles_[k].bar : roles_[k].curve;
     else
-        mark.stroke.role = {is_start ? Role::Of::muted : Role::Of::ink};
-    return mark;
+        marker.stroke.role = {is_start ? Role::Of::muted : Role::Of::ink};
+    return marker;
 }
 
 // A single choice of particles whose disks are coloured by what the bars count.
@@ -208,16 +208,16 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
     if (state == nullptr) return;
     const MeanHistogram& one = state->counts.series[k];
     if (options().fit) {
-        Line fit = line_of(
+        Polyline fit = line_of(
             "fit",
             normal_curve(axes_.bins, one, parts_ ? one.values() : series.unit * series.values()),
             from_column(), value_column());
         fit.stroke = fit_stroke(k);
         add(std::move(fit));
     }
-    if (marks_mean_now() && std::isfinite(one.mean)) add(mean_mark(k, one.mean, false));
+    if (marks_mean_now() && std::isfinite(one.mean)) add(mean_marker(k, one.mean, false));
     if (marks_mean_start() && std::isfinite(series.mean_start))
-        add(mean_mark(k, series.mean_start, true));
+        add(mean_marker(k, series.mean_start, true));
 }
 
 // A dash: no values. The number of decimals is the same in all frames; for a mean near 0 it is no
@@ -238,7 +238,7 @@ std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCoun
     std::vector<BarNotes::Name> names;
     const auto add = [&](std::size_t k, const std::string& name, const std::string& short_name,
                          double mean, bool is_start) {
-        names.push_back({mean_mark(k, mean, is_start).stroke, name, short_name,
+        names.push_back({mean_marker(k, mean, is_start).stroke, name, short_name,
                          now ? mean_words(k, mean) : ""});
     };
     const bool is_present = window() == 0.0 && !spec_.at;
@@ -256,7 +256,7 @@ std::vector<plot::BarNotes::Name> HistogramPanel::mean_names(const HistogramCoun
         add(0, say(language, "mean at start"), say(language, "start"),
             axes_.series.front().mean_start, true);
     if (marks_mean_start() && count() > 1) {  // their numbers would need a row each
-        Stroke dashed = mean_mark(0, axes_.series.front().mean_start, true).stroke;
+        Stroke dashed = mean_marker(0, axes_.series.front().mean_start, true).stroke;
         dashed.role = {Role::Of::muted};
         names.push_back(
             {dashed, say(language, "means at the start"), say(language, "start"), "", false});
@@ -320,8 +320,8 @@ plot::Label HistogramPanel::name_of_curve(std::size_t k) const {
                        say(context_.language(), subject_.short_curve)};
     } else {
         label.is_name = true;
-        label.sample = *layers_[k].bars.edge;
-        label.words = {named(name_of_series(k), roles_[k].curve, plot::Sample::line, k)};
+        label.swatch = *layers_[k].bars.edge;
+        label.words = {named(name_of_series(k), roles_[k].curve, plot::Swatch::line, k)};
     }
     const std::size_t places = is_single ? 14 : 7;
     constexpr double least = 0.25;  // of the peak: beyond, curves are close to one another

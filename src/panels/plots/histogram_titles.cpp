@@ -32,7 +32,7 @@ plot::Text HistogramPanel::names_of_choices(Joint joint) const {
     if (count() == 1) return escape_markup(name_of_series(0));
     std::vector<Text> names;
     for (std::size_t k = 0; k < count(); ++k)
-        names.push_back(named(name_of_series(k), roles_[k].bar, plot::Sample::line, k));
+        names.push_back(named(name_of_series(k), roles_[k].bar, plot::Swatch::line, k));
     return joined(context_.language(), names, joint);
 }
 

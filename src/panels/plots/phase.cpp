@@ -18,8 +18,8 @@ std::vector<plot::Text> titles(const PanelContext& context, const PanelSpec& spe
     if (spec.title) return {escape_markup(*spec.title)};
     const std::string words = say(context.language(), "Position and velocity");
     if (spec.of.empty()) return {words};
-    return {shown_of(context, words, chosen, plot::Sample::disk),
-            names_of(context, chosen, plot::Sample::disk)};  // the axes say the rest
+    return {shown_of(context, words, chosen, plot::Swatch::disk),
+            names_of(context, chosen, plot::Swatch::disk)};  // the axes say the rest
 }
 
 // The number of points in a sample; 0 if it is not known yet.

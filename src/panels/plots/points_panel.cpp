@@ -141,7 +141,7 @@ void PointsPanel::make_plot() {
     }
     if (subject_.never_equal) {
         const std::vector<double> ends{subject_.width.first, subject_.width.second};
-        plot::Line equal;
+        plot::Polyline equal;
         equal.still = true;
         equal.x = equal.y = plot::column("", ends);
         equal.stroke = faint;
@@ -156,7 +156,7 @@ void PointsPanel::make_plot() {
         points.of = subject_.sets[k].name;
         points.x = plot::column(whole_.columns[1], clouds_[k].x);
         points.y = plot::column(whole_.columns[2], clouds_[k].y);
-        points.mark = {.role = subject_.sets[k].role, .radius = 0.16, .is_hollow_if_pale = true};
+        points.dot = {.role = subject_.sets[k].role, .radius = 0.16, .is_hollow_if_pale = true};
         points_.push_back(std::move(points));
     }
 }
@@ -183,9 +183,9 @@ std::vector<int> PointsPanel::pieces_of(const Path& path) const {
     return pieces;
 }
 
-plot::Line PointsPanel::line_of(std::size_t set) const {
+plot::Polyline PointsPanel::line_of(std::size_t set) const {
     const Path& path = paths_[set];
-    plot::Line line;
+    plot::Polyline line;
     line.part = "path";
     line.of = subject_.sets[set].name;
     line.depth = 1;
@@ -228,10 +228,10 @@ plot::Plot PointsPanel::plot(const PanelState* state) const {
         points.of = subject_.sets[k].name;
         points.x = plot::column(now.columns[1], std::move(x));
         points.y = plot::column(now.columns[2], std::move(y));
-        points.mark = {.role = subject_.sets[k].role,
-                       .radius = has_path ? 0.35 : 0.16,
-                       .is_hollow_if_pale = true,
-                       .halo = has_path ? 0.12 : 0.0};  // a gap between point and paths
+        points.dot = {.role = subject_.sets[k].role,
+                      .radius = has_path ? 0.35 : 0.16,
+                      .is_hollow_if_pale = true,
+                      .halo = has_path ? 0.12 : 0.0};  // a gap between point and paths
         now.layers.emplace_back(std::move(points));
         if (k >= lines_.size()) continue;
         add_path(now, k, shown.shown);
@@ -244,7 +244,7 @@ void PointsPanel::add_path(plot::Plot& now, std::size_t set, std::size_t frames)
     constexpr double faintest = 0.8;
     constexpr std::size_t steps = 4, frames_of_all = 300;
     const Path& path = paths_[set];
-    plot::Line line = lines_[set];
+    plot::Polyline line = lines_[set];
     line.shown = path.until(frames);
     if (!subject_.fades || path.ends.empty())
         return now.layers.emplace_back(std::move(line)), void();

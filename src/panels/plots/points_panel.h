@@ -87,7 +87,7 @@ class PointsPanel : public PlotPanel {
     void keep_for_axis(const std::vector<Point>& points);
     void add_cloud(plot::Plot& now, std::size_t set, double time) const;
     std::vector<int> pieces_of(const Path& path) const;
-    plot::Line line_of(std::size_t set) const;
+    plot::Polyline line_of(std::size_t set) const;
     void add_path(plot::Plot& now, std::size_t set, std::size_t frames) const;
     void make_plot();
 
@@ -97,9 +97,9 @@ class PointsPanel : public PlotPanel {
     std::vector<double> pool_;   ///< magnitudes of the vertical quantity, thinned
     std::size_t surveyed_ = 0, seen_ = 0;
     std::pair<double, double> height_ = {0.0, 1.0};
-    plot::Plot whole_;                  ///< the part that is the same in all frames
-    std::vector<plot::Line> lines_;     ///< path of each set in the whole film
-    std::vector<plot::Points> points_;  ///< or its points
+    plot::Plot whole_;                   ///< the part that is the same in all frames
+    std::vector<plot::Polyline> lines_;  ///< path of each set in the whole film
+    std::vector<plot::Points> points_;   ///< or its points
 };
 
 }  // namespace carom

@@ -26,7 +26,7 @@ void title_with_names(SeriesSubject& subject, Language language, const std::stri
     std::vector<plot::Text> names;
     for (std::size_t k = 0; k < subject.names.size(); ++k)
         names.push_back(
-            plot::named(subject.names[k], subject.lines.at(k).role, plot::Sample::line, k));
+            plot::named(subject.names[k], subject.lines.at(k).role, plot::Swatch::line, k));
     subject.titles = {plot::text_of(language, Phrase{"{}: {}"}, {what, joined(language, names)}),
                       what};
     subject.plain_title = what;
@@ -36,7 +36,7 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
     const std::vector<Chosen> chosen = choices(spec);
     const std::string what = say(context.language(), title);
     SeriesSubject subject{.titles = {what}};
-    if (!spec.of.empty()) subject.titles = {shown_of(context, what, chosen, plot::Sample::line)};
+    if (!spec.of.empty()) subject.titles = {shown_of(context, what, chosen, plot::Swatch::line)};
     for (std::size_t k = 0; k < chosen.size(); ++k)
         subject.lines.push_back(
             {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
@@ -227,7 +227,7 @@ std::size_t SeriesPanel::samples_until(std::size_t run, std::size_t shown) const
 }
 
 // The points of a line are those of samples and, at its end, the present.
-void SeriesPanel::end_at_present(plot::Line& line, const Growing& of, std::size_t shown) const {
+void SeriesPanel::end_at_present(plot::Polyline& line, const Growing& of, std::size_t shown) const {
     const SeriesRun& run = record_.runs.at(of.run);
     const std::size_t samples = line.shown.end, frame = std::min(shown, run.frames.time.size()) - 1;
     if (samples == 0 || !(run.frames.time[frame] > run.time[samples - 1])) return;
@@ -249,7 +249,7 @@ plot::Plot SeriesPanel::plot(const PanelState* state) const {
     if (state == nullptr) return now;
     const auto& shown = dynamic_cast<const ShownState&>(*state);
     for (plot::AnyLayer& layer : now.layers) {
-        if (auto* line = std::get_if<plot::Line>(&layer)) {
+        if (auto* line = std::get_if<plot::Polyline>(&layer)) {
             const std::size_t run = line->run.value_or(0);
             line->shown.end = samples_until(run, shown.shown.at(run));
         }
@@ -257,7 +257,8 @@ plot::Plot SeriesPanel::plot(const PanelState* state) const {
             band->shown.end = samples_until(0, shown.shown.front());
     }
     for (const Growing& one : growing_)
-        end_at_present(std::get<plot::Line>(now.layers[one.layer]), one, shown.shown.at(one.run));
+        end_at_present(std::get<plot::Polyline>(now.layers[one.layer]), one,
+                       shown.shown.at(one.run));
     if (record_.compares()) now.accounts_of_runs = accounts_of_runs(shown);
     return now;
 }

@@ -96,7 +96,7 @@ class SeriesPanel : public FramesPanel<SeriesRecord> {
         std::size_t layer, run, line;
     };
     std::size_t samples_until(std::size_t run, std::size_t shown) const;
-    void end_at_present(plot::Line& line, const Growing& of, std::size_t shown) const;
+    void end_at_present(plot::Polyline& line, const Growing& of, std::size_t shown) const;
     plot::Level level_of(const ReferenceLevel& of) const;
     void add_levels();
     void add_common_levels(const ReferenceLevels& levels);

@@ -93,13 +93,13 @@ void SeriesPanel::add_names() {
         if (!compares &&
             (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory))
             continue;
-        const auto& line = std::get<plot::Line>(whole_.layers[one.layer]);
+        const auto& line = std::get<plot::Polyline>(whole_.layers[one.layer]);
         if (line.x.size() == 0) continue;
         plot::Label label;
         label.still = label.is_name = true;
         label.words = {compares ? plot::named(record_.runs.at(one.run).name, line.stroke.role)
                                 : plot::named(subject_.names.at(one.line), line.stroke.role,
-                                              plot::Sample::line, one.line)};
+                                              plot::Swatch::line, one.line)};
         for (int k = 1; k < places; ++k) {
             const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
             if (!std::isfinite(line.y[i])) continue;
@@ -110,7 +110,7 @@ void SeriesPanel::add_names() {
                                              .align = Align::left,
                                              .is_inside = true});
         }
-        label.sample = line.stroke;
+        label.swatch = line.stroke;
         label.line = one.layer;
         whole_.layers.emplace_back(std::move(label));
     }
@@ -159,7 +159,7 @@ void SeriesPanel::add_run(std::size_t k) {
     const plot::Column time = plot::column(whole_.columns[0], run.time);
     for (std::size_t i = 0; i < run.lines.size(); ++i) {
         const SeriesSubject::Line& subject = subject_.lines.at(compares ? record_.compared : i);
-        plot::Line line;
+        plot::Polyline line;
         line.part = "line";
         line.of = subject.name;
         if (compares) line.run = k;
@@ -174,7 +174,7 @@ void SeriesPanel::add_run(std::size_t k) {
         if (subject.is_theory)
             line.stroke = {.role = subject.role, .width = 0.1, .dashes = {0.5, 0.35}};
         else
-            line.head = plot::Mark{.role = line.stroke.role, .shade = line.stroke.shade};
+            line.head = plot::Dot{.role = line.stroke.role, .shade = line.stroke.shade};
         if (!run.errors.empty()) {
             plot::Band band;
             band.x = line.x;
@@ -227,7 +227,7 @@ void SeriesPanel::add_levels_of_lines(const ReferenceLevels& levels) {
     for (const ReferenceLevel& of : levels) {
         plot::Level level = level_of(of);
         const auto words = [&](const std::string& text) {
-            return plot::named(text, level.stroke.role, plot::Sample::line, *of.line);
+            return plot::named(text, level.stroke.role, plot::Swatch::line, *of.line);
         };
         const std::string number = three_digits(language, of.value);
         plot::name_level(level,

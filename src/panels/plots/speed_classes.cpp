@@ -27,7 +27,7 @@ std::vector<Binding<SpeedClassOptions>> speed_class_keys() {
 // Samples in print take the room of words.
 std::vector<plot::Text> titles(Language language, const std::vector<SeriesSubject::Line>& lines) {
     const auto name = [&](std::size_t k, const std::string& words) {
-        return plot::named(words, lines[k].role, plot::Sample::line, k);
+        return plot::named(words, lines[k].role, plot::Swatch::line, k);
     };
     const std::vector<plot::Text> names{name(0, capitalised(say(language, "slow"))),
                                         name(1, say(language, "medium")),

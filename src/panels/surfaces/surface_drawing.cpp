@@ -31,14 +31,14 @@ struct SurfaceView::Brush {
     double u = dc.unit;
     Rect room = map.rect(view.room(states));
 
-    struct Mark {
+    struct SurfaceLabel {
         double middle;
         std::string words;
         bool is_of_side = false;
         Color color = {};
     };
 
-    struct SideMark {
+    struct SideLabel {
         std::string words;
         bool has_arrow = false;
         double shift = 0.0;  // of the arrow from the middle to the left, and of the words with it
@@ -62,16 +62,16 @@ struct SurfaceView::Brush {
     void draw_side(std::size_t side) const;
     void draw_bar(std::size_t side) const;
     void draw_side_arrow(std::size_t side) const;
-    SideMark beside_mark(std::size_t side) const;
-    void draw_side_mark(std::size_t side) const;
+    SideLabel label_beside(std::size_t side) const;
+    void draw_side_label(std::size_t side) const;
     void draw_line(Point from, Point to, std::size_t k) const;
     void draw_partition(std::size_t k) const;
     void draw_ends(std::size_t k) const;
     bool has_block(std::size_t k) const;
     void draw_block(const Rect& block, std::size_t k) const;
     double row_over_side(double from, double to) const;
-    Color mark_color(std::size_t k) const;
-    void draw_marks() const;
+    Color label_color(std::size_t k) const;
+    void draw_labels() const;
     void draw_gravity() const;
 };
 
@@ -101,7 +101,7 @@ void SurfaceView::draw_around(Canvas& canvas, const DrawContext& dc, const BoxMa
     const Brush brush{*this, canvas, dc, map, states};
     for (std::size_t k = 0; k < states.size(); ++k)
         scene_.gas.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
-    if (!states.empty()) brush.draw_marks();
+    if (!states.empty()) brush.draw_labels();
 }
 
 Rect SurfaceView::Brush::outside(std::size_t side, double offset, double depth) const {
@@ -191,7 +191,7 @@ void SurfaceView::Brush::draw_side(std::size_t side) const {
                                          side);
                           }},
                behaviour(side));
-    draw_side_mark(side);
+    draw_side_label(side);
 }
 
 // Of a side that moves, or is held.
@@ -214,7 +214,8 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
     const Rect band =
         outside(side, (SurfaceSize::bar + (is_imposed(side) ? SurfaceSize::hatch : 0.1)) * u,
                 SurfaceSize::arrow * u);
-    const Point middle{band.x + band.width / 2 - beside_mark(side).shift, band.y + band.height / 2};
+    const Point middle{band.x + band.width / 2 - label_beside(side).shift,
+                       band.y + band.height / 2};
     const double half = 0.45 * SurfaceSize::arrow * u * sign;
     draw_surface_arrow(canvas, dc, {middle.x - half * up.x, middle.y - half * up.y},
                        {2.0 * half * up.x, 2.0 * half * up.y});
@@ -222,10 +223,10 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
 
 // The part of the label of the lower or the upper side that fits beside its arrow, or beyond the
 // side: all of it, or only its last part. The arrow is shifted if necessary.
-SurfaceView::Brush::SideMark SurfaceView::Brush::beside_mark(std::size_t side) const {
+SurfaceView::Brush::SideLabel SurfaceView::Brush::label_beside(std::size_t side) const {
     if (is_upright(side)) return {};
     const std::string all =
-        mark_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(side), 1);
+        label_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(side), 1);
     const auto* piston = piston_of(behaviour(side));
     const bool has_arrow = piston != nullptr && piston->force != 0.0;
     const double taken = has_arrow ? 1.8 * u : 0.0;
@@ -240,15 +241,15 @@ SurfaceView::Brush::SideMark SurfaceView::Brush::beside_mark(std::size_t side) c
     return {"", has_arrow, 0.0};
 }
 
-void SurfaceView::Brush::draw_side_mark(std::size_t side) const {
-    const auto [words, has_arrow, shift] = beside_mark(side);
+void SurfaceView::Brush::draw_side_label(std::size_t side) const {
+    const auto [words, has_arrow, shift] = label_beside(side);
     if (words.empty()) return;
     TextStyle style = label_style(dc);
-    style.color = mark_color(side);
+    style.color = label_color(side);
     style.align = has_arrow ? Align::left : Align::center;
     const double from = bath_of(behaviour(side)) ? SurfaceSize::bath : SurfaceSize::bar;
     const Rect band =
-        outside(side, from * u, (has_arrow ? SurfaceSize::arrow : SurfaceSize::mark) * u);
+        outside(side, from * u, (has_arrow ? SurfaceSize::arrow : SurfaceSize::label) * u);
     draw_text(canvas,
               {band.x + band.width / 2 + (has_arrow ? 0.9 * u - shift : 0.0),
                band.y + band.height / 2 + 0.36 * u},
@@ -356,7 +357,7 @@ void SurfaceView::Brush::draw_ends(std::size_t k) const {
 double SurfaceView::Brush::row_over_side(double from, double to) const {
     const double row = view.whole(map, u).y + 1.05 * u;
     if (moves(behaviour(top_side))) return row;  // the sides reach to where it moves
-    const auto [words, has_arrow, shift] = beside_mark(top_side);
+    const auto [words, has_arrow, shift] = label_beside(top_side);
     if (!words.empty() || has_arrow) {
         const double width = measure_text(escape_markup(words), label_style(dc)).width;
         const double middle = room.x + room.width / 2, half = 0.5 * SurfaceSize::arrow * u;
@@ -369,7 +370,7 @@ double SurfaceView::Brush::row_over_side(double from, double to) const {
 }
 
 // A heat bath's words have its colour, in print that of all words.
-Color SurfaceView::Brush::mark_color(std::size_t k) const {
+Color SurfaceView::Brush::label_color(std::size_t k) const {
     const auto* bath = bath_of(behaviour(k));
     if (theme.kind == ThemeKind::print) return theme.ink;
     return bath != nullptr ? legible(bath_color(*bath), theme) : theme.ink;
@@ -377,19 +378,20 @@ Color SurfaceView::Brush::mark_color(std::size_t k) const {
 
 // Labels of vertical partitions are in a row above the box, clear of each other, and those of sides
 // on their ends; labels of horizontal partitions are on them.
-void SurfaceView::Brush::draw_marks() const {
+void SurfaceView::Brush::draw_labels() const {
     TextStyle style = label_style(dc);
     style.color = theme.ink;
-    std::vector<Mark> marks;
+    std::vector<SurfaceLabel> labels;
     for (std::size_t k = 0; k < states.size(); ++k) {
         const int axis = box.surfaces.axis_of(k);
         const std::string words =
-            mark_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(k), axis);
+            label_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(k), axis);
         if (words.empty() || states[k].is_open || (axis == 1 && box.surfaces.is_side(k))) continue;
         const double at = place_of_surface(box, states, k);
         const Point foot = map.pixel({at, at});
         if (axis == 0) {
-            marks.push_back({foot.x, escape_markup(words), box.surfaces.is_side(k), mark_color(k)});
+            labels.push_back(
+                {foot.x, escape_markup(words), box.surfaces.is_side(k), label_color(k)});
             continue;
         }
         TextStyle within = style;
@@ -397,34 +399,34 @@ void SurfaceView::Brush::draw_marks() const {
         within.behind = theme.ground;
         draw_text(canvas, {room.x + 0.5 * u, foot.y - 0.45 * u}, escape_markup(words), within);
     }
-    std::ranges::stable_sort(marks, {}, &Mark::middle);
+    std::ranges::stable_sort(labels, {}, &SurfaceLabel::middle);
     const Rect all = view.whole(map, u);
     const double gap = 1.2 * u;
-    const auto width_of = [&](const Mark& one) {
-        return measure_text(one.words, style).width + gap;
+    const auto width_of = [&](const SurfaceLabel& label) {
+        return measure_text(label.words, style).width + gap;
     };
     const auto all_widths = [&] {
         double sum = -gap;
-        for (const Mark& one : marks) sum += width_of(one);
+        for (const SurfaceLabel& label : labels) sum += width_of(label);
         return sum;
     };
-    while (!marks.empty() && all_widths() > all.width)  // the longest says the most, but not there
-        marks.erase(std::ranges::max_element(marks, {}, width_of));
+    while (!labels.empty() && all_widths() > all.width)  // the longest says the most, but not there
+        labels.erase(std::ranges::max_element(labels, {}, width_of));
     std::vector<double> lefts;
     double least = all.x;
-    for (const Mark& one : marks) {
-        const double width = measure_text(one.words, style).width;
-        lefts.push_back(std::max(least, one.middle - width / 2));
+    for (const SurfaceLabel& label : labels) {
+        const double width = measure_text(label.words, style).width;
+        lefts.push_back(std::max(least, label.middle - width / 2));
         least = lefts.back() + width + gap;
     }
     double most = all.right();
-    for (std::size_t k = marks.size(); k-- > 0;) {
-        lefts[k] = std::min(lefts[k], most - measure_text(marks[k].words, style).width);
-        const double right = lefts[k] + width_of(marks[k]) - gap;
+    for (std::size_t k = labels.size(); k-- > 0;) {
+        lefts[k] = std::min(lefts[k], most - measure_text(labels[k].words, style).width);
+        const double right = lefts[k] + width_of(labels[k]) - gap;
         most = lefts[k] - gap;
-        style.color = marks[k].color;
-        const double row = marks[k].is_of_side ? row_over_side(lefts[k], right) : all.y + 1.05 * u;
-        draw_text(canvas, {lefts[k], row}, marks[k].words, style);
+        style.color = labels[k].color;
+        const double row = labels[k].is_of_side ? row_over_side(lefts[k], right) : all.y + 1.05 * u;
+        draw_text(canvas, {lefts[k], row}, labels[k].words, style);
     }
 }
 

@@ -14,7 +14,7 @@ struct SurfaceSize {
     static constexpr double block = 1.2;    ///< of the holder of a partition, outside of the box
     static constexpr double arrow = 2.2;    ///< of a force, or of an imposed motion
     static constexpr double gravity = 2.4;  ///< width of the column of its arrow
-    static constexpr double mark = 1.5;     ///< height of a row of words
+    static constexpr double label = 1.5;    ///< height of a row of words
 };
 
 }  // namespace carom

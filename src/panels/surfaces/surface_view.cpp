@@ -16,20 +16,22 @@ namespace {
 
 // How far the drawing of a side extends outward, in units.
 double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
-    const bool marked_here = side / 2 == 1;  // marks of the left and the right stand above the box
-    const double mark =
-        marked_here && !mark_of_surface(Language::english, gas, behaviour, 1).empty()
-            ? SurfaceSize::mark
+    const bool is_labelled_here =
+        side / 2 == 1;  // labels of the left and the right stand above the box
+    const double label =
+        is_labelled_here && !label_of_surface(Language::english, gas, behaviour, 1).empty()
+            ? SurfaceSize::label
             : 0.0;
     constexpr double bar = SurfaceSize::bar + SurfaceSize::hatch;
-    return std::visit(
-        Overloaded{
-            [](const Reflecting&) { return 0.0; },
-            [&](const Bath&) { return SurfaceSize::bath + mark; },
-            [](const Driven&) { return bar + SurfaceSize::arrow; },
-            [&](const Piston& its) { return bar + (its.force != 0.0 ? SurfaceSize::arrow : mark); },
-            [](const Membrane&) { return 0.0; }, [](const Diffuse&) { return SurfaceSize::teeth; }},
-        behaviour);
+    return std::visit(Overloaded{[](const Reflecting&) { return 0.0; },
+                                 [&](const Bath&) { return SurfaceSize::bath + label; },
+                                 [](const Driven&) { return bar + SurfaceSize::arrow; },
+                                 [&](const Piston& its) {
+                                     return bar + (its.force != 0.0 ? SurfaceSize::arrow : label);
+                                 },
+                                 [](const Membrane&) { return 0.0; },
+                                 [](const Diffuse&) { return SurfaceSize::teeth; }},
+                      behaviour);
 }
 
 // Whether a partition has something at its ends outside of the box, or room for it.
@@ -104,8 +106,8 @@ SurfaceView::Margins SurfaceView::margins_of() const {
     for (std::size_t k = 0; k < behaviours_.size(); ++k) {
         const int axis = gas.box.surfaces.axis_of(k);
         for (const Behaviour& behaviour : behaviours_[k]) {
-            if (axis == 0 && !mark_of_surface(Language::english, gas, behaviour, axis).empty())
-                names = SurfaceSize::mark;
+            if (axis == 0 && !label_of_surface(Language::english, gas, behaviour, axis).empty())
+                names = SurfaceSize::label;
             if (gas.box.surfaces.is_side(k) || !has_ends(behaviour)) continue;
             const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);
             for (const std::size_t end : {first, first + 1}) blocks[end] = SurfaceSize::block;

@@ -14,7 +14,7 @@ namespace carom {
 namespace {
 
 // The speeds that are let through one way: "v > 1.2"; empty for none.
-std::string speeds_mark(Language language, const Membrane::Speeds& speeds) {
+std::string label_of_speeds(Language language, const Membrane::Speeds& speeds) {
     if (!speeds.admits_some()) return "";
     const bool from = speeds.faster_than > 0.0, to = std::isfinite(speeds.slower_than);
     if (from && to)
@@ -37,18 +37,19 @@ std::vector<std::string> names_of_passing(const Gas& gas, const Membrane& membra
     return names;
 }
 
-std::string membrane_mark(Language language, const Gas& gas, const Membrane& membrane, int axis) {
-    std::vector<std::string> marks;
+std::string label_of_membrane(Language language, const Gas& gas, const Membrane& membrane,
+                              int axis) {
+    std::vector<std::string> labels;
     if (!membrane.species.empty())
-        marks.push_back(
+        labels.push_back(
             say(language, "lets {} through", listed(language, names_of_passing(gas, membrane))));
-    const std::string up = speeds_mark(language, membrane.upward),
-                      down = speeds_mark(language, membrane.downward);
-    if (!up.empty()) marks.push_back((axis == 0 ? "→ " : "↑ ") + up);
-    if (!down.empty()) marks.push_back((axis == 0 ? "← " : "↓ ") + down);
-    if (marks.empty()) return say(language, "lets none through");
-    std::string text = marks[0];
-    for (std::size_t k = 1; k < marks.size(); ++k) text += ", " + marks[k];
+    const std::string up = label_of_speeds(language, membrane.upward),
+                      down = label_of_speeds(language, membrane.downward);
+    if (!up.empty()) labels.push_back((axis == 0 ? "→ " : "↑ ") + up);
+    if (!down.empty()) labels.push_back((axis == 0 ? "← " : "↓ ") + down);
+    if (labels.empty()) return say(language, "lets none through");
+    std::string text = labels[0];
+    for (std::size_t k = 1; k < labels.size(); ++k) text += ", " + labels[k];
     return text;
 }
 
@@ -78,8 +79,8 @@ double place_of_surface(const Box& box, std::span<const SurfaceState> states, st
     return box.place_of(k);
 }
 
-std::string mark_of_surface(Language language, const Gas& gas, const Behaviour& behaviour,
-                            int axis) {
+std::string label_of_surface(Language language, const Gas& gas, const Behaviour& behaviour,
+                             int axis) {
     return std::visit(
         Overloaded{
             [](const Reflecting&) { return std::string(); },
@@ -89,16 +90,16 @@ std::string mark_of_surface(Language language, const Gas& gas, const Behaviour& 
                 return "M = " + plain_number(language, its.mass) +
                        (its.force == 0.0 ? "" : ", F = " + plain_number(language, its.force));
             },
-            [&](const Membrane& its) { return membrane_mark(language, gas, its, axis); },
+            [&](const Membrane& its) { return label_of_membrane(language, gas, its, axis); },
             [](const Diffuse&) { return std::string(); }},
         behaviour);
 }
 
-std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k) {
-    const std::string mark =
-        mark_of_surface(Language::english, gas, state.behaviour, gas.box.surfaces.axis_of(k));
+std::string table_entry_of_surface(const Gas& gas, const SurfaceState& state, std::size_t k) {
+    const std::string label =
+        label_of_surface(Language::english, gas, state.behaviour, gas.box.surfaces.axis_of(k));
     return gas.box.surfaces.names()[k] + (state.is_open ? ", open" : "") +
-           (state.is_held ? ", held" : "") + (mark.empty() ? "" : ", " + mark);
+           (state.is_held ? ", held" : "") + (label.empty() ? "" : ", " + label);
 }
 
 std::string words_at_present(Language language, const Gas& gas,

@@ -18,11 +18,11 @@ double place_of_surface(const Box& box, std::span<const SurfaceState> states, st
 
 /// The label of a surface in a picture: "T = 2", "M = 50, F = −5", "passes small"; empty for a
 /// surface that only reflects or is driven.
-std::string mark_of_surface(Language language, const Gas& gas, const Behaviour& behaviour,
-                            int axis);
+std::string label_of_surface(Language language, const Gas& gas, const Behaviour& behaviour,
+                             int axis);
 
 /// A side or a partition in its present state, for a table: "divider, open", "left, T = 2".
-std::string surface_label(const Gas& gas, const SurfaceState& state, std::size_t k);
+std::string table_entry_of_surface(const Gas& gas, const SurfaceState& state, std::size_t k);
 
 /// Describes partitions, and walls that do more than reflect, at a moment, in whole sentences;
 /// empty for a plain box. `only_changes`: only those that move or are open.

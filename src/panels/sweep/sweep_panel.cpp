@@ -74,7 +74,7 @@ Role SweepPanel::role_of(std::size_t line, std::size_t lines) const {
     return {.of = Role::Of::run, .index = line};
 }
 
-plot::Mark SweepPanel::mark_of(std::size_t line, std::size_t lines) const {
+plot::Dot SweepPanel::dot_of(std::size_t line, std::size_t lines) const {
     return {.role = role_of(line, lines), .radius = 0.26};
 }
 
@@ -121,7 +121,7 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
          {std::pair{&first.theory, dashes_of_theory}, std::pair{&first.ideal, dashes_of_ideal}}) {
         if (curve->y.size() < 2) continue;  // a single value makes no visible curve
         const std::string name = say(language_, Phrase{curve->name});
-        key.entries.push_back({.sample = stroke_of_theory(dashes), .words = {escape_markup(name)}});
+        key.entries.push_back({.swatch = stroke_of_theory(dashes), .words = {escape_markup(name)}});
         plot_.account += " " + (dashes == dashes_of_theory ? say(language_, "Dashed: {}.", name)
                                                            : say(language_, "Dotted: {}.", name));
     }
@@ -139,7 +139,7 @@ void SweepPanel::set_words_of_lines(const SweptNumbers& numbers) {
     plot::name_runs(plot_, std::move(names));
     plot::Note& key = plot_.notes.back();
     for (std::size_t k = 0; k < numbers.lines.size(); ++k)
-        key.entries[k].mark = mark_of(k, numbers.lines.size());
+        key.entries[k].dot = dot_of(k, numbers.lines.size());
     const SweptCurve& theory = numbers.lines.front().theory;
     if (theory.y.size() < 2) return;
     const std::string name = say(language_, Phrase{theory.name});
@@ -150,7 +150,7 @@ void SweepPanel::set_words_of_lines(const SweptNumbers& numbers) {
 void SweepPanel::add_curve(const SweptCurve& curve, const plot::Stroke& stroke,
                            const std::string& line) {
     if (curve.y.empty()) return;
-    plot::Line drawn;
+    plot::Polyline drawn;
     drawn.part = curve.name;
     drawn.of = line;
     drawn.depth = 2;
@@ -179,7 +179,7 @@ void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t li
 void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
     const SweptLine& line = numbers.lines[k];
     const std::size_t lines = numbers.lines.size();
-    plot::Line bars;
+    plot::Polyline bars;
     std::vector<double> x, y, counts;
     std::vector<int> piece;
     for (std::size_t i = 0; i < line.x.size(); ++i) {
@@ -207,7 +207,7 @@ void SweepPanel::add_line(const SweptNumbers& numbers, std::size_t k) {
     points.y = plot::column(plot_.columns[1], line.mean);
     points.more = {plot::column(plot_.columns[2], line.error),
                    plot::column(plot_.columns[3], std::move(counts))};
-    points.mark = mark_of(k, lines);
+    points.dot = dot_of(k, lines);
     plot_.layers.emplace_back(std::move(points));
 }
 

@@ -56,7 +56,7 @@ class SweepPanel : public PlotPanel {
     void set_axes(const SweptNumbers& numbers);
     void set_words(const SweptNumbers& numbers);
     void set_words_of_lines(const SweptNumbers& numbers);
-    plot::Mark mark_of(std::size_t line, std::size_t lines) const;
+    plot::Dot dot_of(std::size_t line, std::size_t lines) const;
     plot::Role role_of(std::size_t line, std::size_t lines) const;
 
     Language language_;

@@ -239,10 +239,10 @@ TEST_CASE("the key of several lines shows how each is drawn, in the language of 
         CHECK(std::get<std::string>(table.rows.at(0).at(of)) == "temperature 1");
         const std::vector<plot::KeyEntry>& entries = plot.notes.front().entries;
         REQUIRE(entries.size() == (theory ? 3 : 2));  // the last says what the lines are
-        std::vector<plot::Line> lines;
+        std::vector<plot::Polyline> lines;
         std::vector<plot::Points> points;
         for (const plot::AnyLayer& layer : plot.layers) {
-            if (const auto* line = std::get_if<plot::Line>(&layer); line && !line->piece)
+            if (const auto* line = std::get_if<plot::Polyline>(&layer); line && !line->piece)
                 lines.push_back(*line);
             if (const auto* point = std::get_if<plot::Points>(&layer)) points.push_back(*point);
         }
@@ -252,11 +252,11 @@ TEST_CASE("the key of several lines shows how each is drawn, in the language of 
             CHECK(points[k].of == (k == 0 ? "temperature 1" : "temperature 2"));
             CHECK(entries[k].words.front().pieces.front().markup ==
                   (k == 0 ? "Temperatur 1" : "Temperatur 2"));
-            REQUIRE(entries[k].sample);
-            CHECK(entries[k].sample->dashes == lines[k].stroke.dashes);
-            REQUIRE(entries[k].mark);
-            CHECK(entries[k].mark->role.index == points[k].mark.role.index);
-            CHECK(entries[k].mark->role.index == lines[k].stroke.role.index);
+            REQUIRE(entries[k].swatch);
+            CHECK(entries[k].swatch->dashes == lines[k].stroke.dashes);
+            REQUIRE(entries[k].dot);
+            CHECK(entries[k].dot->role.index == points[k].dot.role.index);
+            CHECK(entries[k].dot->role.index == lines[k].stroke.role.index);
         }
         CHECK(lines[0].stroke.dashes != lines[1].stroke.dashes);
         CHECK((plot.account.find("Linien: harte Scheiben") != std::string::npos) == theory);

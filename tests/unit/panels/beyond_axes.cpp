@@ -34,8 +34,8 @@ struct DrawnPlot {
         DiskPainter disks;
         const DrawContext dc{{20, 20, 560, 360}, unit, theme(kind), disks};
         Canvas canvas({600, 400}, VectorFormat::svg, {"T", ""});
-        draw_plot(canvas, dc, plot, Part::still);
-        draw_plot(canvas, dc, plot, Part::changing);
+        draw_plot(canvas, dc, plot, DrawnPart::still);
+        draw_plot(canvas, dc, plot, DrawnPart::changing);
         const std::vector<std::uint8_t> file = canvas.file();
         picture = test::svg_picture(std::string(file.begin(), file.end()));
         LabelPlacer placer({});
@@ -69,8 +69,8 @@ std::vector<test::Spot> tips(const DrawnPlot& drawn, Color color) {
     return all;
 }
 
-Line line_through(std::vector<double> x, std::vector<double> y) {
-    Line line;
+Polyline line_through(std::vector<double> x, std::vector<double> y) {
+    Polyline line;
     line.x = column("x", std::move(x));
     line.y = column("y", std::move(y));
     line.stroke = {.role = {Role::Of::accent}};
@@ -213,7 +213,7 @@ TEST_CASE("no line of the grid runs through the letters of words in a plot") {
         Canvas canvas({600, 400});
         canvas.fill_all(dc.theme.page);
         const TextLog log;
-        draw_plot(canvas, dc, plot, Part::still);
+        draw_plot(canvas, dc, plot, DrawnPart::still);
         const auto words = std::ranges::find(log.lines, "mm", &DrawnLine::markup);
         REQUIRE(words != log.lines.end());
         LabelPlacer placer({});

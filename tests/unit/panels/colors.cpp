@@ -335,10 +335,10 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
     const DrawContext dc{{0, 0, 100, 100}, 20.0, print, disks};
     for (std::size_t i = 0; i < 4; ++i) {
         CHECK(plot::dashes_in_print(i, 1).empty());
-        CHECK_FALSE(line_sample(i, print.ink, print).empty());
+        CHECK_FALSE(line_swatch(i, print.ink, print).empty());
         for (std::size_t k = 0; k < i; ++k) {
             CHECK(plot::dashes_in_print(i, 4) != plot::dashes_in_print(k, 4));
-            CHECK(line_sample(i, print.ink, print) != line_sample(k, print.ink, print));
+            CHECK(line_swatch(i, print.ink, print) != line_swatch(k, print.ink, print));
         }
     }
     for (const ThemeKind kind : {ThemeKind::light, ThemeKind::dark}) {
@@ -346,14 +346,14 @@ TEST_CASE("lines and disks of a print are told apart without colour, and words s
         const plot::Stroke stroke{.print_dashes = plot::dashes_in_print(1, 4)};
         CHECK(plot::dashes_of(stroke, other).empty());
         CHECK_FALSE(plot::dashes_of(stroke, dc).empty());
-        CHECK(line_sample(1, theme(kind).ink, theme(kind)).empty());
-        CHECK(disk_sample(theme(kind).ink, theme(kind)).empty());
+        CHECK(line_swatch(1, theme(kind).ink, theme(kind)).empty());
+        CHECK(disk_swatch(theme(kind).ink, theme(kind)).empty());
     }
-    CHECK(disk_sample(kind_color(0, print), print).find("●") != std::string::npos);
-    CHECK(disk_sample(kind_color(1, print), print).find("○") != std::string::npos);
+    CHECK(disk_swatch(kind_color(0, print), print).find("●") != std::string::npos);
+    CHECK(disk_swatch(kind_color(1, print), print).find("○") != std::string::npos);
     TextLog log;
     FramePainter(picture.panels).paint(picture.frame);
-    // Each name stands at its line, after its sample; also here, where all lines lie on the axis.
+    // Each name stands at its line, after its swatch; also here, where all lines lie on the axis.
     const double axis = Picture(scene).area_of_last_plot().bottom();
     for (const auto& [name, sample] : {std::pair{"a", "—"}, std::pair{"b", "- -"},
                                        std::pair{"c", "···"}, std::pair{"d", "–·–"}}) {

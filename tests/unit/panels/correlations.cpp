@@ -145,8 +145,8 @@ TEST_CASE("the velocity autocorrelation begins at 1 with the slope of the collis
     Run2 run(gas_of(""), panel_of("velocity-autocorrelation", AutocorrelationOptions{.lags = 3.0}),
              40);
     const plot::Plot plot = run.finished();
-    const plot::Line curve = layers_of<plot::Line>(plot, "curve").at(0);
-    const plot::Line slope = layers_of<plot::Line>(plot, "slope at 0").at(0);
+    const plot::Polyline curve = layers_of<plot::Polyline>(plot, "curve").at(0);
+    const plot::Polyline slope = layers_of<plot::Polyline>(plot, "slope at 0").at(0);
     CHECK(curve.y[0] == 1.0);
     // Of equal masses in a plane it is the number of collisions of a disk in a unit of time, with
     // the factors of 118 degrees of freedom, and of a velocity that the 59 others balance.
@@ -182,9 +182,8 @@ TEST_CASE("of mixtures between walls the slope has every mass and every wall in 
             add(one.second.particle(), mass(one.first) / sum);
         }
     });
-    const std::vector<plot::Line> slopes = layers_of<plot::Line>(run.finished(), "slope at 0");
-    const std::vector<plot::Line> curves =
-        layers_of<plot::Line>(run.plots().plot(run.state.get()), "curve");
+    const auto slopes = layers_of<plot::Polyline>(run.finished(), "slope at 0");
+    const auto curves = layers_of<plot::Polyline>(run.plots().plot(run.state.get()), "curve");
     for (std::size_t k = 0; k < 2; ++k) {
         // 90 disks between walls have 180 degrees of freedom.
         CHECK((slopes.at(k).y[1] - 1.0) / slopes[k].x[1] ==
@@ -199,7 +198,7 @@ TEST_CASE("fixed disks have no part in the slope of all") {
                  {.kind = "velocity-autocorrelation",
                   .of = of,
                   .options = Options::of(AutocorrelationOptions{.lags = 2.0})});
-        const plot::Line slope = layers_of<plot::Line>(run.finished(), "slope at 0").at(0);
+        const plot::Polyline slope = layers_of<plot::Polyline>(run.finished(), "slope at 0").at(0);
         return (slope.y[1] - slope.y[0]) / (slope.x[1] - slope.x[0]);
     };
     CHECK(slope_of({}) < -0.01);
@@ -209,7 +208,7 @@ TEST_CASE("fixed disks have no part in the slope of all") {
 TEST_CASE("where walls act no slope is drawn") {
     Run2 run(gas_of("", "[20, 20], walls: {left: {temperature: 4}}"),
              panel_of("velocity-autocorrelation", AutocorrelationOptions{.lags = 2.0}));
-    CHECK(layers_of<plot::Line>(run.finished(), "slope at 0").empty());
+    CHECK(layers_of<plot::Polyline>(run.finished(), "slope at 0").empty());
 }
 
 TEST_CASE("free paths have the exact mean, and bars that are shares of all that ended") {
@@ -233,7 +232,7 @@ TEST_CASE("free paths have the exact mean, and bars that are shares of all that 
               doctest::Approx(100.0 * double(inside) / double(lengths.size())).epsilon(1e-9));
     }
     // The law has the same mean: from one bin to the next it falls by e^(-width / mean).
-    const plot::Line law = layers_of<plot::Line>(plot, "memoryless").at(0);
+    const plot::Polyline law = layers_of<plot::Polyline>(plot, "memoryless").at(0);
     CHECK(law.y[10] / law.y[0] ==
           doctest::Approx(std::exp(-(law.x[10] - law.x[0]) / mean)).epsilon(1e-9));
     CHECK(words_in(plot).find("exponential law (Boltzmann)") != std::string::npos);
@@ -292,7 +291,7 @@ TEST_CASE("a profile in gravity has a law where disks share their energy and pas
                      "}]\nrun: {until: 10}\nfilm: {seconds: 2, fps: 10}\n",
                  {.kind = "profile",
                   .component = box.starts_with("{size") ? Component::y : Component::x});
-        return layers_of<plot::Line>(run.finished(), "law").size();
+        return layers_of<plot::Polyline>(run.finished(), "law").size();
     };
     const std::string line = "{length: 20}\ngravity: -0.5",
                       plane = "{size: [10, 20]}\ngravity: [0, -0.5]";
@@ -318,7 +317,7 @@ TEST_CASE("hexagonal order is 1 in a hexagonal lattice, and little in a gas") {
     const auto order = [](const std::string& text) {
         Run2 run(text, {.kind = "orientational-order"});
         std::vector<double> last;
-        for (const plot::Line& line : layers_of<plot::Line>(run.finished(), "line"))
+        for (const plot::Polyline& line : layers_of<plot::Polyline>(run.finished(), "line"))
             last.push_back(line.y[line.y.size() - 1]);
         return last;
     };
@@ -347,7 +346,7 @@ TEST_CASE("displacements over all origins are means over starts, and D has an er
                       DisplacementOptions{.fit_from = 3.0, .all_origins = true, .lags = 4.0}),
              100);
     const plot::Plot plot = run.finished();
-    const plot::Line curve = layers_of<plot::Line>(plot, "curve").at(0);
+    const plot::Polyline curve = layers_of<plot::Polyline>(plot, "curve").at(0);
     CHECK(curve.x[60] == doctest::Approx(4.0));
     // Against starts at all frames: 100 starts of 60 disks each miss little of what lies between.
     std::vector<Eigen::ArrayXXd> place;
@@ -360,13 +359,13 @@ TEST_CASE("displacements over all origins are means over starts, and D has an er
     for (std::size_t i = 0; i + 20 < place.size(); ++i)
         squares += (place[i + 20] - place[i]).square().rowwise().sum().mean() / 81.0;
     CHECK(curve.y[60] == doctest::Approx(squares).epsilon(0.01));
-    const plot::Line fit = layers_of<plot::Line>(plot, "fit").at(0);
+    const plot::Polyline fit = layers_of<plot::Polyline>(plot, "fit").at(0);
     CHECK(fit.x[0] == doctest::Approx(3.0));
     const double diffusion = (fit.y[1] - fit.y[0]) / (fit.x[1] - fit.x[0]) / 4.0;
     CAPTURE(plot.account);
     CHECK(std::stod(plot.account.substr(4)) == doctest::Approx(diffusion).epsilon(0.02));
     CHECK(plot.account.find(" ± 0.") != std::string::npos);
-    const plot::Line ballistic = layers_of<plot::Line>(plot, "ballistic").at(0);
+    const plot::Polyline ballistic = layers_of<plot::Polyline>(plot, "ballistic").at(0);
     CHECK_FALSE(ballistic.still);  // what is drawn once is drawn before anything is measured
     CHECK_FALSE(fit.still);
     CHECK(curve.y[1] == doctest::Approx(ballistic.y[40] / ballistic.x[40] / ballistic.x[40] *
@@ -399,10 +398,10 @@ TEST_CASE("a mean of runs has the mean of their curves, with its error") {
             check(bars[0].value, bars[0].error, layers_of<plot::Bars>(first)[0].value,
                   layers_of<plot::Bars>(second)[0].value);
         else
-            check(layers_of<plot::Line>(mean, "curve").at(0).y,
+            check(layers_of<plot::Polyline>(mean, "curve").at(0).y,
                   layers_of<plot::Band>(mean).at(0).error,
-                  layers_of<plot::Line>(first, "curve").at(0).y,
-                  layers_of<plot::Line>(second, "curve").at(0).y);
+                  layers_of<plot::Polyline>(first, "curve").at(0).y,
+                  layers_of<plot::Polyline>(second, "curve").at(0).y);
     }
 }
 
@@ -440,7 +439,7 @@ TEST_CASE("runs side by side have a curve each on common axes") {
         CHECK(plot.runs == std::vector<std::string>{"thin", "dense"});
         CHECK(plot.accounts_of_runs.size() == 2);
         const std::size_t curves =
-            layers_of<plot::Bars>(plot).size() + layers_of<plot::Line>(plot, "curve").size();
+            layers_of<plot::Bars>(plot).size() + layers_of<plot::Polyline>(plot, "curve").size();
         CHECK(curves == 2);
     }
 }

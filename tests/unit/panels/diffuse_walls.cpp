@@ -71,5 +71,5 @@ TEST_CASE("the words for a diffuse wall are there in every language") {
     }
     CHECK(words_of_surface_event(Language::english, scene.run.events[0], scene.gas) ==
           "The right wall reflects diffusely from now on");
-    CHECK(mark_of_surface(Language::english, scene.gas, Diffuse{}, 0).empty());
+    CHECK(label_of_surface(Language::english, scene.gas, Diffuse{}, 0).empty());
 }

@@ -258,16 +258,16 @@ TEST_CASE("a profile shows slabs along an axis, with an ideal gas where gravity 
         return shown.plot(first.frame.states.back().get());
     };
     const auto lines_of = [](const plot::Plot& plot, const std::string& part) {
-        std::vector<plot::Line> lines;
+        std::vector<plot::Polyline> lines;
         for (const plot::AnyLayer& layer : plot.layers)
-            if (const auto* line = std::get_if<plot::Line>(&layer); line && line->part == part)
+            if (const auto* line = std::get_if<plot::Polyline>(&layer); line && line->part == part)
                 lines.push_back(*line);
         return lines;
     };
     const plot::Plot along_x = plot_of("{kind: profile, cells: 4, over: now}", "");
     CHECK(lines_of(along_x, "law").empty());
     REQUIRE(lines_of(along_x, "profile").size() == 1);
-    const plot::Line across = lines_of(along_x, "profile").front();
+    const plot::Polyline across = lines_of(along_x, "profile").front();
     double sum = 0.0;  // each slab has two ends
     for (std::size_t k = 0; k < across.y.size(); ++k) sum += 0.5 * across.y[k];
     CHECK(sum * 5.0 * 40.0 == doctest::Approx(100.0));
@@ -276,7 +276,7 @@ TEST_CASE("a profile shows slabs along an axis, with an ideal gas where gravity 
     const plot::Plot up =
         plot_of("{kind: profile, component: y, cells: 10, over: now}", "gravity: [0, -0.1]\n");
     REQUIRE(lines_of(up, "law").size() == 1);
-    const plot::Line law = lines_of(up, "law").front();
+    const plot::Polyline law = lines_of(up, "law").front();
     double all = 0.0;  // height is up
     for (std::size_t k = 0; k < law.x.size(); ++k) all += law.x[k] * 4.0 * 20.0;
     CHECK(all == doctest::Approx(100.0));

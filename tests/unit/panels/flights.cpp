@@ -132,15 +132,15 @@ TEST_CASE("a path in phase space is faint, and its last 300 frames the stronger 
         "film: {seconds: 8, fps: 50, panels: [{kind: phase, of: [0]}]}\n"));
     const auto& panel = dynamic_cast<const PlotPanel&>(*film.panels->panels().back().panel);
     const auto strokes = [&](std::size_t frame) {
-        std::vector<plot::Line> lines;
+        std::vector<plot::Polyline> lines;
         for (const plot::AnyLayer& layer :
              panel.plot(film.frames.at(frame).states.back().get()).layers)
-            if (const auto* line = std::get_if<plot::Line>(&layer); line && !line->of.empty())
+            if (const auto* line = std::get_if<plot::Polyline>(&layer); line && !line->of.empty())
                 lines.push_back(*line);
         return lines;
     };
     const std::size_t last = film.frames.size() - 1;
-    const std::vector<plot::Line> lines = strokes(last);
+    const std::vector<plot::Polyline> lines = strokes(last);
     REQUIRE(lines.size() == 5);
     CHECK(lines[0].part == "path");
     CHECK(lines[0].shown.first == 0);
@@ -152,7 +152,7 @@ TEST_CASE("a path in phase space is faint, and its last 300 frames the stronger 
         CHECK(lines[k].shown.first == strokes(last - 75 * (5 - k))[0].shown.end);
         CHECK(lines[k].shown.end == lines[0].shown.end);
     }
-    for (const plot::Line& line : strokes(40)) CHECK(line.shown.first == 0);
+    for (const plot::Polyline& line : strokes(40)) CHECK(line.shown.first == 0);
 }
 
 TEST_CASE(

@@ -103,7 +103,7 @@ TEST_CASE("the curve is that of the particles that share the energy") {
     const double curve = 100 * panel.bins().width() * std::exp(-0.5);  // its top, at v = 1
     double top = 0.0;
     for (const plot::AnyLayer& layer : panel.plot(nullptr).layers)
-        if (const auto* line = std::get_if<plot::Line>(&layer))
+        if (const auto* line = std::get_if<plot::Polyline>(&layer))
             for (std::size_t i = 0; i < line->y.size(); ++i) top = std::max(top, line->y[i]);
     CHECK(top == relative(curve, 1e-2));
 }

@@ -174,7 +174,7 @@ TEST_CASE("each side of a closed wall has the curve of its own energy, which its
     REQUIRE(layers_of_part(plot, "curve") == 2);
     std::size_t side = 0;
     for (const plot::AnyLayer& layer : plot.layers) {
-        const auto* curve = std::get_if<plot::Line>(&layer);
+        const auto* curve = std::get_if<plot::Polyline>(&layer);
         if (curve == nullptr || curve->part != "curve") continue;
         // N disks with the energy E: p(e) = (N - 1) / E (1 - e / E)^(N - 2).
         const double count = side == 0 ? 40.0 : 20.0, energy = side == 0 ? 20.0 : 40.0;
@@ -231,7 +231,7 @@ TEST_CASE("parts are named at their bars, and an empty one has no mean") {
     const plot::Plot plot = seen.plot(seen.last.get());
     std::vector<std::string> names;
     for (const plot::AnyLayer& layer : plot.layers)
-        if (const auto* label = std::get_if<plot::Label>(&layer); label && label->sample)
+        if (const auto* label = std::get_if<plot::Label>(&layer); label && label->swatch)
             names.push_back(label->words.front().pieces.front().markup);
     CHECK(names == std::vector<std::string>{"left", "right"});
     CHECK(layers_of_part(plot, "mean") == 1);

@@ -103,7 +103,7 @@ TEST_CASE("D is the slope of all pairs of frames from a time on, and the words s
     double slope = 0.0;
     for (const plot::AnyLayer& layer : plot.layers)
         if (plot::common(layer).part == "fit") {
-            const auto& fit = std::get<plot::Line>(layer);
+            const auto& fit = std::get<plot::Polyline>(layer);
             CHECK(fit.x[0] == 3.0);
             slope = (fit.y[1] - fit.y[0]) / (fit.x[1] - fit.x[0]);
         }
@@ -147,7 +147,7 @@ TEST_CASE("before collisions the squares lie on the parabola that is drawn") {
     bool is_drawn = false;
     for (const plot::AnyLayer& layer : plot.layers)
         if (plot::common(layer).part == "ballistic") {
-            const auto& line = std::get<plot::Line>(layer);
+            const auto& line = std::get<plot::Polyline>(layer);
             is_drawn = true;
             for (std::size_t i = 1; i < line.x.size(); ++i)
                 CHECK(line.y[i] == relative(square * line.x[i] * line.x[i], 1e-9));
@@ -250,7 +250,7 @@ TEST_CASE("the reason why there is no diffusion coefficient is whole in narrow p
         const DrawContext dc{{0, 0, 280, 400}, 20, theme(ThemeKind::light), disks};
         Canvas canvas({280, 400});
         const TextLog log;
-        for (const plot::Part part : {plot::Part::still, plot::Part::changing})
+        for (const plot::DrawnPart part : {plot::DrawnPart::still, plot::DrawnPart::changing})
             plot::draw_plot(canvas, dc, plot, part);
         std::string words;
         for (const DrawnLine& line : log.lines) {
@@ -336,12 +336,12 @@ TEST_CASE("a curve is drawn as far as it is known") {
     std::erase_if(plot.layers,
                   [](const plot::AnyLayer& layer) { return plot::common(layer).part != "curve"; });
     REQUIRE(plot.layers.size() == 1);
-    CHECK(std::isnan(std::get<plot::Line>(plot.layers.front()).y[lag_count - 1]));
+    CHECK(std::isnan(std::get<plot::Polyline>(plot.layers.front()).y[lag_count - 1]));
     DiskPainter disks;
     const DrawContext dc{{0, 0, 440, 280}, 20, theme(ThemeKind::light), disks};
     Canvas canvas({440, 280});
     canvas.fill_all(dc.theme.page);
-    plot::draw_plot(canvas, dc, plot, plot::Part::changing);
+    plot::draw_plot(canvas, dc, plot, plot::DrawnPart::changing);
     const PixelView view = canvas.pixels();
     int columns = 0;  // that the curve crosses
     for (int x = 0; x < view.width; ++x) {

@@ -39,7 +39,7 @@ TEST_CASE("a piston is where its exact distribution says, for the time that it s
         "gas: [{name: a, count: 9, radius: 0.01, temperature: {exact: 2}}]\nrun: {until: 20000}\n",
         400);
     const auto* bars = layer_of<plot::Bars>(plot);
-    const auto* law = layer_of<plot::Line>(plot);
+    const auto* law = layer_of<plot::Polyline>(plot);
     REQUIRE(bars != nullptr);
     REQUIRE(law != nullptr);
     double all = 0.0, under_law = 0.0, apart = 0.0;
@@ -86,7 +86,7 @@ TEST_CASE("a piston at the left has the law of one at the right, turned") {
                 "}}\ngas: [{name: a, count: 9, radius: 0.01, temperature: {exact: 2}}]\n"
                 "run: {until: 2000}\n",
             100);
-        const auto* law = layer_of<plot::Line>(plot);
+        const auto* law = layer_of<plot::Polyline>(plot);
         REQUIRE(law != nullptr);
         double all = 0.0, mean = 0.0;
         for (std::size_t k = 0; k < law->x.size(); ++k) {

@@ -41,8 +41,8 @@ TEST_CASE("words that change lie on no words that stand still") {
     const DrawContext dc{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
     Canvas canvas({600, 400});
     const TextLog log;
-    draw_plot(canvas, dc, plot, Part::still);
-    draw_plot(canvas, dc, plot, Part::changing);
+    draw_plot(canvas, dc, plot, DrawnPart::still);
+    draw_plot(canvas, dc, plot, DrawnPart::changing);
     const auto rect_of = [&](const char* words) {
         const auto line = std::ranges::find(log.lines, words, &DrawnLine::markup);
         REQUIRE(line != log.lines.end());
@@ -64,7 +64,7 @@ struct DrawnPlot {
     explicit DrawnPlot(const Plot& plot, const Plot* now = nullptr) {
         Canvas canvas({600, 400});
         const TextLog log;
-        draw_plot(canvas, dc, plot, Part::still);
+        draw_plot(canvas, dc, plot, DrawnPart::still);
         if (now != nullptr) draw_arriving_names(canvas, dc, with_fixed_names(plot, dc), *now);
         lines = log.lines;
         left_out = log.left_out;
@@ -94,11 +94,11 @@ Level level_at(double value, const char* words) {
     return level;
 }
 
-Line line_through(std::vector<double> x, std::vector<double> y) {
-    Line line;
+Polyline line_through(std::vector<double> x, std::vector<double> y) {
+    Polyline line;
     line.x = column("x", std::move(x));
     line.y = column("y", std::move(y));
-    line.head = plot::Mark{};
+    line.head = plot::Dot{};
     return line;
 }
 
@@ -165,10 +165,10 @@ TEST_CASE("the name of a growing line is seen once the line has come to it") {
         name.anchors = {{.at = {at, 0.5}, .offset = {0.0, -0.5}}};
         name.line = 0;
         name.is_name = true;
-        name.sample = Stroke{};
+        name.swatch = Stroke{};
         plot.layers.emplace_back(name);
         Plot now = plot;
-        std::get<Line>(now.layers[0]).shown.end = end;
+        std::get<Polyline>(now.layers[0]).shown.end = end;
         const DrawnPlot drawn(plot, &now);
         const auto words = drawn.words("its name");
         if (words) CHECK(words->x == doctest::Approx(drawn.x(plot, at)).epsilon(0.02));
@@ -191,7 +191,7 @@ TEST_CASE("the name of a growing line is nearer to it than to other lines") {
     for (const double at : {0.1, 0.6})
         name.anchors.push_back({.at = {at, 0.5}, .offset = {0.0, -1.1}});
     name.line = 0;
-    name.sample = Stroke{};
+    name.swatch = Stroke{};
     plot.layers.emplace_back(name);
     const DrawnPlot drawn(plot, &plot);
     const auto words = drawn.words("its name");
@@ -205,20 +205,20 @@ TEST_CASE("a plot without titles has none") {
     CHECK(fitting_title(dc, {}).empty());
     Canvas canvas({600, 400});
     const TextLog log;
-    draw_plot(canvas, dc, Plot{}, Part::still);
+    draw_plot(canvas, dc, Plot{}, DrawnPart::still);
     CHECK(std::ranges::none_of(log.lines, [](const DrawnLine& line) {
         return line.ink.width > 0.0 && line.ink.y < 40.0;  // above the plot
     }));
 }
 
-TEST_CASE("words that are named far from their level have a sample of its line before them") {
-    const auto darkest_left_of_words = [](bool has_sample) {
+TEST_CASE("words that are named far from their level have a swatch of its line before them") {
+    const auto darkest_left_of_words = [](bool has_swatch) {
         Plot plot{.titles = {"Sample"}};
         Label label;
         label.words = {"level"};
         label.anchors = {
-            {.at = {0.5, 0.6}, .x_is_share = true, .y_is_share = true, .has_sample = has_sample}};
-        label.sample = Stroke{.width = 0.1};
+            {.at = {0.5, 0.6}, .x_is_share = true, .y_is_share = true, .has_swatch = has_swatch}};
+        label.swatch = Stroke{.width = 0.1};
         label.still = true;
         plot.layers.emplace_back(label);
         DiskPainter disks;
@@ -226,7 +226,7 @@ TEST_CASE("words that are named far from their level have a sample of its line b
         Canvas canvas({600, 400});
         canvas.fill_all(dc.theme.page);
         TextLog log;
-        draw_plot(canvas, dc, plot, Part::still);
+        draw_plot(canvas, dc, plot, DrawnPart::still);
         const auto words = std::ranges::find(log.lines, "level", &DrawnLine::markup);
         REQUIRE(words != log.lines.end());
         const PixelView view = canvas.pixels();
@@ -252,7 +252,7 @@ TEST_CASE("words about a point near a side stay within the plot") {
         const DrawContext dc{{20, 20, 560, 360}, 20, theme(ThemeKind::light), disks};
         Canvas canvas({600, 400});
         TextLog log;
-        draw_plot(canvas, dc, plot, Part::still);
+        draw_plot(canvas, dc, plot, DrawnPart::still);
         const auto words = std::ranges::find(log.lines, "contact at 0.00", &DrawnLine::markup);
         REQUIRE(words != log.lines.end());
         return std::pair{words->ink.x, words->ink.right()};
@@ -287,7 +287,7 @@ TEST_CASE("words lie beside the lines of reversals and events, or are left out")
         const DrawContext dc{{20, 20, width_of_plot, 360}, 20, theme(ThemeKind::light), disks};
         Canvas canvas({800, 400});
         TextLog log;
-        draw_plot(canvas, dc, plot, Part::still);
+        draw_plot(canvas, dc, plot, DrawnPart::still);
         const auto found = std::ranges::find(log.lines, "velocities reversed", &DrawnLine::markup);
         LabelPlacer placer({});
         if (found != log.lines.end()) CHECK(found->ink.x > frame_of(plot, dc, placer).x(0.5));

@@ -39,7 +39,7 @@ TEST_CASE("pressure against area begins at the box, with the ideal gas of disks 
     CHECK(name_in_note(plot, 0) == "ideal gas");
     std::size_t found = 0;
     for (const auto& layer : plot.layers) {
-        const auto* line = std::get_if<plot::Line>(&layer);
+        const auto* line = std::get_if<plot::Polyline>(&layer);
         if (line == nullptr || line->part != "theory") continue;
         const double start = 20 * 2.0 / 140.0, power = line->of == "adiabat" ? 2.0 : 1.0;
         for (std::size_t i = 0; i < line->x.size(); ++i)
@@ -62,7 +62,8 @@ TEST_CASE("pressure against area begins at the box, with the ideal gas of disks 
                          "run: {until: 8}\nfilm: {seconds: 8, panels: [pressure-volume]}\n")
                 .plot();
         for (const auto& layer : without.layers)
-            if (const auto* line = std::get_if<plot::Line>(&layer)) CHECK(line->part != "theory");
+            if (const auto* line = std::get_if<plot::Polyline>(&layer))
+                CHECK(line->part != "theory");
     }
 }
 
@@ -80,7 +81,7 @@ TEST_CASE("equal disks have their own isotherm and adiabat, and lines at multipl
     std::vector<double> levels;
     for (const auto& layer : plot.layers) {
         if (const auto* level = std::get_if<plot::Level>(&layer)) levels.push_back(level->value);
-        const auto* line = std::get_if<plot::Line>(&layer);
+        const auto* line = std::get_if<plot::Polyline>(&layer);
         if (line == nullptr || line->of != "adiabat") continue;
         // By the same equation, integrated elsewhere: 157.6 at a height of 16, where the pressure
         // is 40.2; of points it would be 137.5 and 28.65.
@@ -108,7 +109,7 @@ TEST_CASE("baths that become hotter together give a gas one isotherm after the o
         std::map<std::string, double> at_start;  // pressure times area over the number
         const plot::Plot plot = seen.plot();
         for (const auto& layer : plot.layers) {
-            const auto* line = std::get_if<plot::Line>(&layer);
+            const auto* line = std::get_if<plot::Polyline>(&layer);
             if (line == nullptr || line->part != "theory") continue;
             std::size_t i = 0;
             while (i + 1 < line->x.size() && line->x[i] < 60 * 44 - 1e-9) ++i;
@@ -139,9 +140,9 @@ TEST_CASE("the path of pressure and area begins when its window is full") {
         "4}}]}\n");
     const auto state = seen.last_state();
     const plot::Plot plot = seen.plot(state.get());
-    const plot::Line* path = nullptr;
+    const plot::Polyline* path = nullptr;
     for (const auto& layer : plot.layers)
-        if (const auto* line = std::get_if<plot::Line>(&layer); line && line->part == "path")
+        if (const auto* line = std::get_if<plot::Polyline>(&layer); line && line->part == "path")
             path = line;
     REQUIRE(path != nullptr);
     int before = 0;

@@ -29,9 +29,9 @@ plot::Plot last_plot(const std::string& scene, int steps) {
     return seen.plot(seen.last_state().get());
 }
 
-const plot::Line& line_in(const plot::Plot& plot, const std::string& part) {
+const plot::Polyline& line_in(const plot::Plot& plot, const std::string& part) {
     for (const plot::AnyLayer& layer : plot.layers)
-        if (const auto* line = std::get_if<plot::Line>(&layer); line && line->part == part)
+        if (const auto* line = std::get_if<plot::Polyline>(&layer); line && line->part == part)
             return *line;
     FAIL("no such line");
     throw std::logic_error("");
@@ -81,7 +81,7 @@ TEST_CASE("the band covers the barometric density as often as a standard error m
     for (int seed = 1; seed <= seeds_of_bands; ++seed) {
         const plot::Plot plot = last_plot(scene_of_thin_gas(seed), 8);
         if (band_in(plot) == nullptr) continue;
-        const plot::Line &found = line_in(plot, "profile"), &law = line_in(plot, "law");
+        const plot::Polyline &found = line_in(plot, "profile"), &law = line_in(plot, "law");
         double inside = 0.0;
         // Without the slabs at floor and lid, in which the centres of disks have less room.
         for (std::size_t slab = 1; slab < 7; ++slab)
@@ -98,7 +98,7 @@ TEST_CASE("the band covers the temperature of an isolated gas as often as it mus
         const plot::Plot plot = last_plot(
             scene_of_hard_disks(seed, "run: {until: 800, equilibrate: 50}\n", temperatures), 8);
         if (band_in(plot) == nullptr) continue;
-        const plot::Line& found = line_in(plot, "profile");
+        const plot::Polyline& found = line_in(plot, "profile");
         double inside = 0.0;
         for (std::size_t slab = 0; slab < 8; ++slab)
             inside += std::abs(found.y[2 * slab] - 1.0) < found.more.at(0)[2 * slab];
@@ -135,7 +135,7 @@ TEST_CASE("a band and its words are there as soon as the window is full, along i
         REQUIRE((band != nullptr) == (time >= 800.0));
         if (band == nullptr) continue;
         CHECK(band->is_along_x);
-        const plot::Line& found = line_in(plot, "profile");
+        const plot::Polyline& found = line_in(plot, "profile");
         REQUIRE(band->error.size() == found.x.size());
         for (std::size_t i = 0; i < found.x.size(); ++i) {
             CHECK(band->x[i] == found.x[i]);

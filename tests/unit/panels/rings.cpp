@@ -62,7 +62,7 @@ TEST_CASE("a profile around a point shows particles in each ring by its area") {
     const plot::Plot plot = rings.plot();
     CHECK(plot.x.high == 10.0);  // to the nearest side
     for (const plot::AnyLayer& layer : plot.layers)
-        if (const auto* line = std::get_if<plot::Line>(&layer))
+        if (const auto* line = std::get_if<plot::Polyline>(&layer))
             for (std::size_t ring = 0; ring < 10; ++ring)
                 CHECK(line->y[2 * ring] ==
                       doctest::Approx(ring == 4 ? 0.0 : 3.0 / std::numbers::pi).epsilon(1e-12));

@@ -55,9 +55,9 @@ struct TwoRuns {
     }
 
     plot::Plot plot() const { return dynamic_cast<const PlotPanel&>(*own).plot(state.get()); }
-    std::optional<plot::Line> line(const std::string& part) const {
+    std::optional<plot::Polyline> line(const std::string& part) const {
         for (const plot::AnyLayer& layer : plot().layers)
-            if (const auto* one = std::get_if<plot::Line>(&layer); one && one->part == part)
+            if (const auto* one = std::get_if<plot::Polyline>(&layer); one && one->part == part)
                 return *one;
         return {};
     }

@@ -380,7 +380,7 @@ TEST_CASE("the level of each species is named at its line in the colour of the s
             {0, 0, double(size.width), double(size.height)}, 20.0, theme(ThemeKind::light), disks};
         Canvas canvas(size);
         const TextLog log;
-        plot::draw_plot(canvas, dc, plot, plot::Part::still);
+        plot::draw_plot(canvas, dc, plot, plot::DrawnPart::still);
         plot::LabelPlacer placer({});
         const plot::Frame frame = plot::frame_of(plot::with_names(plot, dc), dc, placer);
         std::size_t at_lines = 0;

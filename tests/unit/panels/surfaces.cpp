@@ -136,7 +136,7 @@ struct Seen {
         // The only margins here are those of a piston on the right, whose force is shown.
         const double margin =
             (SurfaceSize::bar + SurfaceSize::hatch + SurfaceSize::arrow) * grid.unit();
-        const double above = SurfaceSize::mark * grid.unit();
+        const double above = SurfaceSize::label * grid.unit();
         const double scale = (whole.width - margin) / (extent.high[0] - extent.low[0]);
         return {{whole.x, whole.y + above, whole.width - margin, whole.height - above},
                 extent.low,
@@ -185,7 +185,7 @@ TEST_CASE("a box that grows is drawn as large as it gets") {
     const Theme& theme = theme_of(scene.film.theme);
     const Region extent{{0.0, 0.0}, {20.0 + 2.0 * shot.frames[19].tick.time, 10.0}};
     BoxMap map = Seen::map_of(shot, extent);
-    map.frame.y -= SurfaceSize::mark * Grid(scene.film.layout, scene.film.size).unit();
+    map.frame.y -= SurfaceSize::label * Grid(scene.film.layout, scene.film.size).unit();
     CHECK(seen.at(0, map.pixel({26.5, 3.0})) == to_pixel(theme.page));
     CHECK(seen.at(19, map.pixel({26.5, 3.0})) == to_pixel(theme.ground));
 }

@@ -62,7 +62,7 @@ TEST_CASE(
     "frames "
     "are the same whatever was drawn before") {
     int seen = 0;
-    // In print there are samples before words; the other two themes differ in colours alone. Every
+    // In print there are swatches before words; the other two themes differ in colours alone. Every
     // scene is seen with a third of the templates, in both themes, and every template with a third
     // of the scenes; the slow tests see all three together.
     const auto share = static_cast<std::size_t>(test::every_nth(6, 48));

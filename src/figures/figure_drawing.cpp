@@ -177,8 +177,8 @@ Table table_of(const Figure& figure) {
     for (const FigureMoment& moment : figure.moments) {
         Table table = figure.panel->table(*moment.state, colors);
         if (figure.moments.size() == 1) return table;
-        for (std::vector<Cell>& row : table.rows) {
-            std::vector<Cell>& timed = whole.rows.emplace_back();
+        for (std::vector<TableCell>& row : table.rows) {
+            std::vector<TableCell>& timed = whole.rows.emplace_back();
             timed.reserve(row.size() + 1);
             timed.emplace_back(moment.time);
             std::ranges::move(row, std::back_inserter(timed));

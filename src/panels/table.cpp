@@ -44,7 +44,7 @@ std::string csv(const Table& table) {
         text += csv_field(names[k]);
         end_field(k + 1 == names.size());
     }
-    for (const std::vector<Cell>& row : table.rows)
+    for (const std::vector<TableCell>& row : table.rows)
         for (std::size_t k = 0; k < row.size(); ++k) {
             text += std::visit(AsField{}, row[k]);
             end_field(k + 1 == row.size());

@@ -14,7 +14,7 @@
 namespace carom {
 
 /// Empty, a text, or a number; in single precision if the picture has no more.
-using Cell = std::variant<std::monostate, std::string, double, float, std::int64_t>;
+using TableCell = std::variant<std::monostate, std::string, double, float, std::int64_t>;
 
 /// What a column is called, in English, and what its numbers are; texts, and numbers whose unit
 /// stands beside them, have no quantity.
@@ -35,8 +35,8 @@ Heading standard_error_of(const Heading& column);
 
 struct Table {
     std::vector<Heading> columns = {};
-    std::vector<std::vector<Cell>> rows = {};  ///< a cell for each column
-    UnitSystem units = UnitSystem::reduced;    ///< of the numbers
+    std::vector<std::vector<TableCell>> rows = {};  ///< a cell for each column
+    UnitSystem units = UnitSystem::reduced;         ///< of the numbers
 };
 
 /// The headings as they are written: "speed (length/time)".

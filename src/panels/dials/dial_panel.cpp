@@ -425,10 +425,10 @@ Table DialPanel::table(const PanelState& state, const Theme&) const {
     const std::vector<Reading> now = readings(state);
     const std::size_t lines = std::max<std::size_t>(1, subject_.lines.size());
     for (std::size_t k = 0; k < now.size(); ++k) {
-        Cell value = now[k].value;
+        TableCell value = now[k].value;
         if (is_whole()) value = static_cast<std::int64_t>(std::llround(now[k].value));
-        std::vector<Cell> row{subject_.part, now[k].line.column, value,
-                              unit_text(subject_.quantity, table.units)};
+        std::vector<TableCell> row{subject_.part, now[k].line.column, value,
+                                   unit_text(subject_.quantity, table.units)};
         if (compares) row.insert(row.begin() + 1, record_.runs[k / lines].name);
         if (is_mean) row.insert(row.end() - 1, now[k].error.value());
         table.rows.push_back(std::move(row));

@@ -377,7 +377,7 @@ void FieldLayer::add_rows(Table& table, const FieldState& state, std::size_t x,
     for (std::size_t cell = 0; cell < state.values.size(); ++cell) {
         const Region region = cells_.region(static_cast<Eigen::Index>(cell));
         const Vec middle = 0.5 * (region.low + region.high);
-        std::vector<Cell>& row = table.rows.emplace_back();
+        std::vector<TableCell>& row = table.rows.emplace_back();
         row.resize(columns);
         row[0] = "cell";
         row[x] = middle[0];

@@ -223,8 +223,8 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
             continue;
         const Gas& its = context_.scene.gas;
         const bool is_x = its.box.surfaces.axis_of(k) == 0;
-        const Cell at = place_of_surface(its.box, gas.surfaces, k), none;
-        std::vector<Cell>& row = table.rows.emplace_back();
+        const TableCell at = place_of_surface(its.box, gas.surfaces, k), none;
+        std::vector<TableCell>& row = table.rows.emplace_back();
         row = {"surface",        none, none, is_x ? at : none,
                is_x ? none : at, none, none, table_entry_of_surface(its, surface, k)};
         row.resize(table.columns.size());

@@ -82,9 +82,9 @@ bool ParticlePanel::is_filled(Eigen::Index particle) const {
 }
 
 void ParticlePanel::add_row(Table& table, const char* part, Eigen::Index particle,
-                            std::vector<Cell> cells, const Eigen::ArrayXXf& velocity) const {
+                            std::vector<TableCell> cells, const Eigen::ArrayXXf& velocity) const {
     const auto species = static_cast<std::size_t>(context_.particles.species[particle]);
-    std::vector<Cell>& row = table.rows.emplace_back();
+    std::vector<TableCell>& row = table.rows.emplace_back();
     row = {part, std::int64_t{particle}, context_.species()[species].name};
     row.insert(row.end(), cells.begin(), cells.end());
     if (velocity.size() > 0)

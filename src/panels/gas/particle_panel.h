@@ -90,8 +90,8 @@ class ParticlePanel : public Panel {
 
     /// Adds a row to the table: the part, the number and the species of a particle, then the cells,
     /// and its velocity if velocities are shown.
-    void add_row(Table& table, const char* part, Eigen::Index particle, std::vector<Cell> cells,
-                 const Eigen::ArrayXXf& velocity = {}) const;
+    void add_row(Table& table, const char* part, Eigen::Index particle,
+                 std::vector<TableCell> cells, const Eigen::ArrayXXf& velocity = {}) const;
 
     PanelContext context_;
     GasColors colors_;

@@ -37,7 +37,7 @@ class Rows {
     using Numbers = std::map<std::string, double>;
 
     void row(const Numbers& numbers) {
-        std::vector<Cell> cells;
+        std::vector<TableCell> cells;
         if (run_) cells.emplace_back(plot_.runs[*run_]);
         cells.emplace_back(part_);
         cells.emplace_back(of_);

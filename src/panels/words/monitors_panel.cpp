@@ -399,7 +399,7 @@ Table MonitorsPanel::table(const PanelState& state, const Theme&) const {
     Table table{{"part", "of", "value", "unit"}};
     for (const Monitor which : numbers_) {
         const double number = now.numbers.at(index_of(which));
-        Cell value = number;
+        TableCell value = number;
         if (column(which).format == Format::count) value = static_cast<std::int64_t>(number);
         if (column(which).format == Format::power) value = now.return_distance;
         const Quantity& quantity = column(which).quantity;

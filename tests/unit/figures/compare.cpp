@@ -54,15 +54,15 @@ const std::string warmer =
     "{label: few, set: [gas.0.count=20, seed=9]}]}\n";
 
 // The rows of a table that are of one run, without its name.
-std::vector<std::vector<Cell>> rows_of(const Table& table, const std::string& run) {
-    std::vector<std::vector<Cell>> rows;
-    for (const std::vector<Cell>& row : table.rows)
+std::vector<std::vector<TableCell>> rows_of(const Table& table, const std::string& run) {
+    std::vector<std::vector<TableCell>> rows;
+    for (const std::vector<TableCell>& row : table.rows)
         if (std::get<std::string>(row.front()) == run)
             rows.emplace_back(row.begin() + 1, row.end());
     return rows;
 }
 
-double number(const Cell& cell) { return std::get<double>(cell); }
+double number(const TableCell& cell) { return std::get<double>(cell); }
 
 }  // namespace
 
@@ -114,7 +114,7 @@ TEST_CASE("the table names the run of each row, and has the numbers of that run"
     CHECK(column_names(table).back() == "value (per cent)");
     for (const std::string run : {"cold", "warm", "few"}) {
         double bars_sum = 0.0, curve = 0.0;
-        for (const std::vector<Cell>& row : rows_of(table, run)) {
+        for (const std::vector<TableCell>& row : rows_of(table, run)) {
             const std::string part = std::get<std::string>(row[0]);
             if (part == "bar" || part == "above" || part == "below") bars_sum += number(row[4]);
             if (part == "curve") curve = std::max(curve, number(row[4]));
@@ -126,11 +126,11 @@ TEST_CASE("the table names the run of each row, and has the numbers of that run"
     }
     const FigureRun alone = run_of(scene_of("  - {name: b, kind: entropy}\n"));
     const Table own = table_of(alone.figures()[0]);
-    const std::vector<std::vector<Cell>> cold = rows_of(series, "cold");
+    const std::vector<std::vector<TableCell>> cold = rows_of(series, "cold");
     CHECK(cold == own.rows);
     CHECK(rows_of(series, "warm").size() == own.rows.size());
     for (const Table* one : {&table, &series})
-        for (const std::vector<Cell>& row : one->rows) CHECK(row.size() == one->columns.size());
+        for (const auto& row : one->rows) CHECK(row.size() == one->columns.size());
 }
 
 TEST_CASE("ways back in numbers of more and more bits, each as a run of its own") {
@@ -149,17 +149,17 @@ TEST_CASE("ways back in numbers of more and more bits, each as a run of its own"
          {std::pair{"53 bits", "double"}, {"113 bits", "113"}, {"192 bits", "192"}}) {
         const FigureRun alone = run_of(scene_of(kind + "}\n", "count: 260, temperature: 2", run,
                                                 {std::string("run.precision=") + bits}));
-        std::vector<std::vector<Cell>> own;
-        for (const std::vector<Cell>& row : table_of(alone.figures()[0]).rows)
+        std::vector<std::vector<TableCell>> own;
+        for (const std::vector<TableCell>& row : table_of(alone.figures()[0]).rows)
             if (std::get<std::string>(row[1]) != "root mean square" &&
                 std::get<std::string>(row[0]) != "level")
                 own.push_back(row);
-        std::vector<std::vector<Cell>> its = rows_of(table, label);
+        std::vector<std::vector<TableCell>> its = rows_of(table, label);
         std::erase_if(its,
                       [](const auto& row) { return std::get<std::string>(row[0]) == "level"; });
         REQUIRE(its.size() > 20);
         CHECK(its == own);
-        const auto step = std::ranges::find_if(its, [](const std::vector<Cell>& row) {
+        const auto step = std::ranges::find_if(its, [](const std::vector<TableCell>& row) {
             return std::get<std::string>(row[0]) == "line" && number(row[5]) > 2.0;
         });
         REQUIRE(step != its.end());
@@ -202,10 +202,10 @@ TEST_CASE("profiles of runs side by side are those of each, with its law and its
         const auto& [label, set, height] = compared;
         CAPTURE(compared.label);
         const FigureRun alone = run_of(scene("", {set}));
-        const std::vector<std::vector<Cell>> its = rows_of(table, label);
+        const std::vector<std::vector<TableCell>> its = rows_of(table, label);
         CHECK(its == table_of(alone.figures()[0]).rows);
         double top = 0.0, sum = 0.0;
-        for (const std::vector<Cell>& row : its) {
+        for (const std::vector<TableCell>& row : its) {
             if (std::get<std::string>(row[0]) != "profile") continue;
             top = std::max(top, number(row[4]));
             sum += 0.5 * number(row[3]) * 20.0 * height / 5.0;  // each slab has two ends
@@ -240,8 +240,8 @@ TEST_CASE("curves of runs side by side are those of each, on its own points") {
             CAPTURE(label);
             const FigureRun alone =
                 run_of(scene_of(begin + "}\n", gas, "until: 6", {std::string(set)}));
-            const auto of_part = [&](std::vector<std::vector<Cell>> rows) {
-                std::erase_if(rows, [&](const std::vector<Cell>& row) {
+            const auto of_part = [&](std::vector<std::vector<TableCell>> rows) {
+                std::erase_if(rows, [&](const std::vector<TableCell>& row) {
                     return std::get<std::string>(row.front()) != part;
                 });
                 return rows;
@@ -263,7 +263,7 @@ TEST_CASE("the mean of runs with other disks is over the rings of the first run"
         const FigureRun run = run_of(scene_of(begin + seeds + "}\n", gas, "until: 6",
                                               {"gas.0.radius={uniform: [0.2, 0.6]}"}));
         std::vector<std::pair<double, double>> all;
-        for (const std::vector<Cell>& row : table_of(run.figures()[0]).rows)
+        for (const std::vector<TableCell>& row : table_of(run.figures()[0]).rows)
             if (std::get<std::string>(row[0]) == "bar")
                 all.emplace_back(number(row[2]), number(row[3]));
         return all;
@@ -281,7 +281,7 @@ TEST_CASE("all runs find room on the axes") {
     for (const MeanHistogram& one : HistogramPanel::histograms(state_of(together)))
         CHECK(one.above <= 3.0);
     const auto& panel = dynamic_cast<const HistogramPanel&>(*together.figures()[0].panel);
-    for (const std::vector<Cell>& row : table_of(together.figures()[0]).rows)
+    for (const std::vector<TableCell>& row : table_of(together.figures()[0]).rows)
         if (std::get<std::string>(row[1]) == "curve") CHECK(number(row[5]) <= panel.tallest());
     const Canvas low = draw_figure(together, together.figures()[1], pixels, {"", ""});
     const FigureRun alone = run_of(scene_of("  - {name: b, kind: temperature}\n"));
@@ -458,7 +458,7 @@ TEST_CASE("pressure and area of two runs are two paths, with theory where they b
             std::string(change) + "}]}]\n"));
         const Table table = table_of(run.figures()[0]);
         const auto of = [&](const std::string& part, const std::string& name) {
-            std::vector<std::vector<Cell>> rows = rows_of(table, name);
+            std::vector<std::vector<TableCell>> rows = rows_of(table, name);
             std::erase_if(rows,
                           [&](const auto& row) { return std::get<std::string>(row[0]) != part; });
             return rows;

@@ -45,8 +45,8 @@ TEST_CASE("each column of numbers has a quantity, and each unit in a table is th
         }
         const auto unit = std::ranges::find(table.columns, "unit", &Heading::name);
         if (unit == table.columns.end()) continue;
-        for (const std::vector<Cell>& row : table.rows) {
-            const Cell& cell = row[std::size_t(unit - table.columns.begin())];
+        for (const std::vector<TableCell>& row : table.rows) {
+            const TableCell& cell = row[std::size_t(unit - table.columns.begin())];
             CHECK(quantity_with_unit(std::get<std::string>(cell), table.units));
         }
     }

@@ -116,7 +116,8 @@ TEST_CASE("tables have the errors, captions say of how many runs") {
           HistogramPanel::errors(state_of(run))[0][3]);
     CHECK(std::holds_alternative<double>(series.rows[3].back()));
     for (const Table* table : {&histogram, &series})
-        for (const std::vector<Cell>& row : table->rows) CHECK(row.size() == table->columns.size());
+        for (const std::vector<TableCell>& row : table->rows)
+            CHECK(row.size() == table->columns.size());
     CHECK(words_of(run, run.figures()[0])
               .caption.find("mean of 3 independent runs of 60 disks each") != std::string::npos);
 }
@@ -204,7 +205,7 @@ TEST_CASE("a profile of several seeds is the mean of theirs, with its errors") {
     const std::string profile = "  - {name: a, kind: profile, cells: 4, over: [1, 3]";
     const auto column = [](const FigureRun& run, std::size_t index, const std::string& part) {
         std::vector<double> values;
-        for (const std::vector<Cell>& row : table_of(run.figures()[0]).rows)
+        for (const std::vector<TableCell>& row : table_of(run.figures()[0]).rows)
             if (std::get<std::string>(row[0]) == part)
                 values.push_back(std::get<double>(row[index]));
         return values;

@@ -230,7 +230,7 @@ TEST_CASE("every kind has a table with a name for each column and a cell for eac
         const Table of_figure = table_of(run.figures()[k]);
         REQUIRE(!of_figure.rows.empty());
         CHECK(column_names(of_figure).front() == "part");
-        for (const std::vector<Cell>& row : of_figure.rows) {
+        for (const std::vector<TableCell>& row : of_figure.rows) {
             REQUIRE(row.size() == of_figure.columns.size());
             REQUIRE(std::holds_alternative<std::string>(row.front()));
         }

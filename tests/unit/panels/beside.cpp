@@ -43,11 +43,11 @@ Table table_at(const test::Shot& shot, std::size_t frame, std::size_t panel) {
     return shot.panels->panels()[panel].panel->table(*shot.frames[frame].states[panel], theme);
 }
 
-std::vector<Cell> column(const Table& table, const std::string& name) {
+std::vector<TableCell> column(const Table& table, const std::string& name) {
     const auto found = std::ranges::find_if(
         table.columns, [&](const Heading& one) { return one.name.starts_with(name); });
     REQUIRE(found != table.columns.end());
-    std::vector<Cell> cells;
+    std::vector<TableCell> cells;
     for (const auto& row : table.rows)
         cells.push_back(row[std::size_t(found - table.columns.begin())]);
     return cells;
@@ -82,7 +82,7 @@ TEST_CASE("two boxes have one scale of colours, that of both runs") {
     // two disks of one speed have one colour in both boxes.
     const auto colors = [](const test::Shot& shot, std::size_t panel) {
         std::set<std::string> all;
-        for (const Cell& cell : column(table_at(shot, 20, panel), "colour"))
+        for (const TableCell& cell : column(table_at(shot, 20, panel), "colour"))
             all.insert(std::get<std::string>(cell));
         return all;
     };
@@ -106,7 +106,7 @@ TEST_CASE("panels show both runs with their labels, and the words under the boxe
     for (const std::size_t panel : {count - 2, count - 1}) {
         const Table table = table_at(both, 30, panel);
         std::set<std::string> runs;
-        for (const Cell& cell : column(table, "run")) runs.insert(std::get<std::string>(cell));
+        for (const TableCell& cell : column(table, "run")) runs.insert(std::get<std::string>(cell));
         CHECK(runs == std::set<std::string>{"cold run", "hot run"});
     }
     FramePainter painter(*both.panels);
@@ -187,7 +187,7 @@ TEST_CASE("two runs in one box have one place and the colours that they have in 
     const Theme& theme = theme_of(both.scene.film.theme);
     for (const std::size_t run : {0U, 1U}) {
         const std::string own = hex_of(plot::color_of(plot::stroke_of_run(run).role, theme));
-        for (const Cell& cell : column(table_at(both, 20, boxes[run]), "colour"))
+        for (const TableCell& cell : column(table_at(both, 20, boxes[run]), "colour"))
             CHECK(std::get<std::string>(cell) == own);
     }
     CHECK(column(table_at(both, 20, boxes[0]), "x") != column(table_at(both, 20, boxes[1]), "x"));

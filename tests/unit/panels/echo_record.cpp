@@ -160,16 +160,16 @@ Table table_of(const test::Shot& film) {
     return film.panels->panels().back().panel->table(last, theme_of(ThemeName::dark));
 }
 
-std::vector<std::vector<Cell>> rows_of(const Table& table, const std::string& part,
-                                       const std::string& of) {
-    std::vector<std::vector<Cell>> rows;
-    for (const std::vector<Cell>& row : table.rows)
+std::vector<std::vector<TableCell>> rows_of(const Table& table, const std::string& part,
+                                            const std::string& of) {
+    std::vector<std::vector<TableCell>> rows;
+    for (const std::vector<TableCell>& row : table.rows)
         if (std::get<std::string>(row[0]) == part && std::get<std::string>(row[1]) == of)
             rows.push_back(row);
     return rows;
 }
 
-double number(const Cell& cell) { return std::get<double>(cell); }
+double number(const TableCell& cell) { return std::get<double>(cell); }
 
 }  // namespace
 
@@ -184,7 +184,7 @@ TEST_CASE(
     REQUIRE(largest.size() > 30);
     Simulation run(film.scene.gas, film.scene.run);
     const double before = static_cast<double>(run.advance_to(20.0).counts.particle);
-    for (const std::vector<Cell>& row : largest) {
+    for (const std::vector<TableCell>& row : largest) {
         const double now =
             static_cast<double>(run.advance_to(20.0 + number(row[3])).counts.particle);
         CHECK(number(row[5]) == 2.0 * (now - before) / 64.0);
@@ -192,7 +192,7 @@ TEST_CASE(
     // s of a gas of this packing, at most a fifth above what was measured for 50 and 100 disks.
     const double bits = 3.85 * std::log2(1.0 + 0.115 / 0.2);
     const double slope = bits * std::log10(2.0);
-    for (const std::vector<Cell>& row : law) {
+    for (const std::vector<TableCell>& row : law) {
         const double expected = std::log10(20.0) - 128.0 * std::log10(2.0) + slope * number(row[5]);
         CHECK(std::abs(number(row[6]) - expected) < 1e-3);
         CHECK(number(row[4]) == relative(std::pow(10.0, number(row[6])), 1e-9));
@@ -228,7 +228,7 @@ TEST_CASE("a nudge is where the distance and its law begin") {
         }
         CHECK(number(law[0][4]) == relative(5e-20, 1e-9));
         const auto later = std::ranges::find_if(
-            law, [](const std::vector<Cell>& row) { return number(row[3]) >= 5.0; });
+            law, [](const std::vector<TableCell>& row) { return number(row[3]) >= 5.0; });
         REQUIRE(later != law.end());
         CHECK(number((*later)[4]) >= 1e-3 * (1.0 - 1e-12));
         CHECK(number((*(later - 1))[4]) < 1e-9);

@@ -212,7 +212,7 @@ TEST_CASE("a field is listed and told in words") {
     const Table table = first.panels.gas().table(*first.frame.states.front(), Theme{});
     CHECK(column_names(table).back() == "density (1/length^2)");
     int cells = 0;
-    for (const std::vector<Cell>& row : table.rows) {
+    for (const std::vector<TableCell>& row : table.rows) {
         REQUIRE(row.size() == table.columns.size());
         const auto* part = std::get_if<std::string>(&row.front());
         cells += part != nullptr && *part == "cell";

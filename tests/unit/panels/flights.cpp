@@ -26,7 +26,7 @@ Pairs path_of(const std::string& scene, const std::string& panel) {
     Pairs path;
     const Table table = film.panels->panels().back().panel->table(*film.frames.back().states.back(),
                                                                   theme(ThemeKind::light));
-    for (const std::vector<Cell>& row : table.rows)
+    for (const std::vector<TableCell>& row : table.rows)
         if (std::get<std::string>(row[0]) == "path")
             path.emplace_back(std::get<double>(row[3]), std::get<double>(row[4]));
     return path;

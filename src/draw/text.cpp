@@ -37,7 +37,7 @@ struct PlacedGlyph {
 
 // A line that has been shaped. `glyphs` is empty if Pango has to draw it: with colours of its own,
 // underlines, or letters from other fonts.
-struct Line {
+struct TextLine {
     Layout layout;
     TextExtent extent;
     Rect ink;  ///< relative to its origin
@@ -182,7 +182,7 @@ GlyphMask create_mask(PangoFont* font, PangoGlyph glyph, double shift_x, double 
 // repeatedly is soon cached again.
 class Typesetter {
   public:
-    const Line& line(const LineKey& key) {
+    const TextLine& line(const LineKey& key) {
         const auto known = lines_.find(key);
         if (known != lines_.end()) return known->second;
         if (lines_.size() >= most_lines) lines_.clear();
@@ -221,8 +221,8 @@ class Typesetter {
     static constexpr std::size_t most_lines = 512;
     static constexpr std::size_t most_masks = 4096;
 
-    Line set(const LineKey& key) {
-        Line line;
+    TextLine set(const LineKey& key) {
+        TextLine line;
         line.layout = in_declared(key);
         const bool is_complete = has_all_letters(line.layout);
         if (!is_complete) line.layout = in_machine(key);
@@ -260,7 +260,7 @@ class Typesetter {
     Fonts declared_ = declared_fonts();
     std::optional<Fonts> machine_;
     std::map<PangoFont*, Font> fonts_;
-    std::map<LineKey, Line> lines_;
+    std::map<LineKey, TextLine> lines_;
     std::map<MaskKey, GlyphMask> masks_;
 };
 
@@ -269,7 +269,7 @@ Typesetter& typesetter() {
     return own;
 }
 
-const Line& line_of(const std::string& markup, const TextStyle& style) {
+const TextLine& line_of(const std::string& markup, const TextStyle& style) {
     return typesetter().line({markup, style.size, style.weight, style.tabular, style.max_width});
 }
 
@@ -280,7 +280,7 @@ std::pair<int, int> to_grid(double position) {
     return {static_cast<int>(whole), static_cast<int>(steps - whole * Typesetter::phases)};
 }
 
-void draw_glyphs(Canvas& canvas, Point origin, const Line& line) {
+void draw_glyphs(Canvas& canvas, Point origin, const TextLine& line) {
     for (const PlacedGlyph& glyph : line.glyphs) {
         const auto [x, phase_x] = to_grid(origin.x + glyph.x);
         const auto [y, phase_y] = to_grid(origin.y + glyph.y);
@@ -301,7 +301,7 @@ double start_of(double x, Align align, double width) {
 
 thread_local TextLog* current_log = nullptr;
 
-void draw_halo(Canvas& canvas, Point origin, const Rect& ink, const Line& line,
+void draw_halo(Canvas& canvas, Point origin, const Rect& ink, const TextLine& line,
                const TextStyle& style) {
     const double w = style.halo + 1.0;
     canvas.touch({ink.x - w, ink.y - w, ink.width + 2 * w, ink.height + 2 * w});
@@ -322,7 +322,7 @@ bool meets(const Rect& ink, double halo, PixelSize size) {
            ink.x - around < size.width && ink.y - around < size.height;
 }
 
-void draw_line(Canvas& canvas, Point origin, const Rect& ink, const Line& line,
+void draw_line(Canvas& canvas, Point origin, const Rect& ink, const TextLine& line,
                const TextStyle& style) {
     cairo_t* context = canvas.handle();
     if (style.halo > 0.0) draw_halo(canvas, origin, ink, line, style);
@@ -344,7 +344,7 @@ void draw_line(Canvas& canvas, Point origin, const Rect& ink, const Line& line,
 std::string text_library() { return std::string("pango ") + pango_version_string(); }
 
 TextExtent draw_text(Canvas& canvas, Point at, const std::string& markup, const TextStyle& style) {
-    const Line& line = line_of(markup, style);
+    const TextLine& line = line_of(markup, style);
     Point origin{start_of(at.x, style.align, line.extent.width), at.y};
     if (canvas.is_raster()) origin.y = std::round(origin.y);
     const Rect ink{origin.x + line.ink.x, origin.y + line.ink.y, line.ink.width, line.ink.height};
@@ -420,7 +420,7 @@ TextExtent measure_text(const std::string& markup, const TextStyle& style) {
 }
 
 Ink ink_of(const std::string& markup, const TextStyle& style) {
-    const Line& line = line_of(markup, style);
+    const TextLine& line = line_of(markup, style);
     return {line.extent.width, line.ink};
 }
 

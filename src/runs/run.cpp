@@ -33,38 +33,38 @@ class ReversalWatch {
         std::vector<double> returns;
         for (const WayBack& way : ways_back(run.events)) {
             const double home = std::min(2.0 * way.begin, way.end);
-            marks_.push_back({way.begin, reports_.size(), false});
-            if (home <= run.until) marks_.push_back({home, reports_.size(), true});
+            times_.push_back({way.begin, reports_.size(), false});
+            if (home <= run.until) times_.push_back({home, reports_.size(), true});
             reports_.push_back({.at = way.begin, .home = home});
             returns.push_back(home);
         }
-        std::ranges::stable_sort(marks_, {}, &Mark::time);
+        std::ranges::stable_sort(times_, {}, &WatchedTime::time);
         simulation.measure_return(returns, true);
     }
 
     /// The next time at which look() must be called; infinite after the last one.
     double next_time() const {
-        return next_ < marks_.size() ? marks_[next_].time : std::numeric_limits<double>::infinity();
+        return next_ < times_.size() ? times_[next_].time : std::numeric_limits<double>::infinity();
     }
 
     /// To be called at next_time().
     void look(const AdvanceResult& advanced) {
         for (const double now = next_time(); next_time() == now; ++next_) {
-            const Mark& mark = marks_[next_];
-            ReversalReport& report = reports_[mark.reversal];
-            if (!mark.is_return) {
+            const WatchedTime& watched = times_[next_];
+            ReversalReport& report = reports_[watched.reversal];
+            if (!watched.is_return) {
                 report.events_out = events_of(advanced.counts);
                 continue;
             }
             report.events_back = events_of(advanced.counts) - report.events_out;
-            if (alone_before(mark.time)) report.distance = advanced.return_distance;
+            if (alone_before(watched.time)) report.distance = advanced.return_distance;
         }
     }
 
     const std::vector<ReversalReport>& reports() const { return reports_; }
 
   private:
-    struct Mark {
+    struct WatchedTime {
         double time;
         std::size_t reversal;
         bool is_return;
@@ -75,7 +75,7 @@ class ReversalWatch {
                    reports_, [=](const ReversalReport& other) { return other.at < time; }) == 1;
     }
 
-    std::vector<Mark> marks_;
+    std::vector<WatchedTime> times_;
     std::vector<ReversalReport> reports_;
     std::size_t next_ = 0;
 };
@@ -91,11 +91,11 @@ class SurfaceWatch {
         sums_.resize(count);
         ++seen_;
         for (std::size_t k = 0; k < count; ++k) {
-            Sums& its = sums_[k];
-            its.last = place_of_surface(box_, states, k);
-            const double off = its.last - its.mean;
-            its.mean += off / static_cast<double>(seen_);
-            its.squares += off * (its.last - its.mean);
+            Sums& sums = sums_[k];
+            sums.last = place_of_surface(box_, states, k);
+            const double off = sums.last - sums.mean;
+            sums.mean += off / static_cast<double>(seen_);
+            sums.squares += off * (sums.last - sums.mean);
         }
     }
 
@@ -167,10 +167,10 @@ class StepLength {
     double span_ = 0.0;  ///< 0: no limit
 };
 
-class Course {
+class PhysicsRun {
   public:
-    Course(StartedScene& started, const Stopwatch& watch, const RunTakers& take,
-           const RunCallbacks& on_progress)
+    PhysicsRun(StartedScene& started, const Stopwatch& watch, const RunTakers& take,
+               const RunCallbacks& on_progress)
         : run_(started.scene.run),
           simulation_(std::move(started.simulation)),
           statistics_(simulation_.box(), simulation_.particles(),
@@ -229,7 +229,7 @@ class Course {
   private:
     using Work = std::function<void()>;
 
-    // Means that are known exactly take the place of those over samples.
+    // Averages over time, which are exact, take the place of those over samples.
     RunSummary summary() const {
         RunSummary summary = statistics_.summary(advanced_);
         const TimeAverages::Values averages = averages_.averages();
@@ -392,7 +392,7 @@ RunReport run_physics(const Scene& scene, const RunTakers& take, const RunCallba
     StartedScene started = start_scene(scene, on_progress.start);
     RunReport report;
     with_places_of_errors(started.scene,
-                          [&] { report = Course(started, watch, take, on_progress).run(); });
+                          [&] { report = PhysicsRun(started, watch, take, on_progress).run(); });
     return report;
 }
 

@@ -268,7 +268,7 @@ SceneSource source_of(const Tree& tree, const Source& source, const SceneResourc
 }
 
 /// What is loaded: a scene with overrides, or a part of it, without some items of its lists.
-struct Asked {
+struct LoadRequest {
     fs::path path;
     const SceneResources& resources;
     Overrides overrides;
@@ -279,9 +279,9 @@ struct Asked {
 
 Source source_at(const fs::path& path, const SceneResources& resources);
 
-Scene load_once(Source file, const Asked& asked) {
+Scene load_once(Source file, const LoadRequest& request) {
     const EndsAtOnce whole;
-    const auto& [path, resources, overrides, wanted, part, left_out] = asked;
+    const auto& [path, resources, overrides, wanted, part, left_out] = request;
     Sources sources{std::move(file)};
     const Source& source = sources.front();
     Errors errors;
@@ -337,19 +337,19 @@ Scene load_once(Source file, const Asked& asked) {
 
 // Whether errors only arise because the command line ends the run earlier than the scene does: then
 // adds the items of lists with the errors to what is left out.
-bool leave_out(const SceneError& error, const Source& file, Asked& asked) {
-    Asked whole = asked;
+bool leave_out(const SceneError& error, const Source& file, LoadRequest& request) {
+    LoadRequest whole = request;
     std::erase_if(whole.overrides,
                   [](const std::string& set) { return set.starts_with("run.until="); });
-    if (whole.overrides.size() == asked.overrides.size()) return false;
+    if (whole.overrides.size() == request.overrides.size()) return false;
     Errors errors;
     Sources sources{file};
     auto root = read_yaml(sources.front(), errors);
     if (!root || !root->is_mapping()) return false;
-    apply_overrides(asked.overrides, *root, sources, errors);
+    apply_overrides(request.overrides, *root, sources, errors);
     const Node* end = end_set_by_command_line(*root);
     const auto until = end != nullptr ? number_in(*end) : std::nullopt;
-    if (!until || !add_items_with(error.diagnostics(), *root, asked.left_out)) return false;
+    if (!until || !add_items_with(error.diagnostics(), *root, request.left_out)) return false;
     whole.left_out.clear();
     try {
         return load_once(file, whole).run.until > *until;
@@ -358,11 +358,11 @@ bool leave_out(const SceneError& error, const Source& file, Asked& asked) {
     }
 }
 
-Scene load(const Source& file, Asked asked) {
+Scene load(const Source& file, LoadRequest request) {
     while (true) try {
-            return load_once(file, asked);
+            return load_once(file, request);
         } catch (const SceneError& error) {
-            if (!leave_out(error, file, asked)) throw;
+            if (!leave_out(error, file, request)) throw;
         }
 }
 

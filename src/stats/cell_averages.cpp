@@ -292,7 +292,7 @@ void CellAverages::add_temperatures() {
                 now.thermal(change.time - span - from_, change.time - from_);
             sums.thermal_freedom[change.cell] += span * (now.count - 1);
         }
-        const Stay& one = stays_[change.stay];
+        const CellStay& one = stays_[change.stay];
         now.count += change.sign;
         if (now.count == 0)
             now = {};

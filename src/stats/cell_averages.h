@@ -100,7 +100,7 @@ class CellAverages {
         Vec place = {}, velocity = {};
     };
     /// An interval of time that a particle spends in a cell.
-    struct Stay {
+    struct CellStay {
         Eigen::Index cell;
         double from, to;
         Vec velocity = {};      ///< extrapolated along this path to the time `from_`
@@ -138,7 +138,7 @@ class CellAverages {
     double from_ = 0.0;            ///< time of the previous sample
     double start_ = 0.0;           ///< of the window
     std::vector<double> crossed_;  ///< scratch: times
-    std::vector<Stay> stays_;      ///< since the previous sample
+    std::vector<CellStay> stays_;  ///< since the previous sample
 };
 
 }  // namespace carom

@@ -250,7 +250,7 @@ std::string check_table(std::span<const CheckedFile> files) {
     std::string text;
     for (const CheckedFile& checked : files) {
         if (!text.empty() && checked.facts) text += "\n";
-        text += table_of(rows_for_people(checked), label_width);
+        text += text_table(rows_for_people(checked), label_width);
     }
     return text;
 }

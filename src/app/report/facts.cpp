@@ -49,7 +49,7 @@ Fact ties_fact(const std::optional<Ties>& ties, bool is_cut) {
     return fact;
 }
 
-std::string table_of(const Facts& facts, int label_width) {
+std::string text_table(const Facts& facts, int label_width) {
     std::string text;
     for (const Fact& fact : facts)
         text += fact.label.empty() ? printable_lines(fact.words)

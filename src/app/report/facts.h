@@ -34,7 +34,7 @@ Fact ties_fact(const std::optional<Ties>& ties, bool is_cut = false);
 
 /// The facts for people, one per row, with labels padded to `label_width`; each line ends with a
 /// line break.
-std::string table_of(const Facts& facts, int label_width);
+std::string text_table(const Facts& facts, int label_width);
 
 /// The facts for programs, as a JSON object.
 Json json_of(const Facts& facts);

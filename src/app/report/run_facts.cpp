@@ -347,7 +347,7 @@ Facts facts_of(const Scene& scene, const RunReport& report) {
 
 std::string run_table(const Scene& scene, const RunReport& report) {
     constexpr int label_width = 15;
-    return table_of(facts_of(scene, report), label_width);
+    return text_table(facts_of(scene, report), label_width);
 }
 
 // A line for each key: long lists of numbers do not fill the screen.

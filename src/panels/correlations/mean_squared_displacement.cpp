@@ -59,7 +59,7 @@ class SlopesOfParticles {
 };
 
 // What a run has shown of displacements since a fixed time.
-struct Followed {
+struct DisplacementsSoFar {
     std::vector<std::vector<Eigen::Index>> lists;
     Displacements moved;
     SlopesOfParticles slopes, first, second;  // of the fit, and of its two halves
@@ -173,11 +173,11 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     const double middle = 0.5 * (fit_from + fit_until);
     const std::vector<Chosen> chosen = choices(spec);
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Mean squared displacement"});
-    const auto followed = std::make_shared<Followed>(
-        Followed{members_that_collide(context, chosen), Displacements(context.box(), options.from),
-                 SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
-                 SlopesOfParticles(middle, fit_until),
-                 PartnerCounts(context.box(), context.particles, options.from, fit_from)});
+    const auto followed = std::make_shared<DisplacementsSoFar>(DisplacementsSoFar{
+        members_that_collide(context, chosen), Displacements(context.box(), options.from),
+        SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
+        SlopesOfParticles(middle, fit_until),
+        PartnerCounts(context.box(), context.particles, options.from, fit_from)});
     subject.measure = [followed](const FrameInput& input) { return followed->see(input); };
     subject.numbers = [followed, dimension = context.box().dimension] {
         return followed->numbers(dimension);

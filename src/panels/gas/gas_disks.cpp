@@ -137,7 +137,7 @@ void GasPanel::Drawing::draw_disks() const {
     };
     for (const Spotlights::Ring& ring : gas.rings) add_from_crowd(ring.particle);
     for (const Callouts::Present& callout : gas.callouts) add_from_crowd(callout.particle);
-    for (const Followed& one : panel.followed_) {
+    for (const TrailedParticle& one : panel.followed_) {
         const double ring = radius[one.particle] * scale + followed_line * dc.unit;
         for_each_image(place_of(gas.place, one.particle), radius[one.particle],
                        [&](Point at) { add_disk(disks, at, ring, rgb_of(dc.theme.ink), 0.0, 0); });

@@ -286,7 +286,7 @@ void GasPanel::Drawing::draw_followed() const {
                                  with_alpha(dc.theme.ink, ring.share));
         });
     }
-    for (const Followed& one : panel.followed_) {
+    for (const TrailedParticle& one : panel.followed_) {
         const Eigen::Index i = one.particle;
         const double shown = radius[i] * scale, line = followed_line * dc.unit;
         if (gas.field)  // a disk was drawn with it; the other run's has it

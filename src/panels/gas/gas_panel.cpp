@@ -63,7 +63,7 @@ void GasPanel::fix_axes() {
     const double side = context_.box().shortest_side();
     arrows_.fix_scale(std::clamp(4.0 * context_.particles.radius.mean(), 0.05 * side, 0.2 * side));
     std::vector<Eigen::Index> particles;
-    for (const Followed& one : followed_) particles.push_back(one.particle);
+    for (const TrailedParticle& one : followed_) particles.push_back(one.particle);
     seed_paths_ = seed_paths(context_, particles);
 }
 
@@ -176,8 +176,9 @@ std::string GasPanel::account(const PanelState& state) const {
 std::string GasPanel::label(Eigen::Index particle, const State& state) const {
     const std::string words = words_on(context_, particle, context_.scene.film.labels);
     const bool named =
-        state.label_alpha > 0.0 &&
-        std::ranges::any_of(followed_, [&](const Followed& f) { return f.particle == particle; });
+        state.label_alpha > 0.0 && std::ranges::any_of(followed_, [&](const TrailedParticle& f) {
+            return f.particle == particle;
+        });
     return words.empty() && named ? single_name(context_, particle) : words;
 }
 

@@ -43,7 +43,7 @@ class GasPanel : public ParticlePanel {
 
   private:
     struct Drawing;
-    struct Followed {  // particle with a trail
+    struct TrailedParticle {  // particle with a trail
         Eigen::Index particle;
         double trail_seconds;
     };
@@ -86,7 +86,7 @@ class GasPanel : public ParticlePanel {
     Eigen::ArrayXd radius_;      // as drawn
     double smallest_, largest_;  // of these
     bool enlarges_;              // draws some larger than they are
-    std::vector<Followed> followed_;
+    std::vector<TrailedParticle> followed_;
     std::vector<std::ptrdiff_t> trail_of_;  // for each particle its trail, or -1; empty: no trails
     std::vector<std::deque<TrailPoint>> trails_;  // of the followed particles, at the last state
     std::vector<SeedPath> seed_paths_;            // of the followed particles in other runs

@@ -25,7 +25,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // The format of a number.
 enum class Format { fixed, count, per_cent, power };
 
-struct Column {
+struct MonitorColumn {
     Quantity quantity;  // with its label
     double width;       // units, at the smallest size of text
     Format format;
@@ -33,16 +33,16 @@ struct Column {
 
 // In the order of Monitor.
 constexpr std::array all_columns{
-    Column{quantities::time, 7.08, Format::fixed},
-    Column{quantities::count.named(Phrase{"collisions"}), 7.788, Format::count},
-    Column{quantities::speed.named(Phrase{"mean speed"}), 7.788, Format::fixed},
-    Column{quantities::mean_energy, 8.968, Format::fixed},
-    Column{quantities::per_cent.named(Phrase{"slow, < ½ mean"}), 9.6, Format::per_cent},
-    Column{quantities::per_cent.named(Phrase{"medium"}), 5.9, Format::per_cent},
-    Column{quantities::per_cent.named(Phrase{"fast, > 1½ mean"}), 9.6, Format::per_cent},
-    Column{quantities::count.named(Phrase{"all collisions"}), 8.968, Format::count},
-    Column{quantities::length.named(Phrase{"return error"}), 8.968, Format::power},
-    Column{quantities::per_cent.named(Phrase{"largest overlap"}), 8.968, Format::per_cent}};
+    MonitorColumn{quantities::time, 7.08, Format::fixed},
+    MonitorColumn{quantities::count.named(Phrase{"collisions"}), 7.788, Format::count},
+    MonitorColumn{quantities::speed.named(Phrase{"mean speed"}), 7.788, Format::fixed},
+    MonitorColumn{quantities::mean_energy, 8.968, Format::fixed},
+    MonitorColumn{quantities::per_cent.named(Phrase{"slow, < ½ mean"}), 9.6, Format::per_cent},
+    MonitorColumn{quantities::per_cent.named(Phrase{"medium"}), 5.9, Format::per_cent},
+    MonitorColumn{quantities::per_cent.named(Phrase{"fast, > 1½ mean"}), 9.6, Format::per_cent},
+    MonitorColumn{quantities::count.named(Phrase{"all collisions"}), 8.968, Format::count},
+    MonitorColumn{quantities::length.named(Phrase{"return error"}), 8.968, Format::power},
+    MonitorColumn{quantities::per_cent.named(Phrase{"largest overlap"}), 8.968, Format::per_cent}};
 static_assert(all_columns.size() == std::tuple_size_v<MonitorNumbers>);
 
 constexpr double widest_column = 8.968;
@@ -58,7 +58,7 @@ constexpr double arrow_place = 5.29;   // units, to the middle of the arrow that
 constexpr double arrow_gap = 0.9;      // units, from the end of a long time to its middle
 constexpr double arrow_size = 0.6;     // units, from its middle to its ends
 
-const Column& column(Monitor number) { return all_columns.at(index_of(number)); }
+const MonitorColumn& column(Monitor number) { return all_columns.at(index_of(number)); }
 
 std::string count_words(Language language, std::int64_t count) {
     return count < 1'000'000 ? grouped(count) : three_digits(language, static_cast<double>(count));

@@ -15,18 +15,19 @@ namespace carom {
 
 /// A constant value that may have several owners; may be null.
 template <class T>
-void archive_parts(Archive& archive, std::shared_ptr<const T>& its) {
+void archive_parts(Archive& archive, std::shared_ptr<const T>& pointer) {
     std::optional<T> value;
-    if (its) value = *its;
+    if (pointer) value = *pointer;
     archive(value);
-    if (archive.is_reading()) its = value ? std::make_shared<const T>(*std::move(value)) : nullptr;
+    if (archive.is_reading())
+        pointer = value ? std::make_shared<const T>(*std::move(value)) : nullptr;
 }
 
 inline void archive_parts(Archive& archive, Point& point) { archive(point.x, point.y); }
 
-inline void archive_parts(Archive& archive, Tick& its) {
-    archive(its.frame, its.time, its.phase, its.progress, its.slow.factor, its.slow.share,
-            its.reversals, its.seconds);
+inline void archive_parts(Archive& archive, Tick& tick) {
+    archive(tick.frame, tick.time, tick.phase, tick.progress, tick.slow.factor, tick.slow.share,
+            tick.reversals, tick.seconds);
 }
 
 }  // namespace carom

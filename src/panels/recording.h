@@ -178,9 +178,9 @@ class Recording {
 
         template <class Archive>
         void archive(Archive& archive) {
-            auto its = static_cast<std::int64_t>(sample);
-            archive(its, advanced, collisions);
-            sample = static_cast<std::size_t>(its);
+            auto index = static_cast<std::int64_t>(sample);
+            archive(index, advanced, collisions);
+            sample = static_cast<std::size_t>(index);
         }
     };
     struct FiledSample {

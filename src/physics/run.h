@@ -104,15 +104,16 @@ inline bool heats(const RunEvent& event) {
 /// The surface on which it acts; none for other events.
 inline std::optional<std::int32_t> surface_of(const RunEvent& event) {
     using Surface = std::optional<std::int32_t>;
-    return std::visit(Overloaded{[](const ReverseVelocities&) { return Surface(); },
-                                 [](const Perturbation&) { return Surface(); },
-                                 [](const SetOpen& its) { return Surface(its.surface); },
-                                 [](const MoveSurface& its) { return Surface(its.surface); },
-                                 [](const HoldPiston& its) { return Surface(its.surface); },
-                                 [](const ReleasePiston& its) { return Surface(its.surface); },
-                                 [](const ChangeSurface& its) { return Surface(its.surface); },
-                                 [](const Heat&) { return Surface(); }},
-                      event.action);
+    return std::visit(
+        Overloaded{[](const ReverseVelocities&) { return Surface(); },
+                   [](const Perturbation&) { return Surface(); },
+                   [](const SetOpen& action) { return Surface(action.surface); },
+                   [](const MoveSurface& action) { return Surface(action.surface); },
+                   [](const HoldPiston& action) { return Surface(action.surface); },
+                   [](const ReleasePiston& action) { return Surface(action.surface); },
+                   [](const ChangeSurface& action) { return Surface(action.surface); },
+                   [](const Heat&) { return Surface(); }},
+        event.action);
 }
 
 /// The surface to which it gives another behaviour, and that; none for other events.
@@ -121,13 +122,13 @@ inline std::optional<std::pair<std::int32_t, Behaviour>> given_behaviour(const R
     return std::visit(Overloaded{[](const ReverseVelocities&) { return Given(); },
                                  [](const Perturbation&) { return Given(); },
                                  [](const SetOpen&) { return Given(); },
-                                 [](const MoveSurface& its) {
-                                     return Given({its.surface, Driven{its.velocity}});
+                                 [](const MoveSurface& action) {
+                                     return Given({action.surface, Driven{action.velocity}});
                                  },
                                  [](const HoldPiston&) { return Given(); },
                                  [](const ReleasePiston&) { return Given(); },
-                                 [](const ChangeSurface& its) {
-                                     return Given({its.surface, its.behaviour});
+                                 [](const ChangeSurface& action) {
+                                     return Given({action.surface, action.behaviour});
                                  },
                                  [](const Heat&) { return Given(); }},
                       event.action);

@@ -39,7 +39,7 @@ constexpr std::size_t particles_a_change = 2;
 struct Simulation::Implementation {
     template <typename Function>
     auto with_loop(Function&& f) {
-        return std::visit(std::forward<Function>(f), loop);
+        return std::visit(std::forward<Function>(f), chosen_loop);
     }
 
     Implementation(const Box& its_box, Particles its_particles, Sample start, const Run& run,
@@ -49,21 +49,21 @@ struct Simulation::Implementation {
           events(run.events),
           bits(
               (check_surfaces(box, particles, start, run), check_run(run, particles.count(), box))),
-          loop(loop_for(its_box, particles, run, bits)),
+          chosen_loop(loop_for(its_box, particles, run, bits)),
           membership(membership_at_start(particles)),
           present(std::move(start)) {
         present.time = -run.equilibrate;
-        with_loop([&](auto& its) {
-            its.start(std::exchange(present, {}));
-            if (run.equilibrate > 0.0) advance_loop(its, 0.0, nullptr, on_progress);
-            its.forget();
+        with_loop([&](auto& loop) {
+            loop.start(std::exchange(present, {}));
+            if (run.equilibrate > 0.0) advance_loop(loop, 0.0, nullptr, on_progress);
+            loop.forget();
         });
         present.time = 0.0;
         const bool falls = box.surfaces.has_gravity();
-        if (falls) with_loop([&](const auto& its) { its.sample(0.0, present); });
+        if (falls) with_loop([&](const auto& loop) { loop.sample(0.0, present); });
         sampled = falls;
-        at_start = energies(box, particles, falls ? present : with_loop([&](const auto& its) {
-                                return its.sample_of_velocities(0.0);
+        at_start = energies(box, particles, falls ? present : with_loop([&](const auto& loop) {
+                                return loop.sample_of_velocities(0.0);
                             }),
                             surfaces());
     }
@@ -73,7 +73,7 @@ struct Simulation::Implementation {
         : box(its_box),
           particles(std::move(its_particles)),
           bits((check_surfaces(box, run), check_run(run, particles.count(), box))),
-          loop(loop_for(box, particles, run, bits)),
+          chosen_loop(loop_for(box, particles, run, bits)),
           membership(membership_at_start(particles)) {}
 
     template <typename Scalar, bool has_surfaces>
@@ -101,7 +101,7 @@ struct Simulation::Implementation {
     // Identifies simulations whose states can be read into each other.
     std::string kind() {
         Archive parts;
-        auto which = static_cast<std::int64_t>(loop.index());
+        auto which = static_cast<std::int64_t>(chosen_loop.index());
         parts(box, particles, bits, which);
         return fingerprint(parts.finished());
     }
@@ -112,7 +112,7 @@ struct Simulation::Implementation {
         archive(its_kind);
         if (its_kind != expected)
             archive.refuse("it holds a simulation of other particles, or of a run of another kind");
-        with_loop([&](auto& its) { archive(its); });
+        with_loop([&](auto& loop) { archive(loop); });
         if (!sampled) {
             present.position.resize(0, 0);
             present.velocity.resize(0, 0);
@@ -122,18 +122,18 @@ struct Simulation::Implementation {
         if (archive.is_reading()) membership = std::make_shared<const Membership>(std::move(now));
     }
 
-    static void advance_loop(auto& its, double time, std::vector<Collision>* record,
+    static void advance_loop(auto& loop, double time, std::vector<Collision>* record,
                              const TimeCallback& on_progress, VelocityLog* velocities = nullptr) {
         try {
-            its.advance(time, record, on_progress, velocities);
+            loop.advance(time, record, on_progress, velocities);
         } catch (const SurfaceError& error) {
-            throw its.at_present(error);
+            throw loop.at_present(error);
         }
     }
 
     void advance(double time, const TimeCallback& on_progress) {
-        with_loop([&](auto& its) {
-            advance_loop(its, time, recording ? &collisions : nullptr, on_progress,
+        with_loop([&](auto& loop) {
+            advance_loop(loop, time, recording ? &collisions : nullptr, on_progress,
                          velocities.is_open() ? &velocities : nullptr);
         });
         present.time = time;
@@ -162,13 +162,13 @@ struct Simulation::Implementation {
     ExactPositions exact_positions() const {
         if (bits > bits_of_double)
             return std::visit(
-                [&](const auto& its) {
-                    const auto all = its.positions(present.time);
+                [&](const auto& loop) {
+                    const auto all = loop.positions(present.time);
                     return ExactPositions(box, std::vector<Real>(all.begin(), all.end()));
                 },
-                loop);
+                chosen_loop);
         Sample now;
-        std::visit([&](const auto& its) { its.sample(present.time, now); }, loop);
+        std::visit([&](const auto& loop) { loop.sample(present.time, now); }, chosen_loop);
         return {box, std::move(now.position)};
     }
 
@@ -176,9 +176,9 @@ struct Simulation::Implementation {
     // made again.
     void reverse(std::size_t event) {
         velocities.give_up();
-        const auto one_way = with_loop([](const auto& its) -> std::optional<double> {
-            if constexpr (requires { its.one_way(); })
-                return its.one_way();
+        const auto one_way = with_loop([](const auto& loop) -> std::optional<double> {
+            if constexpr (requires { loop.one_way(); })
+                return loop.one_way();
             else
                 return std::nullopt;
         });
@@ -191,13 +191,13 @@ struct Simulation::Implementation {
                             present.time, *one_way),
                 "let the particles not touch at the start, or leave out the reversal");
         echo.keep_at_reversal(present.time, [this] { return exact_positions(); });
-        with_loop([&](auto& its) { its.reverse(present.time); });
+        with_loop([&](auto& loop) { loop.reverse(present.time); });
         sampled = false;
     }
 
     void perturb(std::size_t event, const Perturbation& perturbation) {
-        const auto obstacle = with_loop([&](auto& its) {
-            return its.displace(perturbation.particle, perturbation.by, present.time);
+        const auto obstacle = with_loop([&](auto& loop) {
+            return loop.displace(perturbation.particle, perturbation.by, present.time);
         });
         sampled = false;
         if (!obstacle) return;
@@ -211,23 +211,24 @@ struct Simulation::Implementation {
     }
 
     void apply(std::size_t event) {
-        std::visit(Overloaded{[&](const ReverseVelocities&) { reverse(event); },
-                              [&](const Perturbation& its) { perturb(event, its); },
-                              [&](const SetOpen& its) { change(event, its); },
-                              [&](const MoveSurface& its) { change(event, its); },
-                              [&](const HoldPiston& its) { change(event, its); },
-                              [&](const ReleasePiston& its) { change(event, its); },
-                              [&](const ChangeSurface& its) { change(event, its); },
-                              [&](const Heat& its) { heat(event, its); }},
-                   events[event].action);
+        std::visit(
+            Overloaded{[&](const ReverseVelocities&) { reverse(event); },
+                       [&](const Perturbation& perturbation) { perturb(event, perturbation); },
+                       [&](const SetOpen& action) { change(event, action); },
+                       [&](const MoveSurface& action) { change(event, action); },
+                       [&](const HoldPiston& action) { change(event, action); },
+                       [&](const ReleasePiston& action) { change(event, action); },
+                       [&](const ChangeSurface& action) { change(event, action); },
+                       [&](const Heat& action) { heat(event, action); }},
+            events[event].action);
     }
 
     void change(std::size_t event, const SurfaceAction& action) {
         velocities.give_up();
         std::optional<std::int32_t> in_the_way;
-        with_loop([&](auto& its) {
-            if constexpr (requires { its.change(action, true, 0.0); })
-                in_the_way = its.change(action, events[event].is_mirrored, present.time);
+        with_loop([&](auto& loop) {
+            if constexpr (requires { loop.change(action, true, 0.0); })
+                in_the_way = loop.change(action, events[event].is_mirrored, present.time);
         });
         sampled = false;
         if (in_the_way)
@@ -242,9 +243,9 @@ struct Simulation::Implementation {
     void heat(std::size_t event, const Heat& heat) {
         velocities.give_up();
         bool is_done = true;
-        with_loop([&](auto& its) {
-            if constexpr (requires { its.heat(heat, true, 0.0); })
-                is_done = its.heat(heat, events[event].is_mirrored, present.time);
+        with_loop([&](auto& loop) {
+            if constexpr (requires { loop.heat(heat, true, 0.0); })
+                is_done = loop.heat(heat, events[event].is_mirrored, present.time);
         });
         sampled = false;
         if (!is_done)
@@ -257,24 +258,25 @@ struct Simulation::Implementation {
     }
 
     std::vector<SurfaceState> surfaces() const {
-        return std::visit([&](const auto& its) { return its.surfaces(present.time); }, loop);
+        return std::visit([&](const auto& loop) { return loop.surfaces(present.time); },
+                          chosen_loop);
     }
 
     // The energies at present, without the work, the heat of events and the numerical error.
     EnergyAccount energies_now() const {
         Sample now;
-        std::visit([&](const auto& its) { its.sample(present.time, now); }, loop);
+        std::visit([&](const auto& loop) { loop.sample(present.time, now); }, chosen_loop);
         return energies(box, particles, now, surfaces());
     }
 
     EnergyAccount energy_account() const {
         EnergyAccount account = energies_now();
         std::visit(
-            [&](const auto& its) {
-                account.work = its.driven_work();
-                account.heat += its.heat_of_events();
+            [&](const auto& loop) {
+                account.work = loop.driven_work();
+                account.heat += loop.heat_of_events();
             },
-            loop);
+            chosen_loop);
         if (!at_start.relative_error || !account.relative_error) {
             account.relative_error.reset();
             return account;
@@ -291,7 +293,7 @@ struct Simulation::Implementation {
     std::vector<RunEvent> events;
     std::size_t next_event = 0;
     int bits;
-    Loop loop;
+    Loop chosen_loop;
     std::shared_ptr<const Membership> membership;  ///< at present
     Sample present;  ///< its time is always the present time; positions and velocities are valid
                      ///< only if `sampled`
@@ -349,60 +351,67 @@ void Simulation::archive(Archive& archive) {
 }
 
 AdvanceResult Simulation::advance_to(double time, const TimeCallback& on_progress) {
-    Implementation& its = *implementation_;
-    if (!(time >= its.present.time) || std::isinf(time))
+    Implementation& state = *implementation_;
+    if (!(time >= state.present.time) || std::isinf(time))
         throw std::invalid_argument(
-            fmt::format("cannot advance to {:g}: the present is {:g}", time, its.present.time));
-    its.collisions.clear();
-    if (its.is_following)
-        its.velocities.open(static_cast<std::size_t>(its.particles.count()) / particles_a_change);
-    its.advance_with_events(time, on_progress);
-    auto distance = its.echo.compare(time, [&] { return its.exact_positions(); });
-    const auto reversals = static_cast<int>(std::ranges::count_if(its.happened, reverses));
-    return its.with_loop([&](const auto& loop) {
-        return AdvanceResult{loop.counts(),           loop.impulses(),     reversals,
-                             its.collisions,          std::move(distance), its.surfaces(),
-                             its.velocities.changes()};
+            fmt::format("cannot advance to {:g}: the present is {:g}", time, state.present.time));
+    state.collisions.clear();
+    if (state.is_following)
+        state.velocities.open(static_cast<std::size_t>(state.particles.count()) /
+                              particles_a_change);
+    state.advance_with_events(time, on_progress);
+    auto distance = state.echo.compare(time, [&] { return state.exact_positions(); });
+    const auto reversals = static_cast<int>(std::ranges::count_if(state.happened, reverses));
+    return state.with_loop([&](const auto& loop) {
+        return AdvanceResult{loop.counts(),
+                             loop.impulses(),
+                             reversals,
+                             state.collisions,
+                             std::move(distance),
+                             state.surfaces(),
+                             state.velocities.changes()};
     });
 }
 
 void Simulation::measure_return(std::vector<double> times, bool ends_branch) {
-    Implementation& its = *implementation_;
-    std::vector<RunEvent> all = its.happened;
-    all.insert(all.end(), its.events.begin() + static_cast<std::ptrdiff_t>(its.next_event),
-               its.events.end());
-    its.echo = EchoMeasurement(ways_back(all), std::move(times), its.present.time, ends_branch);
+    Implementation& state = *implementation_;
+    std::vector<RunEvent> all = state.happened;
+    all.insert(all.end(), state.events.begin() + static_cast<std::ptrdiff_t>(state.next_event),
+               state.events.end());
+    state.echo = EchoMeasurement(ways_back(all), std::move(times), state.present.time, ends_branch);
 }
 
 void Simulation::replace_events(std::vector<RunEvent> events) {
-    Implementation& its = *implementation_;
-    check_events(events, its.present.time, its.particles.count(), its.box);
-    its.events = std::move(events);
-    its.next_event = 0;
+    Implementation& state = *implementation_;
+    check_events(events, state.present.time, state.particles.count(), state.box);
+    state.events = std::move(events);
+    state.next_event = 0;
 }
 
 const Sample& Simulation::sample() {
-    Implementation& its = *implementation_;
-    if (!its.sampled)
-        its.with_loop([&](const auto& loop) { loop.sample(its.present.time, its.present); });
-    its.sampled = true;
-    its.present.membership = its.membership;
-    return its.present;
+    Implementation& state = *implementation_;
+    if (!state.sampled)
+        state.with_loop([&](const auto& loop) { loop.sample(state.present.time, state.present); });
+    state.sampled = true;
+    state.present.membership = state.membership;
+    return state.present;
 }
 
 Sample Simulation::sample_of_positions() const {
-    const Implementation& its = *implementation_;
-    Sample sample = std::visit(
-        [&](const auto& loop) { return loop.sample_of_positions(its.present.time); }, its.loop);
-    sample.membership = its.membership;
+    const Implementation& state = *implementation_;
+    Sample sample =
+        std::visit([&](const auto& loop) { return loop.sample_of_positions(state.present.time); },
+                   state.chosen_loop);
+    sample.membership = state.membership;
     return sample;
 }
 
 Sample Simulation::sample_of_velocities() const {
-    const Implementation& its = *implementation_;
-    Sample sample = std::visit(
-        [&](const auto& loop) { return loop.sample_of_velocities(its.present.time); }, its.loop);
-    sample.membership = its.membership;
+    const Implementation& state = *implementation_;
+    Sample sample =
+        std::visit([&](const auto& loop) { return loop.sample_of_velocities(state.present.time); },
+                   state.chosen_loop);
+    sample.membership = state.membership;
     return sample;
 }
 
@@ -418,10 +427,10 @@ void Simulation::follow_velocities(bool on) {
 }
 
 void Simulation::forget_sample() {
-    Implementation& its = *implementation_;
-    its.sampled = false;
-    its.present.position.resize(0, 0);
-    its.present.velocity.resize(0, 0);
+    Implementation& state = *implementation_;
+    state.sampled = false;
+    state.present.position.resize(0, 0);
+    state.present.velocity.resize(0, 0);
 }
 
 const Box& Simulation::box() const { return implementation_->box; }

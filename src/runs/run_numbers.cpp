@@ -32,7 +32,7 @@ struct Source {
 
     template <class Value>
     std::optional<double> of_summary(const Value& value) const {
-        return of_report([&](const RunReport& its) { return value(its.summary); });
+        return of_report([&](const RunReport& reported) { return value(reported.summary); });
     }
 };
 
@@ -43,11 +43,11 @@ std::optional<double> over_species(const Scene& scene, const RunSummary& summary
                                    std::optional<double> SpeciesMeans::*mean) {
     double sum = 0.0, count = 0.0;
     for (std::size_t k = 0; k < summary.species.size(); ++k) {
-        const SpeciesMeans& its = summary.species[k];
-        if (its.count == 0 || is_infinite(scene.gas.species.at(k))) continue;
-        if (!(its.*mean)) return std::nullopt;
-        sum += static_cast<double>(its.count) * *(its.*mean);
-        count += static_cast<double>(its.count);
+        const SpeciesMeans& means = summary.species[k];
+        if (means.count == 0 || is_infinite(scene.gas.species.at(k))) continue;
+        if (!(means.*mean)) return std::nullopt;
+        sum += static_cast<double>(means.count) * *(means.*mean);
+        count += static_cast<double>(means.count);
     }
     if (count == 0.0) return std::nullopt;
     return sum / count;
@@ -70,91 +70,100 @@ std::optional<double> mean_free_path(const Scene& scene, const RunReport& report
 
 void add_thermal(Rows& rows, const Source& from) {
     const Quantity pressure = quantities::pressure(from.scene.gas.box.dimension);
-    rows.push_back({{"temperature", quantities::temperature},
-                    from.of_summary([](const RunSummary& its) { return its.temperature; })});
     rows.push_back(
-        {{"mean energy", quantities::energy}, from.of_summary([&](const RunSummary& its) {
-             return over_species(from.scene, its, &SpeciesMeans::energy);
+        {{"temperature", quantities::temperature},
+         from.of_summary([](const RunSummary& summary) { return summary.temperature; })});
+    rows.push_back(
+        {{"mean energy", quantities::energy}, from.of_summary([&](const RunSummary& summary) {
+             return over_species(from.scene, summary, &SpeciesMeans::energy);
          })});
-    rows.push_back({{"mean speed", quantities::speed}, from.of_summary([&](const RunSummary& its) {
-                        return over_species(from.scene, its, &SpeciesMeans::speed);
+    rows.push_back(
+        {{"mean speed", quantities::speed}, from.of_summary([&](const RunSummary& summary) {
+             return over_species(from.scene, summary, &SpeciesMeans::speed);
+         })});
+    rows.push_back({{"wall pressure", pressure}, from.of_summary([](const RunSummary& summary) {
+                        return summary.wall_pressure;
                     })});
-    rows.push_back({{"wall pressure", pressure},
-                    from.of_summary([](const RunSummary& its) { return its.wall_pressure; })});
-    rows.push_back({{"virial pressure", pressure},
-                    from.of_summary([](const RunSummary& its) { return its.virial_pressure; })});
+    rows.push_back({{"virial pressure", pressure}, from.of_summary([](const RunSummary& summary) {
+                        return summary.virial_pressure;
+                    })});
 }
 
 void add_collisions(Rows& rows, const Source& from) {
     rows.push_back(
-        {{"particle collisions", quantities::count}, from.of_report([](const RunReport& its) {
-             return static_cast<double>(its.collisions.particle);
+        {{"particle collisions", quantities::count}, from.of_report([](const RunReport& report) {
+             return static_cast<double>(report.collisions.particle);
          })});
     rows.push_back(
-        {{"wall collisions", quantities::count}, from.of_report([](const RunReport& its) {
-             return static_cast<double>(its.collisions.wall);
+        {{"wall collisions", quantities::count}, from.of_report([](const RunReport& report) {
+             return static_cast<double>(report.collisions.wall);
          })});
-    rows.push_back({{"collision rate", quantities::rate}, from.of_report([&](const RunReport& its) {
-                        return collision_rate(from.scene, its);
-                    })});
     rows.push_back(
-        {{"mean free path", quantities::length},
-         from.of_report([&](const RunReport& its) { return mean_free_path(from.scene, its); })});
+        {{"collision rate", quantities::rate}, from.of_report([&](const RunReport& report) {
+             return collision_rate(from.scene, report);
+         })});
+    rows.push_back(
+        {{"mean free path", quantities::length}, from.of_report([&](const RunReport& report) {
+             return mean_free_path(from.scene, report);
+         })});
 }
 
 void add_conserved(Rows& rows, const Source& from) {
-    rows.push_back({{"energy at the start", quantities::energy},
-                    from.of_summary([](const RunSummary& its) { return its.energy_initial; })});
-    rows.push_back({{"energy at the end", quantities::energy},
-                    from.of_summary([](const RunSummary& its) { return its.energy_final; })});
+    rows.push_back(
+        {{"energy at the start", quantities::energy},
+         from.of_summary([](const RunSummary& summary) { return summary.energy_initial; })});
+    rows.push_back(
+        {{"energy at the end", quantities::energy},
+         from.of_summary([](const RunSummary& summary) { return summary.energy_final; })});
     rows.push_back(
         {{"largest energy error", quantities::number},
-         from.of_summary([](const RunSummary& its) { return its.largest_energy_error; })});
-    rows.push_back({{"largest overlap", quantities::overlap},
-                    from.of_summary([](const RunSummary& its) { return its.largest_overlap; })});
+         from.of_summary([](const RunSummary& summary) { return summary.largest_energy_error; })});
+    rows.push_back(
+        {{"largest overlap", quantities::overlap},
+         from.of_summary([](const RunSummary& summary) { return summary.largest_overlap; })});
 }
 
 // Adds the means of each species, if there are several.
 void add_species(Rows& rows, const Source& from) {
     const std::vector<Species>& all = from.scene.gas.species;
     for (std::size_t k = 0; all.size() > 1 && k < all.size(); ++k) {
-        rows.push_back(
-            {{"mean energy of " + all[k].name, quantities::energy},
-             from.of_summary([&](const RunSummary& its) { return its.species[k].energy; })});
+        rows.push_back({{"mean energy of " + all[k].name, quantities::energy},
+                        from.of_summary(
+                            [&](const RunSummary& summary) { return summary.species[k].energy; })});
         rows.push_back(
             {{"mean speed of " + all[k].name, quantities::speed},
-             from.of_summary([&](const RunSummary& its) { return its.species[k].speed; })});
+             from.of_summary([&](const RunSummary& summary) { return summary.species[k].speed; })});
     }
 }
 
 void add_surface(Rows& rows, const Source& from, const std::string& name) {
     const auto of = [&](const auto& value) {
         return from.of_report([&](const RunReport& report) -> std::optional<double> {
-            const auto its = std::ranges::find(report.surfaces, name, &SurfaceReport::name);
-            if (its == report.surfaces.end()) return std::nullopt;
-            return value(*its);
+            const auto found = std::ranges::find(report.surfaces, name, &SurfaceReport::name);
+            if (found == report.surfaces.end()) return std::nullopt;
+            return value(*found);
         });
     };
-    rows.push_back({{"hits on " + name, quantities::count}, of([](const SurfaceReport& its) {
-                        return static_cast<double>(its.totals.hits);
+    rows.push_back({{"hits on " + name, quantities::count}, of([](const SurfaceReport& surface) {
+                        return static_cast<double>(surface.totals.hits);
                     })});
     const std::array axes{"x", "y"};
     for (int axis = 0; axis < from.scene.gas.box.dimension; ++axis)
         rows.push_back(
             {{fmt::format("impulse on {} along {}", name, axes[static_cast<std::size_t>(axis)]),
               quantities::momentum},
-             of([&](const SurfaceReport& its) { return its.totals.impulse[axis]; })});
+             of([&](const SurfaceReport& surface) { return surface.totals.impulse[axis]; })});
     rows.push_back({{"work of " + name, quantities::energy},
-                    of([](const SurfaceReport& its) { return its.totals.work; })});
+                    of([](const SurfaceReport& surface) { return surface.totals.work; })});
     rows.push_back({{"heat from " + name, quantities::energy},
-                    of([](const SurfaceReport& its) { return its.totals.heat; })});
+                    of([](const SurfaceReport& surface) { return surface.totals.heat; })});
     rows.push_back(
-        {{"mean position of " + name, quantities::length}, of([](const SurfaceReport& its) {
-             return its.position ? std::optional(its.position->mean) : std::nullopt;
+        {{"mean position of " + name, quantities::length}, of([](const SurfaceReport& surface) {
+             return surface.position ? std::optional(surface.position->mean) : std::nullopt;
          })});
     rows.push_back(
-        {{"last position of " + name, quantities::length}, of([](const SurfaceReport& its) {
-             return its.position ? std::optional(its.position->last) : std::nullopt;
+        {{"last position of " + name, quantities::length}, of([](const SurfaceReport& surface) {
+             return surface.position ? std::optional(surface.position->last) : std::nullopt;
          })});
 }
 
@@ -175,8 +184,8 @@ void add_reversals(Rows& rows, const Source& from) {
     for (std::size_t k = 0; k < count; ++k) {
         const std::string which = count > 1 ? fmt::format(" of reversal {}", k + 1) : "";
         const auto of = [&](double ReturnDistance::*member) {
-            return from.of_report([&](const RunReport& its) -> std::optional<double> {
-                const auto& distance = its.reversals[k].distance;
+            return from.of_report([&](const RunReport& report) -> std::optional<double> {
+                const auto& distance = report.reversals[k].distance;
                 return distance ? std::optional((*distance).*member) : std::nullopt;
             });
         };

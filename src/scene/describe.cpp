@@ -160,25 +160,26 @@ std::string name_of_surface(Language language, std::int32_t surface, const Gas& 
 
 std::string words_of(Language language, const Behaviour& behaviour, const Gas& gas, int axis) {
     return std::visit(
-        Overloaded{[&](const Reflecting&) { return say(language, "is solid"); },
-                   [&](const Bath& its) {
-                       return say(language, "is a heat bath of temperature {}", its.temperature);
-                   },
-                   [&](const Driven& its) {
-                       const std::string velocity = plain_number(language, its.velocity);
-                       return std::isinf(its.until)
-                                  ? say(language, "moves at velocity {}", velocity)
-                                  : say(language, "moves at velocity {} until time {}", velocity,
-                                        its.until);
-                   },
-                   [&](const Piston& its) {
-                       return its.force == 0.0
-                                  ? say(language, "is a piston of mass {}", its.mass)
-                                  : say(language, "is a piston of mass {}, pushed by a force of {}",
-                                        its.mass, plain_number(language, its.force));
-                   },
-                   [&](const Membrane& its) { return words_of(language, its, gas, axis); },
-                   [&](const Diffuse&) { return say(language, "reflects diffusely"); }},
+        Overloaded{
+            [&](const Reflecting&) { return say(language, "is solid"); },
+            [&](const Bath& bath) {
+                return say(language, "is a heat bath of temperature {}", bath.temperature);
+            },
+            [&](const Driven& driven) {
+                const std::string velocity = plain_number(language, driven.velocity);
+                return std::isinf(driven.until)
+                           ? say(language, "moves at velocity {}", velocity)
+                           : say(language, "moves at velocity {} until time {}", velocity,
+                                 driven.until);
+            },
+            [&](const Piston& piston) {
+                return piston.force == 0.0
+                           ? say(language, "is a piston of mass {}", piston.mass)
+                           : say(language, "is a piston of mass {}, pushed by a force of {}",
+                                 piston.mass, plain_number(language, piston.force));
+            },
+            [&](const Membrane& membrane) { return words_of(language, membrane, gas, axis); },
+            [&](const Diffuse&) { return say(language, "reflects diffusely"); }},
         behaviour);
 }
 
@@ -213,19 +214,20 @@ namespace {
 
 std::string change_words(Language language, const Behaviour& behaviour) {
     return std::visit(
-        Overloaded{
-            [&](const Reflecting&) { return say(language, "becomes an ordinary wall"); },
-            [&](const Bath& its) {
-                return say(language, "becomes a heat bath of temperature {}", its.temperature);
-            },
-            [&](const Driven& its) {
-                return say(language, "moves at velocity {}", plain_number(language, its.velocity));
-            },
-            [&](const Piston& its) {
-                return say(language, "becomes a piston of mass {}", its.mass);
-            },
-            [&](const Membrane&) { return say(language, "becomes a membrane"); },
-            [&](const Diffuse&) { return say(language, "reflects diffusely from now on"); }},
+        Overloaded{[&](const Reflecting&) { return say(language, "becomes an ordinary wall"); },
+                   [&](const Bath& bath) {
+                       return say(language, "becomes a heat bath of temperature {}",
+                                  bath.temperature);
+                   },
+                   [&](const Driven& driven) {
+                       return say(language, "moves at velocity {}",
+                                  plain_number(language, driven.velocity));
+                   },
+                   [&](const Piston& piston) {
+                       return say(language, "becomes a piston of mass {}", piston.mass);
+                   },
+                   [&](const Membrane&) { return say(language, "becomes a membrane"); },
+                   [&](const Diffuse&) { return say(language, "reflects diffusely from now on"); }},
         behaviour);
 }
 
@@ -249,27 +251,29 @@ std::string words_of_surface_event(Language language, const RunEvent& event, con
         return say(language, "{} {}", name_of_surface(language, surface, gas), what);
     };
     return std::visit(
-        Overloaded{
-            [](const ReverseVelocities&) { return std::string(); },
-            [](const Perturbation&) { return std::string(); },
-            [&](const SetOpen& its) {
-                return with(its.surface,
-                            its.is_open ? say(language, "opens") : say(language, "closes"));
-            },
-            [&](const MoveSurface& its) {
-                return with(its.surface, its.velocity == 0.0
-                                             ? say(language, "stands still from now on")
-                                             : say(language, "moves at velocity {}",
-                                                   plain_number(language, its.velocity)));
-            },
-            [&](const HoldPiston& its) { return with(its.surface, say(language, "is held")); },
-            [&](const ReleasePiston& its) {
-                return with(its.surface, say(language, "is released"));
-            },
-            [&](const ChangeSurface& its) {
-                return with(its.surface, change_words(language, its.behaviour));
-            },
-            [&](const Heat& its) { return heat_words(language, its, gas); }},
+        Overloaded{[](const ReverseVelocities&) { return std::string(); },
+                   [](const Perturbation&) { return std::string(); },
+                   [&](const SetOpen& action) {
+                       return with(action.surface, action.is_open ? say(language, "opens")
+                                                                  : say(language, "closes"));
+                   },
+                   [&](const MoveSurface& action) {
+                       return with(action.surface,
+                                   action.velocity == 0.0
+                                       ? say(language, "stands still from now on")
+                                       : say(language, "moves at velocity {}",
+                                             plain_number(language, action.velocity)));
+                   },
+                   [&](const HoldPiston& action) {
+                       return with(action.surface, say(language, "is held"));
+                   },
+                   [&](const ReleasePiston& action) {
+                       return with(action.surface, say(language, "is released"));
+                   },
+                   [&](const ChangeSurface& action) {
+                       return with(action.surface, change_words(language, action.behaviour));
+                   },
+                   [&](const Heat& action) { return heat_words(language, action, gas); }},
         event.action);
 }
 

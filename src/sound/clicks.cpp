@@ -49,14 +49,14 @@ ClickMixer::ClickMixer(double loudness) : scale_(32767.0 * share_of_loudness * l
     oscillators_.resize(static_cast<std::size_t>((pitch_count + lanes - 1) / lanes));
     const double slow = damping(decay_seconds), fast = damping(rise_seconds);
     for (int number = 0; number < pitch_count; ++number) {
-        Oscillators& its = oscillators_[static_cast<std::size_t>(number / lanes)];
+        Oscillators& oscillators = oscillators_[static_cast<std::size_t>(number / lanes)];
         const auto lane = static_cast<std::size_t>(number % lanes);
         const double angle = 2.0 * std::numbers::pi * pitch_of(number) / sound_rate;
-        its.slow_cos[lane] = slow * std::cos(angle);
-        its.slow_sin[lane] = slow * std::sin(angle);
-        its.fast_cos[lane] = fast * std::cos(angle);
-        its.fast_sin[lane] = fast * std::sin(angle);
-        its.gain[lane] = 1.0 / largest_answer(angle);
+        oscillators.slow_cos[lane] = slow * std::cos(angle);
+        oscillators.slow_sin[lane] = slow * std::sin(angle);
+        oscillators.fast_cos[lane] = fast * std::cos(angle);
+        oscillators.fast_sin[lane] = fast * std::sin(angle);
+        oscillators.gain[lane] = 1.0 / largest_answer(angle);
     }
 }
 
@@ -70,23 +70,27 @@ void ClickMixer::mix_until(std::int64_t end) {
 
 // Adds the response of these oscillators during a block to its sum; `strikes` are the clicks that
 // excite them, in order.
-void ClickMixer::ring(Oscillators& its, std::span<const Strike> strikes, int first,
+void ClickMixer::ring(Oscillators& oscillators, std::span<const Strike> strikes, int first,
                       Block& sum) const {
     auto strike = strikes.begin();
     for (int n = 0; n < block; ++n) {
         for (; strike != strikes.end() && strike->sample == mixed_ + n; ++strike) {
             const auto lane = static_cast<std::size_t>(strike->oscillator - first);
-            its.slow_x[lane] += its.gain[lane];
-            its.fast_x[lane] += its.gain[lane];
+            oscillators.slow_x[lane] += oscillators.gain[lane];
+            oscillators.fast_x[lane] += oscillators.gain[lane];
         }
         Lanes out;
         for (std::size_t k = 0; k < lanes; ++k) {
-            out[k] = its.slow_y[k] - its.fast_y[k];
-            const double slow_x = its.slow_x[k], fast_x = its.fast_x[k];
-            its.slow_x[k] = its.slow_cos[k] * slow_x - its.slow_sin[k] * its.slow_y[k];
-            its.slow_y[k] = its.slow_sin[k] * slow_x + its.slow_cos[k] * its.slow_y[k];
-            its.fast_x[k] = its.fast_cos[k] * fast_x - its.fast_sin[k] * its.fast_y[k];
-            its.fast_y[k] = its.fast_sin[k] * fast_x + its.fast_cos[k] * its.fast_y[k];
+            out[k] = oscillators.slow_y[k] - oscillators.fast_y[k];
+            const double slow_x = oscillators.slow_x[k], fast_x = oscillators.fast_x[k];
+            oscillators.slow_x[k] =
+                oscillators.slow_cos[k] * slow_x - oscillators.slow_sin[k] * oscillators.slow_y[k];
+            oscillators.slow_y[k] =
+                oscillators.slow_sin[k] * slow_x + oscillators.slow_cos[k] * oscillators.slow_y[k];
+            oscillators.fast_x[k] =
+                oscillators.fast_cos[k] * fast_x - oscillators.fast_sin[k] * oscillators.fast_y[k];
+            oscillators.fast_y[k] =
+                oscillators.fast_sin[k] * fast_x + oscillators.fast_cos[k] * oscillators.fast_y[k];
         }
         double all = 0.0;
         for (const double one : out) all += one;
@@ -94,9 +98,11 @@ void ClickMixer::ring(Oscillators& its, std::span<const Strike> strikes, int fir
     }
     double largest = 0.0;
     for (std::size_t k = 0; k < lanes; ++k)
-        largest = std::max({largest, std::abs(its.slow_x[k]), std::abs(its.slow_y[k])});
-    its.rings = largest > silence;
-    if (!its.rings) its.slow_x = its.slow_y = its.fast_x = its.fast_y = {};
+        largest =
+            std::max({largest, std::abs(oscillators.slow_x[k]), std::abs(oscillators.slow_y[k])});
+    oscillators.rings = largest > silence;
+    if (!oscillators.rings)
+        oscillators.slow_x = oscillators.slow_y = oscillators.fast_x = oscillators.fast_y = {};
 }
 
 void ClickMixer::mix_block() {
@@ -113,9 +119,9 @@ void ClickMixer::mix_block() {
         const auto begin = strike;
         while (strike != now.end() && strike->oscillator / lanes == static_cast<int>(group))
             ++strike;
-        Oscillators& its = oscillators_[group];
-        if (its.rings || begin != strike)
-            ring(its, {begin, strike}, static_cast<int>(group) * lanes, sum);
+        Oscillators& oscillators = oscillators_[group];
+        if (oscillators.rings || begin != strike)
+            ring(oscillators, {begin, strike}, static_cast<int>(group) * lanes, sum);
     }
     strikes_.erase(strikes_.begin(), later);
     double largest = 0.0;

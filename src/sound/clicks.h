@@ -72,7 +72,8 @@ class ClickMixer {
     };
 
     void mix_block();
-    void ring(Oscillators& its, std::span<const Strike> strikes, int first, Block& sum) const;
+    void ring(Oscillators& oscillators, std::span<const Strike> strikes, int first,
+              Block& sum) const;
     void settle_gain(double next);
 
     double scale_;  ///< the integer value of a sample of 1

@@ -101,32 +101,32 @@ class Archive {
     }
 
     template <class T>
-    void value(T& its) {
+    void value(T& object) {
         if constexpr (std::same_as<T, bool>) {
             // When reading, the value may be uninitialised and hence not a valid bool.
-            auto whole = reading_ ? std::uint8_t{0} : static_cast<std::uint8_t>(its);
+            auto whole = reading_ ? std::uint8_t{0} : static_cast<std::uint8_t>(object);
             number(whole);
-            its = whole != 0;
+            object = whole != 0;
         } else if constexpr (std::is_enum_v<T>) {
-            auto whole = reading_ ? std::int64_t{0} : static_cast<std::int64_t>(its);
+            auto whole = reading_ ? std::int64_t{0} : static_cast<std::int64_t>(object);
             number(whole);
-            its = static_cast<T>(whole);
+            object = static_cast<T>(whole);
         } else if constexpr (std::is_arithmetic_v<T>) {
-            number(its);
+            number(object);
         } else if constexpr (Archivable<T>) {
-            its.archive(*this);
+            object.archive(*this);
         } else if constexpr (PartsListed<T>) {
-            archive_parts(*this, its);
+            archive_parts(*this, object);
         } else if constexpr (MatrixLike<T>) {
-            matrix(its);
+            matrix(object);
         } else {
-            parts(its);
+            parts(object);
         }
     }
 
     template <class T>
-    void matrix(T& its) {
-        auto rows = static_cast<std::int64_t>(its.rows()), columns = std::int64_t{its.cols()};
+    void matrix(T& object) {
+        auto rows = static_cast<std::int64_t>(object.rows()), columns = std::int64_t{object.cols()};
         number(rows);
         number(columns);
         const std::size_t count = area_of(rows, columns, sizeof(typename T::Scalar));
@@ -135,11 +135,11 @@ class Archive {
         };
         if (!is(rows, T::RowsAtCompileTime) || !is(columns, T::ColsAtCompileTime))
             refuse("it holds an array of another shape");
-        if (reading_) its.resize(rows, columns);
+        if (reading_) object.resize(rows, columns);
         if constexpr (std::same_as<typename T::Scalar, bool>)
-            for (std::size_t i = 0; i < count; ++i) value(its.data()[i]);
+            for (std::size_t i = 0; i < count; ++i) value(object.data()[i]);
         else
-            numbers(its.data(), count);
+            numbers(object.data(), count);
     }
 
     void parts(std::string& text) {
@@ -199,45 +199,45 @@ class Archive {
     }
 
     template <class T>
-    void parts(std::optional<T>& its) {
-        bool there = its.has_value();
+    void parts(std::optional<T>& object) {
+        bool there = object.has_value();
         value(there);
-        if (reading_) there ? void(its.emplace()) : its.reset();
-        if (its) value(*its);
+        if (reading_) there ? void(object.emplace()) : object.reset();
+        if (object) value(*object);
     }
 
     template <class... T>
-    void parts(std::variant<T...>& its) {
-        auto index = static_cast<std::int64_t>(its.index());
+    void parts(std::variant<T...>& object) {
+        auto index = static_cast<std::int64_t>(object.index());
         number(index);
         if (reading_) {
             std::int64_t k = 0;
-            const bool known = ((k++ == index ? (void(its = T{}), true) : false) || ...);
+            const bool known = ((k++ == index ? (void(object = T{}), true) : false) || ...);
             if (!known) refuse("it holds a value of an unknown type");
         }
-        std::visit([this](auto& alternative) { value(alternative); }, its);
+        std::visit([this](auto& alternative) { value(alternative); }, object);
     }
 
     template <class Key, class T>
-    void parts(std::map<Key, T>& its) {
-        ordered<std::pair<Key, T>>(its);
+    void parts(std::map<Key, T>& object) {
+        ordered<std::pair<Key, T>>(object);
     }
 
     template <class Key, class T>
-    void parts(std::multimap<Key, T>& its) {
-        ordered<std::pair<Key, T>>(its);
+    void parts(std::multimap<Key, T>& object) {
+        ordered<std::pair<Key, T>>(object);
     }
 
     template <class T>
-    void parts(std::set<T>& its) {
-        ordered<T>(its);
+    void parts(std::set<T>& object) {
+        ordered<T>(object);
     }
 
     template <class Item, class Container>
-    void ordered(Container& its) {
-        std::vector<Item> list(its.begin(), its.end());
+    void ordered(Container& object) {
+        std::vector<Item> list(object.begin(), object.end());
         value(list);
-        if (reading_) its = {list.begin(), list.end()};
+        if (reading_) object = {list.begin(), list.end()};
     }
 
     static void reverse(std::byte* data, std::size_t size) {

@@ -60,8 +60,8 @@ Source document_template(const std::string& name) {
     return {path.string(), read_file(path, most)};
 }
 
-std::string film_page(const Source& page, const FilmPage& its) {
-    const Scene& scene = its.scene;
+std::string film_page(const Source& page, const FilmPage& content) {
+    const Scene& scene = content.scene;
     PageFields fields;
     fields.language = scene.film.language;
     fields.words = {{"title", scene.title},
@@ -69,23 +69,23 @@ std::string film_page(const Source& page, const FilmPage& its) {
                     {"description", scene.description},
                     {"language", std::string(word_of(fields.language))},
                     {"carom", CAROM_VERSION},
-                    {"type", media_type(its.film.name)},
-                    {"film_file", as_utf8(fs::path(its.film.name).filename().string())},
-                    {"scene_file", as_utf8(fs::path(its.source.name).filename().string())},
+                    {"type", media_type(content.film.name)},
+                    {"film_file", as_utf8(fs::path(content.film.name).filename().string())},
+                    {"scene_file", as_utf8(fs::path(content.source.name).filename().string())},
                     {"width", std::to_string(scene.film.size.width)},
                     {"height", std::to_string(scene.film.size.height)},
-                    {"about", its.text.about},
-                    {"site", its.site},
+                    {"about", content.text.about},
+                    {"site", content.site},
                     {"changed", scene.source.overrides.empty() ? "" : "changed"}};
-    put(fields, "film", its.film);
-    put(fields, "poster", its.poster);
-    put(fields, "scene", its.source);
-    fields.files["site_index"] = its.index;
-    fields.inlined["captions"] = track(its.text.captions);
-    fields.inlined["descriptions"] = track(its.text.descriptions);
-    fields.inlined["chapter_track"] = track(its.text.chapters);
-    fields.lists["chapters"] = listed_cues(its.text.chapter_list);
-    fields.lists["passages"] = listed_cues(its.text.passages);
+    put(fields, "film", content.film);
+    put(fields, "poster", content.poster);
+    put(fields, "scene", content.source);
+    fields.files["site_index"] = content.index;
+    fields.inlined["captions"] = track(content.text.captions);
+    fields.inlined["descriptions"] = track(content.text.descriptions);
+    fields.inlined["chapter_track"] = track(content.text.chapters);
+    fields.lists["chapters"] = listed_cues(content.text.chapter_list);
+    fields.lists["passages"] = listed_cues(content.text.passages);
     std::vector<PageFields>& changes = fields.lists["changes"];
     for (const std::string& change : scene.source.overrides)
         changes.push_back({.words = {{"change", as_utf8(change)}}});

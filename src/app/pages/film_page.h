@@ -33,7 +33,7 @@ struct FilmPage {
 };
 
 /// The page as UTF-8. `page` is the template. Throws SceneError if the template has a mistake.
-std::string film_page(const Source& page, const FilmPage& its);
+std::string film_page(const Source& page, const FilmPage& content);
 
 /// Upper limit for the bytes of a film embedded in a page. Not all browsers play larger ones:
 /// Firefox accepts data URLs of up to 32 MiB.

@@ -27,12 +27,12 @@ class PartnerCounts {
           counts_(Eigen::ArrayXd::Zero(particles.count())) {}
 
     void see(const FrameInput& input) {
-        for (const Collision& one : input.advanced.collisions) {
-            if (one.time < from_ || one.time > until_) continue;
-            const bool is_pair = one.second.is_particle();
-            if (!is_pair && one.second.surface() < sides_) continue;
-            add(one.first, is_pair ? inverse_mass_[one.second.particle()] : 0.0);
-            if (is_pair) add(one.second.particle(), inverse_mass_[one.first]);
+        for (const Collision& collision : input.advanced.collisions) {
+            if (collision.time < from_ || collision.time > until_) continue;
+            const bool is_pair = collision.second.is_particle();
+            if (!is_pair && collision.second.surface() < sides_) continue;
+            add(collision.first, is_pair ? inverse_mass_[collision.second.particle()] : 0.0);
+            if (is_pair) add(collision.second.particle(), inverse_mass_[collision.first]);
         }
     }
 

@@ -24,7 +24,7 @@ class MirroredSchedule {
     };
 
     void add_ahead(Entry entry) {
-        const auto later = [&](const Entry& one) { return one.time > entry.time; };
+        const auto later = [&](const Entry& other) { return other.time > entry.time; };
         ahead_.insert(std::ranges::find_if(ahead_, later), std::move(entry));
     }
     void add_behind(Entry entry) { behind_.push_back(std::move(entry)); }
@@ -44,12 +44,12 @@ class MirroredSchedule {
 
     void erase_if(const auto& predicate) {
         for (auto* entries : {&ahead_, &behind_})
-            std::erase_if(*entries, [&](const Entry& one) { return predicate(one.what); });
+            std::erase_if(*entries, [&](const Entry& other) { return predicate(other.what); });
     }
 
     void shift_epoch(const Time& shift) {
         for (auto* entries : {&ahead_, &behind_})
-            for (Entry& one : *entries) one.time -= shift;
+            for (Entry& other : *entries) other.time -= shift;
     }
 
     /// Reverses the run at `now`: past changes become future ones, inverted.
@@ -57,9 +57,9 @@ class MirroredSchedule {
         ahead_.swap(behind_);
         for (auto* entries : {&ahead_, &behind_}) {
             std::ranges::reverse(*entries);
-            for (Entry& one : *entries) {
-                one.time = 2.0 * now - one.time;
-                invert(one.what);
+            for (Entry& other : *entries) {
+                other.time = 2.0 * now - other.time;
+                invert(other.what);
             }
         }
     }

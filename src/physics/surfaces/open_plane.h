@@ -93,12 +93,13 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     /// Calls see(k) for the barriers that a disk in the cell of body i may touch.
     template <typename See>
     void for_each_barrier(const Bodies& bodies, std::int32_t i, const See& see) const {
-        const Cell& its = at(bodies, i).cell;
-        const int cell = its[1] * (grid_.last_cell()[0] + 1) + its[0];
+        const Cell& cell_of_body = at(bodies, i).cell;
+        const int cell = cell_of_body[1] * (grid_.last_cell()[0] + 1) + cell_of_body[0];
         for (std::int32_t k = at(first_listed_, cell); k < at(first_listed_, cell + 1); ++k)
             see(at(listed_, k));
         for (const Moving& moving : moving_)
-            if (moving.first <= its[moving.axis] && its[moving.axis] <= moving.last)
+            if (moving.first <= cell_of_body[moving.axis] &&
+                cell_of_body[moving.axis] <= moving.last)
                 see(moving.barrier);
     }
 

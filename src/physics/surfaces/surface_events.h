@@ -34,17 +34,17 @@ SurfaceControl<Scalar> control_after(SurfaceControl<Scalar> control, const Surfa
         control.is_held = is_held;
         control.velocity = 0.0;
     };
-    std::visit(Overloaded{[&](const SetOpen& its) { control.is_open = its.is_open; },
-                          [&](const MoveSurface& its) {
-                              control.behaviour = Driven{.velocity = its.velocity};
-                              control.velocity = its.velocity;
+    std::visit(Overloaded{[&](const SetOpen& opening) { control.is_open = opening.is_open; },
+                          [&](const MoveSurface& motion) {
+                              control.behaviour = Driven{.velocity = motion.velocity};
+                              control.velocity = motion.velocity;
                           },
                           [&](const HoldPiston&) { hold(true); },
                           [&](const ReleasePiston&) { hold(false); },
-                          [&](const ChangeSurface& its) {
-                              control = {.behaviour = its.behaviour,
+                          [&](const ChangeSurface& change) {
+                              control = {.behaviour = change.behaviour,
                                          .is_open = control.is_open,
-                                         .velocity = velocity_from(its.behaviour, time)};
+                                         .velocity = velocity_from(change.behaviour, time)};
                           }},
                action);
     return control;

@@ -21,10 +21,10 @@ bool is_finite(const Behaviour& behaviour) {
     return std::visit(
         Overloaded{
             [](const Reflecting&) { return true; },
-            [&](const Bath& its) { return its.temperature > 0.0 && finite(its.temperature); },
-            [&](const Driven& its) { return finite(its.velocity) && its.until >= 0.0; },
-            [&](const Piston& its) {
-                return its.mass > 0.0 && finite(its.mass, its.force, its.velocity);
+            [&](const Bath& bath) { return bath.temperature > 0.0 && finite(bath.temperature); },
+            [&](const Driven& driven) { return finite(driven.velocity) && driven.until >= 0.0; },
+            [&](const Piston& piston) {
+                return piston.mass > 0.0 && finite(piston.mass, piston.force, piston.velocity);
             },
             [](const Membrane&) { return true; }, [](const Diffuse&) { return true; }},
         behaviour);
@@ -37,8 +37,8 @@ std::optional<Kind> lost_memory(const Behaviour& behaviour) {
         Overloaded{[](const Reflecting&) { return Lost(); },
                    [](const Bath&) { return Lost(Kind::forgets_heat); },
                    [](const Driven&) { return Lost(); }, [](const Piston&) { return Lost(); },
-                   [](const Membrane& its) {
-                       return its.is_demon() ? Lost(Kind::forgets_passing) : Lost();
+                   [](const Membrane& membrane) {
+                       return membrane.is_demon() ? Lost(Kind::forgets_passing) : Lost();
                    },
                    [](const Diffuse&) { return Lost(Kind::forgets_direction); }},
         behaviour);
@@ -114,14 +114,16 @@ class Search {
                         if (forgetful_) add(forgetful_->kind, forgetful_->surface);
                     },
                     [](const Perturbation&) {},
-                    [&](const SetOpen& its) { set_open(its, behaviours, held); },
-                    [&](const MoveSurface& its) {
-                        change(its.surface, Driven{its.velocity}, behaviours, held);
+                    [&](const SetOpen& action) { set_open(action, behaviours, held); },
+                    [&](const MoveSurface& action) {
+                        change(action.surface, Driven{action.velocity}, behaviours, held);
                     },
-                    [&](const HoldPiston& its) { hold(its.surface, true, behaviours, held); },
-                    [&](const ReleasePiston& its) { hold(its.surface, false, behaviours, held); },
-                    [&](const ChangeSurface& its) {
-                        change(its.surface, its.behaviour, behaviours, held);
+                    [&](const HoldPiston& action) { hold(action.surface, true, behaviours, held); },
+                    [&](const ReleasePiston& action) {
+                        hold(action.surface, false, behaviours, held);
+                    },
+                    [&](const ChangeSurface& action) {
+                        change(action.surface, action.behaviour, behaviours, held);
                     },
                     [](const Heat&) {}},
                 run.events[*event_].action);

@@ -74,28 +74,28 @@ BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barr
 template <typename Scalar>
 bool SurfaceSet<Scalar>::may_touch(const DiskView& disk, double radius, std::int32_t k,
                                    const Scalar& now, double within) const {
-    const Barrier& its = this->barrier(k);
+    const Barrier& barrier = this->barrier(k);
     BarrierMotion<double> m{.x = disk.x, .v = disk.v, .a = disk.a, .radius = radius};
-    std::array<double, 2> place = its.place;
-    if (const auto* mover = this->mover_of(its)) {
+    std::array<double, 2> place = barrier.place;
+    if (const auto* mover = this->mover_of(barrier)) {
         place[mover->axis] = static_cast<double>(mover->place_at(now));
         m.v[mover->axis] -= static_cast<double>(mover->velocity_at(now));
         m.a[mover->axis] -= static_cast<double>(mover->acceleration);
     }
     for (std::size_t a = 0; a < 2; ++a) m.x[a] -= place[a];
-    return may_touch_within(its, m, within, size_of_box_);
+    return may_touch_within(barrier, m, within, size_of_box_);
 }
 
 template <typename Scalar>
 Scalar SurfaceSet<Scalar>::time_to(const Body& body, std::int32_t k, const Scalar& now) const {
-    const Barrier& its = this->barrier(k);
-    BarrierMotion<Scalar> m = motion_of(body, its, now);
-    const bool is_let_in = (body.passing & bit_of(its.surface)) != 0;
-    if (its.kind == Barrier::Kind::line)  // a point that it has let in is beyond it at once
-        return line_time(its, m, is_let_in && !is_point(body) ? m.radius + slack_ : 0.0);
+    const Barrier& barrier = this->barrier(k);
+    BarrierMotion<Scalar> m = motion_of(body, barrier, now);
+    const bool is_let_in = (body.passing & bit_of(barrier.surface)) != 0;
+    if (barrier.kind == Barrier::Kind::line)  // a point that it has let in is beyond it at once
+        return line_time(barrier, m, is_let_in && !is_point(body) ? m.radius + slack_ : 0.0);
     // At a corner, where two lines meet, round-off might let a point through.
-    if (its.radius == 0.0) m.radius = std::max(m.radius, clearance_);
-    return circle_time(its, m, is_let_in ? m.radius + slack_ : 0.0, bits_);
+    if (barrier.radius == 0.0) m.radius = std::max(m.radius, clearance_);
+    return circle_time(barrier, m, is_let_in ? m.radius + slack_ : 0.0, bits_);
 }
 
 template <typename Scalar>
@@ -253,40 +253,40 @@ bool SurfaceSet<Scalar>::put_on_side(Body& body, const Barrier& line, double sid
 
 template <typename Scalar>
 bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
-    const Barrier& its = this->barrier(k);
-    const Behaviour& behaviour = at(behaviours_, its.surface);
-    const bool is_line = its.kind == Barrier::Kind::line;
-    BarrierMotion<Scalar> m = motion_of(body, its, now);
-    const double side = is_line ? side_of_origin(body, its, m) : 1.0;
-    if (is_line && put_on_side(body, its, side, m)) m = motion_of(body, its, now);
-    const Scalar approach = is_line ? Scalar(side * dot(its.normal, m.v)) : dot(m.x, m.v);
+    const Barrier& barrier = this->barrier(k);
+    const Behaviour& behaviour = at(behaviours_, barrier.surface);
+    const bool is_line = barrier.kind == Barrier::Kind::line;
+    BarrierMotion<Scalar> m = motion_of(body, barrier, now);
+    const double side = is_line ? side_of_origin(body, barrier, m) : 1.0;
+    if (is_line && put_on_side(body, barrier, side, m)) m = motion_of(body, barrier, now);
+    const Scalar approach = is_line ? Scalar(side * dot(barrier.normal, m.v)) : dot(m.x, m.v);
     if (!(approach < 0.0)) return false;
     if (const auto* membrane = membrane_of(behaviour)) {
         const auto& speeds =
-            body.v[at(movers_, its.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
+            body.v[at(movers_, barrier.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
-            body.passing |= bit_of(its.surface);
-            if (is_line) put_on_side(body, its, -side, m);
+            body.passing |= bit_of(barrier.surface);
+            if (is_line) put_on_side(body, barrier, -side, m);
             return false;
         }
     }
     const Vector before = body.v;
-    const std::int64_t number = ++at(totals_, its.surface).hits;
-    const auto reflect_it = [&] { reflect(body, its, m, now); };
+    const std::int64_t number = ++at(totals_, barrier.surface).hits;
+    const auto reflect_it = [&] { reflect(body, barrier, m, now); };
     std::visit(
         Overloaded{[&](const Reflecting&) { reflect_it(); },
                    [&](const Bath& bath) {
                        body.inverse_mass > 0.0
-                           ? leave_bath(body, its, bath.temperature, number, m.x)
+                           ? leave_bath(body, barrier, bath.temperature, number, m.x)
                            : reflect_it();
                    },
                    [&](const Driven&) { reflect_it(); }, [&](const Piston&) { reflect_it(); },
                    [&](const Membrane&) { reflect_it(); },
-                   [&](const Diffuse&) { scatter(body, its, number, m.x); }},
+                   [&](const Diffuse&) { scatter(body, barrier, number, m.x); }},
         behaviour);
-    body.passing &= ~bit_of(its.surface);
+    body.passing &= ~bit_of(barrier.surface);
     path_has_changed(body);
-    if (body.inverse_mass > 0.0) account_for_hit(body, before, its);
+    if (body.inverse_mass > 0.0) account_for_hit(body, before, barrier);
     return true;
 }
 
@@ -294,43 +294,44 @@ template <typename Scalar>
 auto SurfaceSet<Scalar>::touch(const Body& body, std::int32_t k, const Scalar& now) const
     -> std::optional<Touch> {
     using std::sqrt;
-    const Barrier& its = this->barrier(k);
-    const Behaviour& behaviour = at(behaviours_, its.surface);
-    if (!this->is_there(its) || this->lets_pass(its, body.species) || is_random(behaviour) ||
-        (body.passing & bit_of(its.surface)) != 0)
+    const Barrier& barrier = this->barrier(k);
+    const Behaviour& behaviour = at(behaviours_, barrier.surface);
+    if (!this->is_there(barrier) || this->lets_pass(barrier, body.species) ||
+        is_random(behaviour) || (body.passing & bit_of(barrier.surface)) != 0)
         return std::nullopt;
-    const BarrierMotion<Scalar> m = motion_of(body, its, now);
+    const BarrierMotion<Scalar> m = motion_of(body, barrier, now);
     if (const auto* membrane = membrane_of(behaviour)) {
-        const auto& speeds = velocity_at(body, at(movers_, its.surface).axis, now) > 0.0
+        const auto& speeds = velocity_at(body, at(movers_, barrier.surface).axis, now) > 0.0
                                  ? membrane->upward
                                  : membrane->downward;
         const Vector v{velocity_at(body, 0, now), velocity_at(body, 1, now)};
         if (speeds.admits(std::sqrt(square_of(v)))) return std::nullopt;
     }
-    if (its.kind == Barrier::Kind::line) {
-        const Scalar share = m.x[0] * its.normal[1] - m.x[1] * its.normal[0];
-        if (!its.is_endless() && !(share >= 0.0 && share <= its.length)) return std::nullopt;
-        const double side = side_of_origin(body, its, m);
-        return Touch{side * dot(its.normal, m.x) - m.radius,
-                     {as_precise_as(m.x[0], -side * its.normal[0]),
-                      as_precise_as(m.x[0], -side * its.normal[1])}};
+    if (barrier.kind == Barrier::Kind::line) {
+        const Scalar share = m.x[0] * barrier.normal[1] - m.x[1] * barrier.normal[0];
+        if (!barrier.is_endless() && !(share >= 0.0 && share <= barrier.length))
+            return std::nullopt;
+        const double side = side_of_origin(body, barrier, m);
+        return Touch{side * dot(barrier.normal, m.x) - m.radius,
+                     {as_precise_as(m.x[0], -side * barrier.normal[0]),
+                      as_precise_as(m.x[0], -side * barrier.normal[1])}};
     }
     const Scalar distance = sqrt(Scalar(m.x[0] * m.x[0] + m.x[1] * m.x[1]));
     if (!(distance > 0.0)) return std::nullopt;
-    const Scalar gap = distance - (as_precise_as(m.x[0], its.radius) + m.radius);
+    const Scalar gap = distance - (as_precise_as(m.x[0], barrier.radius) + m.radius);
     return Touch{gap, {-(m.x[0] / distance), -(m.x[1] / distance)}};
 }
 
 template <typename Scalar>
 void SurfaceSet<Scalar>::count_hit(Body& body, std::int32_t k, const Vector& normal,
                                    const Vector& before, const Scalar& now) {
-    const Barrier& its = this->barrier(k);
-    if (its.kind == Barrier::Kind::line)
-        put_on_side(body, its, dot(its.normal, normal) < 0.0 ? 1.0 : -1.0,
-                    motion_of(body, its, now));
-    ++at(totals_, its.surface).hits;
-    body.passing &= ~bit_of(its.surface);
-    if (body.inverse_mass > 0.0) account_for_hit(body, before, its);
+    const Barrier& barrier = this->barrier(k);
+    if (barrier.kind == Barrier::Kind::line)
+        put_on_side(body, barrier, dot(barrier.normal, normal) < 0.0 ? 1.0 : -1.0,
+                    motion_of(body, barrier, now));
+    ++at(totals_, barrier.surface).hits;
+    body.passing &= ~bit_of(barrier.surface);
+    if (body.inverse_mass > 0.0) account_for_hit(body, before, barrier);
 }
 
 template <typename Scalar>

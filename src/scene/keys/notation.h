@@ -240,9 +240,9 @@ Notation<std::vector<V>> list_of(Notation<V> item, std::size_t shortest, Limit m
             if (!node.is_list()) return std::nullopt;
             std::vector<V> values;
             values.reserve(node.items.size());
-            for (const Node& one : node.items)
-                if (one.valid)
-                    if (auto value = read(one, reading)) values.push_back(std::move(*value));
+            for (const Node& element : node.items)
+                if (element.valid)
+                    if (auto value = read(element, reading)) values.push_back(std::move(*value));
             return values;
         }};
 }
@@ -289,7 +289,7 @@ Notation<Placed<V>> placed(Notation<V> notation) {
 template <typename V>
 std::vector<V> values_of(const std::vector<Placed<V>>& placed) {
     std::vector<V> values;
-    for (const Placed<V>& one : placed) values.push_back(one.value);
+    for (const Placed<V>& item : placed) values.push_back(item.value);
     return values;
 }
 

@@ -130,13 +130,16 @@ class Paths {
     }
 
     void collide(std::span<const Collision> collisions, auto&& see) {
-        for (const Collision& one : collisions) {
-            advance(one.first, {one.time, one.first_position, one.first_before}, &one, see);
-            last_[static_cast<std::size_t>(one.first)].velocity = one.first_after;
-            if (!one.second.is_particle()) continue;
-            const std::int32_t second = one.second.particle();
-            advance(second, {one.time, one.second_position, one.second_before}, &one, see);
-            last_[static_cast<std::size_t>(second)].velocity = one.second_after;
+        for (const Collision& collision : collisions) {
+            advance(collision.first,
+                    {collision.time, collision.first_position, collision.first_before}, &collision,
+                    see);
+            last_[static_cast<std::size_t>(collision.first)].velocity = collision.first_after;
+            if (!collision.second.is_particle()) continue;
+            const std::int32_t second = collision.second.particle();
+            advance(second, {collision.time, collision.second_position, collision.second_before},
+                    &collision, see);
+            last_[static_cast<std::size_t>(second)].velocity = collision.second_after;
         }
     }
 

@@ -20,7 +20,7 @@ using Rows = std::vector<Row>;
 
 // A scene and, optionally, one of its runs; without a run all values are missing. Names and values
 // are made by the same list, so that they cannot disagree.
-struct Source {
+struct SceneAndRun {
     const Scene& scene;
     const RunReport* report;
 
@@ -68,7 +68,7 @@ std::optional<double> mean_free_path(const Scene& scene, const RunReport& report
     return *speed / collision_rate(scene, report);
 }
 
-void add_thermal(Rows& rows, const Source& from) {
+void add_thermal(Rows& rows, const SceneAndRun& from) {
     const Quantity pressure = quantities::pressure(from.scene.gas.box.dimension);
     rows.push_back(
         {{"temperature", quantities::temperature},
@@ -89,7 +89,7 @@ void add_thermal(Rows& rows, const Source& from) {
                     })});
 }
 
-void add_collisions(Rows& rows, const Source& from) {
+void add_collisions(Rows& rows, const SceneAndRun& from) {
     rows.push_back(
         {{"particle collisions", quantities::count}, from.of_report([](const RunReport& report) {
              return static_cast<double>(report.collisions.particle);
@@ -108,7 +108,7 @@ void add_collisions(Rows& rows, const Source& from) {
          })});
 }
 
-void add_conserved(Rows& rows, const Source& from) {
+void add_conserved(Rows& rows, const SceneAndRun& from) {
     rows.push_back(
         {{"energy at the start", quantities::energy},
          from.of_summary([](const RunSummary& summary) { return summary.energy_initial; })});
@@ -124,7 +124,7 @@ void add_conserved(Rows& rows, const Source& from) {
 }
 
 // Adds the means of each species, if there are several.
-void add_species(Rows& rows, const Source& from) {
+void add_species(Rows& rows, const SceneAndRun& from) {
     const std::vector<Species>& all = from.scene.gas.species;
     for (std::size_t k = 0; all.size() > 1 && k < all.size(); ++k) {
         rows.push_back({{"mean energy of " + all[k].name, quantities::energy},
@@ -136,7 +136,7 @@ void add_species(Rows& rows, const Source& from) {
     }
 }
 
-void add_surface(Rows& rows, const Source& from, const std::string& name) {
+void add_surface(Rows& rows, const SceneAndRun& from, const std::string& name) {
     const auto of = [&](const auto& value) {
         return from.of_report([&](const RunReport& report) -> std::optional<double> {
             const auto found = std::ranges::find(report.surfaces, name, &SurfaceReport::name);
@@ -172,14 +172,14 @@ bool has_surfaces(const Scene& scene) {
     return !scene.gas.box.surfaces.are_plain() || change_behaviours(scene.run.events);
 }
 
-void add_surfaces(Rows& rows, const Source& from) {
+void add_surfaces(Rows& rows, const SceneAndRun& from) {
     const Box& box = from.scene.gas.box;
     const std::vector<std::string> names = box.surfaces.names();
     for (std::size_t k = 0; has_surfaces(from.scene) && k < names.size(); ++k)
         if (box.has_surface(k)) add_surface(rows, from, names[k]);
 }
 
-void add_reversals(Rows& rows, const Source& from) {
+void add_reversals(Rows& rows, const SceneAndRun& from) {
     const std::size_t count = ways_back(from.scene.run.events).size();
     for (std::size_t k = 0; k < count; ++k) {
         const std::string which = count > 1 ? fmt::format(" of reversal {}", k + 1) : "";
@@ -196,7 +196,7 @@ void add_reversals(Rows& rows, const Source& from) {
     }
 }
 
-Rows rows_of(const Source& from) {
+Rows rows_of(const SceneAndRun& from) {
     Rows rows;
     add_thermal(rows, from);
     add_collisions(rows, from);

@@ -51,10 +51,8 @@ struct Sample {
 /// The position or the velocity of one particle: a row of `values`, N x dimension.
 inline Vec vec_in(const Eigen::ArrayXXd& values, Eigen::Index particle) {
     const double* first = values.data() + particle;
-    Vec vec;
-    for (Eigen::Index axis = 0; axis < values.cols(); ++axis)
-        vec[axis] = first[axis * values.rows()];
-    return vec;
+    const Eigen::Index rows = values.rows(), dimension = values.cols();
+    return {first[0], dimension > 1 ? first[rows] : 0.0, dimension > 2 ? first[2 * rows] : 0.0};
 }
 inline void put(const Vec& vec, Eigen::ArrayXXd& values, Eigen::Index particle) {
     for (Eigen::Index axis = 0; axis < values.cols(); ++axis) values(particle, axis) = vec[axis];

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -267,37 +268,46 @@ struct CellMotion {
 // Goes through all entries and exits of particles, cell by cell, in order of time.
 void CellAverages::add_temperatures() {
     struct Change {
-        Eigen::Index cell;
         double time;
         std::size_t stay;
         int sign;
     };
-    std::vector<Change> changes;
-    changes.reserve(2 * stays_.size());
+    // The changes of one cell stand side by side. `ends` says where those of each cell begin, and
+    // after they were written where they end.
+    std::vector<std::ptrdiff_t> ends(static_cast<std::size_t>(cells_.all()) + 1);
+    for (const CellStay& stay : stays_) ends[static_cast<std::size_t>(stay.cell) + 1] += 2;
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Change> changes(2 * stays_.size());
     for (std::size_t k = 0; k < stays_.size(); ++k) {
-        changes.push_back({stays_[k].cell, stays_[k].from, k, 1});
-        changes.push_back({stays_[k].cell, stays_[k].to, k, -1});
+        std::ptrdiff_t& end = ends[static_cast<std::size_t>(stays_[k].cell)];
+        changes[static_cast<std::size_t>(end++)] = {stays_[k].from, k, 1};
+        changes[static_cast<std::size_t>(end++)] = {stays_[k].to, k, -1};
     }
-    std::ranges::sort(changes, [](const Change& a, const Change& b) {
-        return std::tie(a.cell, a.time, a.sign, a.stay) < std::tie(b.cell, b.time, b.sign, b.stay);
-    });
-    CellMotion now;
-    for (std::size_t k = 0; k < changes.size(); ++k) {
-        const Change& change = changes[k];
-        const double span =
-            k > 0 && changes[k - 1].cell == change.cell ? change.time - changes[k - 1].time : 0.0;
-        if (now.count > 1 && span > 0.0) {
-            CellSums& sums = slice_at(change.time - 0.5 * span);
-            sums.thermal_energy[change.cell] +=
-                now.thermal(change.time - span - from_, change.time - from_);
-            sums.thermal_freedom[change.cell] += span * (now.count - 1);
+    auto begin = changes.begin();
+    for (Eigen::Index cell = 0; cell < cells_.all(); ++cell) {
+        const auto end = changes.begin() + ends[static_cast<std::size_t>(cell)];
+        std::sort(begin, end, [](const Change& a, const Change& b) {
+            if (a.time != b.time) return a.time < b.time;
+            return std::tie(a.sign, a.stay) < std::tie(b.sign, b.stay);
+        });
+        CellMotion now;
+        double last = 0.0;  // time of the last change
+        for (const Change& change : std::span(begin, end)) {
+            if (const double span = change.time - last; now.count > 1 && span > 0.0) {
+                CellSums& sums = slice_at(change.time - 0.5 * span);
+                sums.thermal_energy[cell] +=
+                    now.thermal(change.time - span - from_, change.time - from_);
+                sums.thermal_freedom[cell] += span * (now.count - 1);
+            }
+            const CellStay& stay = stays_[change.stay];
+            now.count += change.sign;
+            if (now.count == 0)
+                now = {};
+            else
+                now.add(change.sign * stay.mass, stay.velocity, stay.acceleration);
+            last = change.time;
         }
-        const CellStay& one = stays_[change.stay];
-        now.count += change.sign;
-        if (now.count == 0)
-            now = {};
-        else
-            now.add(change.sign * one.mass, one.velocity, one.acceleration);
+        begin = end;
     }
 }
 

@@ -14,6 +14,7 @@
 #include "app/progress.h"
 #include "media/formats.h"
 #include "scene/limits.h"
+#include "scene/scene.h"
 #include "util/diagnostics.h"
 #include "util/text.h"
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/own_files.h"
+#include "scene/scene.h"
 #include "util/diagnostics.h"
 
 namespace carom {

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "panels/registry.h"
+#include "scene/scene.h"
 #include "util/diagnostics.h"
 
 namespace carom {

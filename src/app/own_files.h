@@ -8,6 +8,8 @@
 
 namespace carom {
 
+struct SceneSource;
+
 /// The folder templates/, which contains films/. Throws SystemError if it is not found near the
 /// program.
 std::filesystem::path templates_folder();

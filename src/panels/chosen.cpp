@@ -80,14 +80,15 @@ std::string column_name_of(const Scene& scene, const Chosen& chosen) {
 namespace {
 
 plot::Role kind_role(const PanelContext& context, std::size_t index) {
-    return plot::own_role([&](const Theme& theme) { return kind_in(context.scene, index, theme); });
+    return plot::own_role(
+        [&](const Theme& theme) { return kind_in(context.film(), index, theme); });
 }
 
 }  // namespace
 
 plot::Role species_role(const PanelContext& context, std::size_t species) {
     if (context.run_in_box) return plot::stroke_of_run(*context.run_in_box).role;
-    const std::optional<std::string>& own = context.scene.looks[species].color;
+    const std::optional<std::string>& own = context.looks()[species].color;
     if (own)
         if (const std::optional<Color> parsed = parse_color(*own))
             return {.of = plot::Role::Of::own, .own = {*parsed, *parsed, *parsed}};
@@ -157,7 +158,7 @@ plot::Text shown_of(const PanelContext& context, const plot::Text& what,
 std::string single_name(const PanelContext& context, Eigen::Index particle) {
     const auto species = static_cast<std::size_t>(context.particles.species[particle]);
     if (context.species()[species].count > 1) return "";
-    const std::string& label = context.scene.looks[species].label;
+    const std::string& label = context.looks()[species].label;
     return label.empty() ? context.species()[species].name : label;
 }
 

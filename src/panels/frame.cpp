@@ -11,6 +11,7 @@
 #include "panels/gas/marks/ghosts.h"
 #include "panels/layout.h"
 #include "panels/words/monitors_panel.h"
+#include "scene/scene.h"
 
 namespace carom {
 
@@ -247,7 +248,7 @@ void FramePainter::draw_changing(Canvas& canvas, const FrameData& frame,
 }
 
 void FramePainter::draw_card(Canvas& canvas, const Tick& tick, double cover) {
-    const Cards cards(scene_, theme_, unit_);
+    const Cards cards(scene_.film, scene_.subtitle, theme_, unit_);
     if (tick.phase == Phase::title_card) {
         std::optional<PlacedWords> subtitle;
         if (subtitle_) subtitle = caption_place(words_of_text(scene_.subtitle));

@@ -4,6 +4,7 @@
 
 #include "draw/formula/words.h"
 #include "panels/frame.h"
+#include "scene/scene.h"
 
 namespace carom {
 namespace {

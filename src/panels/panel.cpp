@@ -12,6 +12,9 @@ namespace carom {
 const Box& PanelContext::box() const { return scene.gas.box; }
 const std::vector<Species>& PanelContext::species() const { return scene.gas.species; }
 const Run& PanelContext::run() const { return scene.run; }
+const Gas& PanelContext::gas_in_scene() const { return scene.gas; }
+const Film& PanelContext::film() const { return scene.film; }
+const std::vector<SpeciesLook>& PanelContext::looks() const { return scene.looks; }
 Language PanelContext::language() const { return scene.film.language; }
 
 void refuse(Diagnostic place, std::string message, std::string hint) {

@@ -24,6 +24,8 @@
 namespace carom {
 
 class Archive;
+struct Film;
+struct Gas;
 struct Scene;
 struct Species;
 struct PlotPoint;
@@ -44,7 +46,10 @@ struct PanelContext {
     const Box& box() const;
     const std::vector<Species>& species() const;
     const Run& run() const;
-    Language language() const;  ///< of the program's texts
+    const Gas& gas_in_scene() const;  ///< before its particles were placed
+    const Film& film() const;
+    const std::vector<SpeciesLook>& looks() const;  ///< one for each species
+    Language language() const;                      ///< of the program's texts
 };
 
 /// The gas at one moment, and what happened since the moment before: a frame or, in the first pass,

@@ -85,6 +85,8 @@ PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample&
     for (const PanelSpec& spec : specs) panels_.push_back({{}, make_panel(context, spec)});
 }
 
+const carom::Run& PanelSet::run_in(std::size_t box) const { return runs_[box]->scene.run; }
+
 PanelContext PanelSet::context_of(std::size_t run) const {
     const Run& its = *runs_[run];
     return {its.scene, its.particles, frame_count(scene().film), its.gas};

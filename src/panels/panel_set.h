@@ -13,7 +13,6 @@
 #include "panels/layout.h"
 #include "panels/panel.h"
 #include "panels/recording.h"
-#include "scene/scene.h"
 #include "scene/time/showing.h"
 
 namespace carom {
@@ -156,7 +155,7 @@ class PanelSet {
     double scale(const Grid& grid) const;
 
     /// The run that is shown in the box with this index in boxes().
-    const carom::Run& run_in(std::size_t box) const { return runs_[box]->scene.run; }
+    const carom::Run& run_in(std::size_t box) const;
 
   private:
     static constexpr std::size_t own = 0, other = 1;

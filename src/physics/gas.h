@@ -11,19 +11,10 @@
 
 #include "physics/box.h"
 #include "physics/temperature.h"
+#include "physics/value_rule.h"
 #include "physics/vec.h"
 
 namespace carom {
-
-struct UniformDistribution {
-    double low, high;
-};
-struct NormalDistribution {
-    double mean, deviation;
-};
-/// One number for all, one for each particle, or a distribution to draw from.
-using ValueRule =
-    std::variant<double, std::vector<double>, UniformDistribution, NormalDistribution>;
 
 struct Infinite {};
 struct Density {

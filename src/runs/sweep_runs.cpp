@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "scene/scene.h"
 #include "stats/histogram.h"
 #include "stats/mean_error.h"
 #include "util/threads/on_threads.h"

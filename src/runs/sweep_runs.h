@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "runs/run_numbers.h"
-#include "scene/scene.h"
 #include "scene/sweep.h"
 
 namespace carom {
+
+struct Scene;
 
 /// For each run, in order, the values of numbers_of_runs().
 using RunRows = std::vector<std::vector<double>>;

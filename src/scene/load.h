@@ -2,15 +2,18 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct LoadedScene;
+struct Scene;
 
 /// Values set on the command line, applied to the scene after the file is read and before it is
 /// validated: KEY.PATH=VALUE, with a key path (list items by number: gas.0.count) and a YAML value.
@@ -29,8 +32,9 @@ enum class Wanted { film, figures, physics };
 /// What loading a scene needs besides its file.
 struct SceneResources {
     std::filesystem::path templates;  ///< the folder that holds films/
-    PanelKinds panels;     ///< all kinds of panel (panels/registry.h); must stay valid from then on
-    FileTexts files = {};  ///< texts to use instead of the files at these paths
+    PanelKinds panels;  ///< all kinds of panel (panels/registry.h); must stay valid from then on
+    std::map<std::string, std::string> files =
+        {};                     ///< texts to use instead of the files at these paths
     bool is_classroom = false;  ///< whether the narrower limits of classroom.h apply
 };
 
@@ -41,12 +45,6 @@ inline constexpr std::string_view standard_input = "-";
 /// file `<stdin>` in the working folder. Throws SceneError with all diagnostics of the file.
 Scene load_scene(const std::filesystem::path& path, const SceneResources& resources,
                  const Overrides& overrides = {}, Wanted wanted = Wanted::film);
-
-/// A scene as `carom check` sees it.
-struct LoadedScene {
-    Scene scene;
-    std::vector<Diagnostic> no_film = {};  ///< why no film can be made of it; empty: one can
-};
 
 /// Loads a scene for a film or, if that is refused, for its run and its figures alone. Throws
 /// SceneError, with the reasons why it is refused for a film, if it is refused for these, too.

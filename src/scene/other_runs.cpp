@@ -8,6 +8,7 @@
 
 #include "physics/surfaces/surface_problem.h"
 #include "scene/limits.h"
+#include "scene/scene.h"
 #include "util/diagnostics.h"
 
 namespace carom {

@@ -17,7 +17,6 @@
 #include <utility>
 #include <vector>
 
-#include "physics/gas.h"
 #include "physics/run.h"
 #include "scene/instruments/places.h"
 #include "scene/keys/binding.h"
@@ -27,6 +26,7 @@
 namespace carom {
 
 class Panel;
+struct Gas;
 struct PanelContext;
 enum class LawOf;
 

@@ -79,4 +79,10 @@ struct Scene {
                                             ///< empty message, for errors found later
 };
 
+/// A scene as `carom check` sees it.
+struct LoadedScene {
+    Scene scene;
+    std::vector<Diagnostic> no_film = {};  ///< why no film can be made of it; empty: one can
+};
+
 }  // namespace carom

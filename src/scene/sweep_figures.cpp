@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "scene/limits.h"
+#include "scene/scene.h"
 #include "scene/yaml/scalar.h"
 
 namespace carom {

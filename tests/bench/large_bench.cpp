@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/film/film_plan.h"
 #include "app/film/render.h"
 #include "app/own_files.h"
 #include "bench/process_cost.h"

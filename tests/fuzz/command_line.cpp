@@ -4,6 +4,7 @@
 
 #include "app/own_files.h"
 #include "fuzz/fuzz.h"
+#include "scene/scene.h"
 #include "scene/sweep.h"
 
 using namespace carom;

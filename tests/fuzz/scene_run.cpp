@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 
+#include "app/film/film_plan.h"
 #include "app/film/render.h"
 #include "app/own_files.h"
 #include "figures/figure_drawing.h"

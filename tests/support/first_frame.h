@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "panels/frame.h"
+#include "scene/scene.h"
 
 namespace carom::test {
 

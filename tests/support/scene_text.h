@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "support/resources.h"
 
 namespace carom::test {

@@ -11,6 +11,7 @@
 #include "panels/registry.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 namespace carom::test {

@@ -7,6 +7,7 @@
 
 #include "panels/gas/drawn_radius.h"
 #include "scene/limits.h"
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "util/text.h"
 
@@ -79,7 +80,7 @@ std::vector<DiskMotion> those(const std::vector<DiskMotion>& disks, const auto& 
 std::vector<DiskMotion> disk_motion(const Scene& scene, const Particles& drawn,
                                     const std::vector<MeanSpeeds>& speeds, double scale) {
     const std::vector<Tick> ticks = timeline(scene);
-    const Eigen::ArrayXd radius = drawn_radius(scene, drawn);
+    const Eigen::ArrayXd radius = drawn_radius(scene.looks, drawn);
     std::vector<DiskMotion> all;
     for (std::size_t k = 0; k < scene.gas.species.size(); ++k) {
         const auto is_its = (drawn.species == static_cast<int>(k)).cast<double>();

@@ -12,6 +12,7 @@
 #include "app/report/schema_json.h"
 #include "panels/registry.h"
 #include "scene/manual/starter.h"
+#include "scene/scene.h"
 #include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"

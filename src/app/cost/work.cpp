@@ -9,6 +9,7 @@
 #include "app/cost/work_parts.h"
 #include "physics/theory/collision_rate.h"
 #include "scene/limits.h"
+#include "scene/scene.h"
 #include "util/interrupt.h"
 #include "util/text.h"
 

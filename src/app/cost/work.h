@@ -8,14 +8,16 @@
 #include <vector>
 
 #include "app/cost/trial_run.h"
-#include "app/film/film_plan.h"
+#include "app/film/film_options.h"
 #include "media/formats.h"
 #include "runs/sweep_runs.h"
-#include "scene/scene.h"
 #include "scene/sweep.h"
 #include "util/diagnostics.h"
 
 namespace carom {
+
+struct Scene;
+struct SceneSource;
 
 /// A part of the work.
 struct WorkPart {

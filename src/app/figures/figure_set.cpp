@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/figures/figure_pages.h"
+#include "app/film/film_plan.h"
 #include "app/film/render.h"
 #include "app/machine_resources.h"
 #include "app/simulate.h"

@@ -12,9 +12,11 @@
 #include "app/film/film_plan.h"
 #include "app/film/render.h"
 #include "app/progress.h"
-#include "scene/scene.h"
 
 namespace carom {
+
+struct Scene;
+struct SceneSource;
 
 /// How a film is divided into chunks. Chunks consist of whole segments, so there are at most as
 /// many chunks as segments.

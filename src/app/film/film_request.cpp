@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/film/words/letters.h"
+#include "scene/scene.h"
 #include "util/diagnostics.h"
 
 namespace carom {

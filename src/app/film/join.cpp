@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/film/film_plan.h"
 #include "draw/text.h"
 #include "panels/layout.h"
 #include "scene/time/timeline.h"

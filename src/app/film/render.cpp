@@ -9,6 +9,7 @@
 
 #include "app/film/axes_cache.h"
 #include "app/film/film_motion.h"
+#include "app/film/film_plan.h"
 #include "app/machine_resources.h"
 #include "app/simulate.h"
 #include "draw/pages/pages.h"

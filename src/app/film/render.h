@@ -8,13 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "app/film/film_plan.h"
+#include "app/film/film_options.h"
 #include "app/film/segment_workers.h"
+#include "app/film/words/film_text.h"
 #include "app/progress.h"
 #include "draw/canvas.h"
 #include "media/formats.h"
 
 namespace carom {
+
+struct FilmPlan;
 
 struct Scene;
 

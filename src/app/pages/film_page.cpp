@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/film/film_plan.h"
 #include "app/own_files.h"
 #include "media/base64.h"
 #include "util/files/input_file.h"

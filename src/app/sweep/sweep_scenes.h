@@ -7,6 +7,7 @@
 
 #include "app/progress.h"
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "scene/sweep.h"
 
 namespace carom {

@@ -190,19 +190,19 @@ PlacedWords Cards::subtitle_on_card(std::span<const std::string> parts) const {
 
 void Cards::draw_title(Canvas& canvas, const PlacedWords& title,
                        const std::optional<PlacedWords>& subtitle, const Tick& tick) const {
-    const double way = way_of_title(scene_.film, tick);
+    const double way = way_of_title(film_, tick);
     const double behind = frame_behind_title + (1.0 - frame_behind_title) * smooth(way);
     cover(canvas, picture(), 1.0 - behind);
     draw_on_way(canvas, title_on_card(words_of_lines(title)), title, way);
     if (subtitle)
         draw_on_way(canvas, subtitle_on_card(words_of_lines(*subtitle)), *subtitle, way);
     else
-        draw_placed(canvas, subtitle_on_card({{words_of_text(scene_.subtitle)}}),
+        draw_placed(canvas, subtitle_on_card({{words_of_text(subtitle_)}}),
                     std::max(0.0, 1.0 - 2.0 * way));
 }
 
 void Cards::cover(Canvas& canvas, const Rect& part, double share) const {
-    if (scene_.film.transparent)
+    if (film_.transparent)
         canvas.fade(part, share);
     else
         canvas.fill(part, with_alpha(theme_.page, share));
@@ -217,7 +217,7 @@ void Cards::draw_end(Canvas& canvas, const Rect& gas, double share) const {
     const double seen = std::max(0.0, 2.0 * share - 1.0);  // not over the gas's own words
     TextStyle large = style(end_size, 600, with_alpha(theme_.ink, seen));
     const std::vector<std::string> lines =
-        fitted({{scene_.film.end_card}}, large, card_line, (1.0 - 2.0 * card_edge) * all.height);
+        fitted({{film_.end_card}}, large, card_line, (1.0 - 2.0 * card_edge) * all.height);
     const double height = height_on_card(lines, large, card_line);
     const Rect& behind = height < gas.height ? gas : all;
     const double middle = behind.y + 0.5 * (behind.height - height);

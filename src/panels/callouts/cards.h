@@ -9,7 +9,7 @@
 
 #include "draw/style.h"
 #include "draw/text.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "scene/time/timeline.h"
 
 namespace carom {
@@ -31,9 +31,9 @@ void draw_placed(Canvas& canvas, const PlacedWords& set, double alpha);
 
 class Cards {
   public:
-    /// `unit` is that of the film's grid.
-    Cards(const Scene& scene, const Theme& theme, double unit)
-        : scene_(scene), theme_(theme), unit_(unit) {}
+    /// `subtitle`: of the scene. `unit` is that of the film's grid.
+    Cards(const Film& film, const std::string& subtitle, const Theme& theme, double unit)
+        : film_(film), subtitle_(subtitle), theme_(theme), unit_(unit) {}
 
     /// Draws the card before the film over its first frame without the words that the card shows.
     /// In its last 0.8 s these go to `title` and `subtitle`, where the film shows them, and the
@@ -49,16 +49,15 @@ class Cards {
     static double way_of_title(const Film& film, const Tick& tick);
 
   private:
-    Rect picture() const {
-        return {0.0, 0.0, double(scene_.film.size.width), double(scene_.film.size.height)};
-    }
+    Rect picture() const { return {0.0, 0.0, double(film_.size.width), double(film_.size.height)}; }
     /// Covers a part of the picture with the page, or with nothing where the film has none.
     void cover(Canvas& canvas, const Rect& part, double share) const;
     TextStyle style(double size, int weight, Color color) const;
     PlacedWords title_on_card(std::span<const std::string> parts) const;
     PlacedWords subtitle_on_card(std::span<const std::string> parts) const;
 
-    const Scene& scene_;
+    const Film& film_;
+    const std::string& subtitle_;
     const Theme& theme_;
     double unit_;
 };

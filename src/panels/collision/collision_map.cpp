@@ -10,7 +10,6 @@
 
 #include "panels/registry.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 
 namespace carom {
 namespace collision_map {

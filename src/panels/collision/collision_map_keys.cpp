@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "physics/box.h"
+
 namespace carom {
 namespace {
 
@@ -13,7 +15,7 @@ GivenPair& given_pair(CollisionMapOptions& options) {
 
 // Two velocities describe the motion completely on a wire only.
 void check_wire(const Node& kind, Reading& reading) {
-    if (reading.gas.box.dimension == 2)
+    if (reading.box().dimension == 2)
         reading.errors.add(kind,
                            "`collision-map` shows beads on a wire, and this gas is in a plane",
                            "disks have two components of velocity each: use `single-collision`, "

@@ -11,7 +11,6 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {

@@ -12,6 +12,7 @@
 #include "panels/correlations/displacement_meter.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "physics/gas.h"
 #include "scene/panel_kind.h"
 #include "stats/displacements.h"
 #include "util/text.h"

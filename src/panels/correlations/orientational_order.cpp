@@ -2,6 +2,7 @@
 // global order of the whole gas, in which crystals of different orientations cancel.
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "physics/box.h"
 #include "scene/panel_kind.h"
 #include "stats/paths/bond_order.h"
 #include "util/text.h"
@@ -11,7 +12,7 @@ namespace {
 
 // Beads on a line have no hexagonal order.
 void check_orientational_order(PanelSpec&, const Node& node, Reading& reading) {
-    if (reading.gas.box.dimension == 2) return;
+    if (reading.box().dimension == 2) return;
     reading.errors.add(node.is_mapping() ? *given(node, "kind") : node,
                        "beads on a line have no hexagonal order",
                        "give a box with a `size`, or another panel");

@@ -13,8 +13,8 @@
 #include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/box.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {
@@ -43,7 +43,7 @@ double most_distance(const Box& box) {
 // Reports boxes with partitions or obstacles, in which the rings of g(r) have no simple area;
 // distances beyond that of the nearest periodic images; and more than two choices of particles.
 void check_pair_correlation(PanelSpec& panel, const Node& node, Reading& reading) {
-    const Box& box = reading.gas.box;
+    const Box& box = reading.box();
     const Node& place = node.is_mapping() ? *given(node, "kind") : node;
     if (!box.surfaces.partitions.empty() || !box.surfaces.obstacles.empty())
         reading.errors.add(

@@ -9,6 +9,7 @@
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
+#include "physics/box.h"
 #include "scene/panel_kind.h"
 
 namespace carom {
@@ -50,15 +51,15 @@ void check_counter(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!counted) {
         SurfaceNumbers all = at.surfaces;
         if (!is_named)
-            for (std::int32_t k = reading.gas.box.surfaces.first_partition();
-                 k < reading.gas.box.surfaces.first_obstacle(); ++k)
+            for (std::int32_t k = reading.box().surfaces.first_partition();
+                 k < reading.box().surfaces.first_obstacle(); ++k)
                 all.push_back(k);
         const bool some = std::ranges::any_of(all, passable.suits);
         const bool every = std::ranges::all_of(all, passable.suits);
         counted = some && (every || !is_named) ? Counted::crossings : Counted::hits;
     }
     const SuitableSurface solid{
-        [&](std::int32_t surface) { return is_named || reading.gas.box.surfaces.is_side(surface); },
+        [&](std::int32_t surface) { return is_named || reading.box().surfaces.is_side(surface); },
         "a solid wall of the box", "make a wall solid, or count at `line: {x: PLACE}`"};
     keep_suitable(panel, at.surfaces, counted == Counted::crossings ? passable : solid, node,
                   reading);

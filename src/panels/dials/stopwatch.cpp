@@ -10,7 +10,6 @@
 #include "scene/describe.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "util/text.h"
 
@@ -63,7 +62,7 @@ std::string words_of_start(const PanelContext& context, const WatchStart& since)
     const RunEvent& event = context.run().events.at(*since.event);
     const std::string what = reverses(event)
                                  ? say(language, "velocities reversed")
-                                 : words_of_surface_event(language, event, context.scene.gas);
+                                 : words_of_surface_event(language, event, context.gas_in_scene());
     return what.empty() ? when : say(language, "{}: {}", when, what);
 }
 

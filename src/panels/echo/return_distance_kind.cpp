@@ -1,6 +1,7 @@
 // The kind of the panel in return_distance.cpp.
 #include "panels/echo/return_distance.h"
 #include "panels/registry.h"
+#include "physics/gas.h"
 #include "physics/theory/law.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/panel_reading.h"

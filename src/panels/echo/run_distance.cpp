@@ -10,7 +10,6 @@
 #include "scene/limits.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/gas_reading.h"
-#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {

@@ -158,7 +158,7 @@ std::optional<Eigen::ArrayXd> CellQuantity::errors(Eigen::Index axis) const {
 }
 
 FieldLayer::FieldLayer(const PanelContext& context)
-    : context_(context), field_(context.scene.film.field) {
+    : context_(context), field_(context.film().field) {
     if (!field_) return;
     cells_ = cells_of_field(context.scene);
     squares_ = square_cells(context.box(), field_->cells);
@@ -211,7 +211,7 @@ std::shared_ptr<const FieldState> FieldLayer::see(const FrameInput& input) {
 // hot is yellow beside red walls, and cold is violet.
 ColorMap FieldLayer::colors(const Theme& theme) const {
     if (theme.kind == ThemeKind::print) return ColorMap({rgb(0xE4E4E4), rgb(0x8A8A8A)});
-    const std::string disks = context_.scene.film.palette.value_or("viridis");
+    const std::string disks = context_.film().palette.value_or("viridis");
     const bool is_warm = disks == "magma" || disks == "inferno" || disks == "plasma";
     const char* name = is_warm ? "viridis" : "magma";
     const ColorMap whole = color_map(name);

@@ -7,6 +7,7 @@
 #include "panels/means/trailing.h"
 #include "panels/registry.h"
 #include "panels/surfaces/place_options.h"
+#include "physics/box.h"
 #include "physics/run.h"
 #include "physics/sample_times.h"
 #include "scene/panel_kind.h"
@@ -197,7 +198,7 @@ std::vector<Binding<ProfileOptions>> profile_keys() {
 }
 
 void check_profile(PanelSpec& panel, const Node& node, Reading& reading) {
-    const Box& box = reading.gas.box;
+    const Box& box = reading.box();
     const auto& options = panel.options.as<ProfileOptions>();
     const auto refuse_key = [&](const char* key, const char* message, const char* hint) {
         if (const Node* written = given(node, key)) reading.errors.add(*written, message, hint);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "panels/chosen.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 namespace {
@@ -26,7 +26,7 @@ CameraView between(const CameraView& from, const CameraView& to, double share) {
 }
 
 Camera::Camera(const PanelContext& context, const std::optional<View>& fixed)
-    : context_(context), moves_(context.scene.film.camera) {
+    : context_(context), moves_(context.film().camera) {
     if (fixed) moves_ = {{0.0, *fixed, 0.0}};
     const bool all_whole = std::ranges::all_of(
         moves_, [](const CameraMove& move) { return std::holds_alternative<WholeBox>(move.view); });

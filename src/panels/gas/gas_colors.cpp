@@ -13,7 +13,8 @@
 #include "panels/chosen.h"
 #include "panels/means/thinning.h"
 #include "panels/plot/layers.h"
-#include "scene/scene.h"
+#include "physics/gas.h"
+#include "scene/film.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
 #include "util/text.h"
@@ -37,17 +38,16 @@ std::pair<Phrase, const char*> scale_title(ColorBy color_by) {
     }
 }
 
-std::string scale_name(const Scene& scene) {
-    return scene.film.color_by == ColorBy::direction ? "direction"
-                                                     : scene.film.palette.value_or("viridis");
+std::string scale_name(const Film& film) {
+    return film.color_by == ColorBy::direction ? "direction" : film.palette.value_or("viridis");
 }
 
 }  // namespace
 
-ColorMap scale_colors(const Scene& scene, const Theme& theme) {
-    const std::string name = scale_name(scene);
+ColorMap scale_colors(const Film& film, const Theme& theme) {
+    const std::string name = scale_name(film);
     if (name == "direction") return direction_map(theme);
-    if (!scene.film.palette && theme.kind == ThemeKind::print) return grey_map();
+    if (!film.palette && theme.kind == ThemeKind::print) return grey_map();
     return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
 }
 
@@ -58,9 +58,9 @@ std::vector<Color> speed_class_colors(const Theme& theme) {
 }
 
 // Of infinite masses. NetLogo's green and red have all hues between them: there is no such colour.
-Color color_beside_scale(const Scene& scene, const Theme& theme) {
-    const std::string name = scale_name(scene);
-    const bool has_one = scene.film.palette || theme.kind != ThemeKind::print;
+Color color_beside_scale(const Film& film, const Theme& theme) {
+    const std::string name = scale_name(film);
+    const bool has_one = film.palette || theme.kind != ThemeKind::print;
     return has_one && name != "netlogo" && name != "direction" ? color_beside(name, theme)
                                                                : theme.ink;
 }
@@ -74,20 +74,20 @@ std::vector<std::string> palette_names() {
     return names;
 }
 
-Color kind_in(const Scene& scene, std::size_t index, const Theme& theme) {
-    const ColorBy by = scene.film.color_by;
+Color kind_in(const Film& film, std::size_t index, const Theme& theme) {
+    const ColorBy by = film.color_by;
     if (by == ColorBy::species || theme.kind == ThemeKind::print) return kind_color(index, theme);
     // A set for each map and theme, made once: searching it takes a while.
     using Key = std::pair<std::string, ThemeKind>;
     static std::mutex mutex;
     static std::map<Key, std::vector<Color>> sets;
     const std::scoped_lock lock(mutex);
-    const std::string scale = by == ColorBy::speed_class ? "classes" : scale_name(scene);
+    const std::string scale = by == ColorBy::speed_class ? "classes" : scale_name(film);
     std::vector<Color>& set = sets[{scale, theme.kind}];
     if (set.empty())
         set = by == ColorBy::speed_class
                   ? kind_colors_beside(speed_class_colors(theme), theme)
-                  : kind_colors_beside(scale_colors(scene, theme).samples(), theme);
+                  : kind_colors_beside(scale_colors(film, theme).samples(), theme);
     return set[index % set.size()];
 }
 
@@ -114,18 +114,18 @@ double ring_line(double radius, double unit) {
 // every frame.
 GasColors::GasColors(const PanelContext& context)
     : context_(context),
-      tells_infinite_(context.scene.film.color_by == ColorBy::mass &&
+      tells_infinite_(context.film().color_by == ColorBy::mass &&
                       (context.particles.inverse_mass == 0.0).any()),
-      is_plain_(context.scene.film.field && context.scene.film.color_by == ColorBy::speed &&
+      is_plain_(context.film().field && context.film().color_by == ColorBy::speed &&
                 context.box().dimension == 2) {
-    const auto [title, symbol] = scale_title(context.scene.film.color_by);
+    const auto [title, symbol] = scale_title(context.film().color_by);
     scale_.title = say(context.language(), title);
     scale_.symbol = symbol;
     scale_.language = context.language();
 }
 
 double GasColors::value(Eigen::Index i, double speed) const {
-    switch (context_.scene.film.color_by) {
+    switch (context_.film().color_by) {
         case ColorBy::energy:
             return speed > 0.0 ? 0.5 * speed * speed / context_.particles.inverse_mass[i] : 0.0;
         case ColorBy::mass:
@@ -147,27 +147,27 @@ void GasColors::fix_scale() {
     constexpr Eigen::Index few = 10;  // particles
     constexpr double share_above = 0.05;
     const bool is_whole =
-        context_.scene.film.color_by == ColorBy::mass || context_.particles.count() <= few;
+        context_.film().color_by == ColorBy::mass || context_.particles.count() <= few;
     if (!pool_.empty()) fix_top(scale_, pool_, is_whole ? 0.0 : share_above);
     pool_ = {};
-    shades_ = make_shades(theme_of(context_.scene.film.theme));
+    shades_ = make_shades(theme_of(context_.film().theme));
 }
 
 void GasColors::archive(Archive& archive) {
     archive(scale_);
-    shades_ = make_shades(theme_of(context_.scene.film.theme));
+    shades_ = make_shades(theme_of(context_.film().theme));
 }
 
 std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
     const auto species = static_cast<std::size_t>(context_.particles.species[i]);
-    if (context_.scene.film.color_by == ColorBy::species || has_own_color(species))
+    if (context_.film().color_by == ColorBy::species || has_own_color(species))
         return static_cast<std::uint16_t>(first_species + species);
     const auto on_scale = [](double share) {
         return static_cast<std::uint16_t>(std::lround(share * (scale_shades - 1)));
     };
-    if (context_.scene.film.color_by == ColorBy::speed_class)
+    if (context_.film().color_by == ColorBy::speed_class)
         return static_cast<std::uint16_t>(speed_class(motion.speed, motion.mean_speed));
-    if (context_.scene.film.color_by == ColorBy::direction) {
+    if (context_.film().color_by == ColorBy::direction) {
         if (motion.speed == 0.0) return resting_shade;
         const double turns =
             std::atan2(motion.direction[1], motion.direction[0]) / (2.0 * std::numbers::pi);
@@ -180,25 +180,25 @@ std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
 bool GasColors::is_of_species(std::uint16_t shade) { return shade >= first_species; }
 
 bool GasColors::has_own_color(std::size_t species) const {
-    return context_.run_in_box || context_.scene.looks[species].color.has_value();
+    return context_.run_in_box || context_.looks()[species].color.has_value();
 }
 
 // Making shades includes a search for where the scale begins to stand out from the ground, so it is
 // not done in every frame.
 std::vector<Color> GasColors::of_shades(const Theme& theme) const {
-    const bool known = !shades_.empty() && &theme == &theme_of(context_.scene.film.theme);
+    const bool known = !shades_.empty() && &theme == &theme_of(context_.film().theme);
     return known ? shades_ : make_shades(theme);
 }
 
 std::vector<Color> GasColors::make_shades(const Theme& theme) const {
     std::vector<Color> colors(first_species, theme.ink);
-    if (context_.scene.film.color_by == ColorBy::speed_class) {
+    if (context_.film().color_by == ColorBy::speed_class) {
         std::ranges::copy(speed_class_colors(theme), colors.begin());
     } else if (!is_plain_) {
-        const ColorMap map = scale_colors(context_.scene, theme);
+        const ColorMap map = scale_colors(context_.film(), theme);
         for (std::size_t i = 0; i < scale_shades; ++i)
             colors[i] = map.at(double(i) / (scale_shades - 1));
-        colors[infinite_shade] = color_beside_scale(context_.scene, theme);
+        colors[infinite_shade] = color_beside_scale(context_.film(), theme);
         colors[resting_shade] = theme.ground;  // nothing but a rim
     }
     for (std::size_t k = 0; k < context_.species().size(); ++k)
@@ -242,7 +242,7 @@ struct GasColors::Entry {
 std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
     const std::vector<Color> colors = of_shades(theme);
     const Language language = context_.language();
-    const ColorBy by = context_.scene.film.color_by;
+    const ColorBy by = context_.film().color_by;
     std::vector<Entry> all;
     if (context_.run_in_box) return all;  // the runs are named under the box
     if (by == ColorBy::speed_class)
@@ -256,12 +256,12 @@ std::vector<GasColors::Entry> GasColors::entries(const Theme& theme) const {
     for (std::size_t k = 0; k < context_.species().size(); ++k)
         if (by == ColorBy::species || has_own_color(k))
             all.push_back({colors[first_species + k], context_.species()[k].name, false,
-                           !context_.scene.looks[k].fill});
+                           !context_.looks()[k].fill});
     return all;
 }
 
 bool GasColors::has_bar() const {
-    const ColorBy by = context_.scene.film.color_by;
+    const ColorBy by = context_.film().color_by;
     return !is_plain_ && !context_.run_in_box &&
            (by == ColorBy::speed || by == ColorBy::energy || by == ColorBy::mass);
 }
@@ -269,14 +269,14 @@ bool GasColors::has_bar() const {
 double GasColors::key_height(const DrawContext& dc, bool has_ramp) const {
     const double names = 2.4 * dc.unit * static_cast<double>(entries(dc.theme).size());
     const bool is_tall = (has_bar() && has_ramp) ||
-                         context_.scene.film.color_by == ColorBy::direction ||
-                         context_.scene.film.color_by == ColorBy::speed_class;
+                         context_.film().color_by == ColorBy::direction ||
+                         context_.film().color_by == ColorBy::speed_class;
     return is_tall ? 0.5 * dc.area.height : std::min(names, 0.6 * dc.area.height);
 }
 
 void GasColors::draw_key(Canvas& canvas, const DrawContext& dc, bool has_ramp) const {
     const double u = dc.unit;
-    const ColorBy by = context_.scene.film.color_by;
+    const ColorBy by = context_.film().color_by;
     const double entries_height = 2.4 * u * static_cast<double>(entries(dc.theme).size());
     double y = dc.area.y + 0.9 * u;
     if (by == ColorBy::direction && context_.box().dimension == 2) {
@@ -287,7 +287,7 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc, bool has_ramp) c
                                        dc.area.bottom() - std::min(entries_height, 6.0 * u));
         DrawContext bar = dc;
         bar.area.height = bottom - dc.area.y;
-        draw_color_bar(canvas, bar, scale_colors(context_.scene, dc.theme), scale_);
+        draw_color_bar(canvas, bar, scale_colors(context_.film(), dc.theme), scale_);
         y = bottom + 1.9 * u;
     }
     y = draw_entries(canvas, dc, y);
@@ -304,7 +304,7 @@ void GasColors::draw_key(Canvas& canvas, const DrawContext& dc, bool has_ramp) c
 // The disks' names before the scale: they are more to the point.
 void GasColors::add_key(KeyRow& row, bool has_ramp) const {
     const DrawContext dc = row.context();
-    const ColorBy by = context_.scene.film.color_by;
+    const ColorBy by = context_.film().color_by;
     const TextStyle style = label_style(dc);
     for (const Entry& entry : entries(dc.theme)) {
         const std::string name = escape_markup(entry.name);
@@ -319,19 +319,19 @@ void GasColors::add_key(KeyRow& row, bool has_ramp) const {
     if (by == ColorBy::direction && context_.box().dimension == 2) {
         row.add_words(say(context_.language(), "direction"));
         const double radius = 0.9 * dc.unit;
-        const ColorMap map = scale_colors(context_.scene, dc.theme);
+        const ColorMap map = scale_colors(context_.film(), dc.theme);
         row.add(2.0 * radius, [=](Canvas& canvas, Point at) {
             draw_ring_of_directions(canvas, {at.x + radius, dc.area.y + radius}, radius, map);
         });
     }
-    if (has_bar() && has_ramp) row.add_ramp(scale_colors(context_.scene, dc.theme), scale_);
+    if (has_bar() && has_ramp) row.add_ramp(scale_colors(context_.film(), dc.theme), scale_);
 }
 
 // A ring of the colours, and arrows to all sides.
 void GasColors::draw_wheel(Canvas& canvas, const DrawContext& dc) const {
     const double u = dc.unit, radius = 2.2 * u;
     const Point center{dc.area.x + radius + 0.4 * u, dc.area.y + 1.5 * u + radius};
-    const ColorMap map = scale_colors(context_.scene, dc.theme);
+    const ColorMap map = scale_colors(context_.film(), dc.theme);
     draw_text(canvas, {dc.area.x, dc.area.y + 0.9 * u}, say(context_.language(), "direction"),
               label_style(dc));
     const auto at = [&](double turns, double distance) {

@@ -16,13 +16,13 @@ namespace carom {
 /// The names of the palettes from slow to fast: the colour maps, and `netlogo`.
 std::vector<std::string> palette_names();
 
-/// The colours of a scene's scale, on a theme.
-ColorMap scale_colors(const Scene& scene, const Theme& theme);
+/// The colours of the scale of a film's gas, on a theme.
+ColorMap scale_colors(const Film& film, const Theme& theme);
 
 /// The default colour of kind number `index` (a species, or a choice of particles) in pictures of a
-/// scene. If the gas is coloured by a scale, it is none of that scale's colours. May be called from
+/// film. If the gas is coloured by a scale, it is none of that scale's colours. May be called from
 /// any thread.
-Color kind_in(const Scene& scene, std::size_t index, const Theme& theme);
+Color kind_in(const Film& film, std::size_t index, const Theme& theme);
 
 /// Hatches a disk of infinite mass, as walls are hatched in engineering drawings; small disks are
 /// not hatched.

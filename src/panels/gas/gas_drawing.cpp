@@ -13,7 +13,7 @@
 #include "panels/gas/marks/view_map.h"
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_strokes.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "util/text.h"
 
 namespace carom {
@@ -143,7 +143,7 @@ void GasPanel::Drawing::draw_contents() const {
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     draw_trails();
     are_outlines() ? draw_outlines() : draw_disks();
-    if (scene.film.labels == Labels::none)
+    if (film.labels == Labels::none)
         draw_infinite();
     else
         draw_labels();
@@ -196,7 +196,7 @@ void GasPanel::Drawing::draw_arrows() const {
 
 // Whether any of the disks has the label that is asked for.
 bool GasPanel::Drawing::labels_fit() const {
-    const Labels asked = scene.film.labels;
+    const Labels asked = film.labels;
     if (asked == Labels::none) return true;
     for (Eigen::Index i = 0; i < radius.size(); ++i)
         if (fitting_words(dc, radius[i] * scale, words_on(panel.context_, i, asked))) return true;
@@ -206,7 +206,7 @@ bool GasPanel::Drawing::labels_fit() const {
 void GasPanel::Drawing::draw_labels() const {
     for (Eigen::Index i = 0; i < radius.size(); ++i)
         draw_words_on(
-            canvas, dc, pixel(i), radius[i] * scale, words_on(panel.context_, i, scene.film.labels),
+            canvas, dc, pixel(i), radius[i] * scale, words_on(panel.context_, i, film.labels),
             panel.is_disk(i) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
 }
 

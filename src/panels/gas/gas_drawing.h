@@ -9,7 +9,7 @@
 #include "draw/raster/trail_lines.h"
 #include "panels/gas/gas_panel.h"
 #include "panels/gas/marks/view_map.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 
@@ -30,8 +30,8 @@ struct GasPanel::Drawing {
     Canvas& canvas;
     const DrawContext& dc;
     const State& gas;
-    const Scene& scene = panel.context_.scene;
-    const Box& box = scene.gas.box;
+    const Film& film = panel.context_.film();
+    const Box& box = panel.context_.box();
     const Eigen::ArrayXd& radius = panel.radius_;
     BoxMap whole = panel.map_in(dc);
     BoxMap map = gas.view ? panel.part_of(whole, *gas.view) : whole;

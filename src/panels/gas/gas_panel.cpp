@@ -9,6 +9,7 @@
 #include "panels/gas/drawn_radius.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/gas.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/overlay_reading.h"
 
@@ -32,7 +33,7 @@ GasPanel::GasPanel(const PanelContext& context, const std::optional<View>& view)
     : ParticlePanel(context, view),
       surfaces_(context),
       streaks_(context),
-      radius_(drawn_radius(context.scene, context.particles)),
+      radius_(drawn_radius(context.looks(), context.particles)),
       smallest_(radius_.minCoeff()),
       largest_(radius_.maxCoeff()),
       enlarges_((radius_ > context.particles.radius).any()) {
@@ -86,7 +87,7 @@ void GasPanel::choose_particles() {
 }
 
 void GasPanel::extend_trails(const FrameInput& input) {
-    const double elapsed = 1.0 / context_.scene.film.fps;
+    const double elapsed = 1.0 / context_.film().fps;
     const bool moves = input.tick.time > last_time_;
     if (moves) moving_seconds_ += elapsed;
     const double pace = moves ? elapsed / (input.tick.time - last_time_) : 0.0;
@@ -144,7 +145,7 @@ Eigen::Index GasPanel::disks_below(double radius) const {
     return (radius_ < radius).count();
 }
 
-bool GasPanel::stands_alone() const { return context_.scene.film.layout.panels.empty(); }
+bool GasPanel::stands_alone() const { return context_.film().layout.panels.empty(); }
 
 BoxMap GasPanel::map_in(const DrawContext& own) const {
     return surfaces_.map_in(own.area, own.unit, stands_alone());
@@ -168,13 +169,13 @@ double GasPanel::scale_in(const DrawContext& own) const { return map_in(own).sca
 std::string GasPanel::account(const PanelState& state) const {
     const auto& now = static_cast<const State&>(state);
     const std::string words =
-        words_at_present(context_.language(), context_.scene.gas, now.surfaces);
+        words_at_present(context_.language(), context_.gas_in_scene(), now.surfaces);
     if (!now.field) return words;
     return words + (words.empty() ? "" : " ") + field_.account(*now.field);
 }
 
 std::string GasPanel::label(Eigen::Index particle, const State& state) const {
-    const std::string words = words_on(context_, particle, context_.scene.film.labels);
+    const std::string words = words_on(context_, particle, context_.film().labels);
     const bool named =
         state.label_alpha > 0.0 && std::ranges::any_of(followed_, [&](const TrailedParticle& f) {
             return f.particle == particle;
@@ -222,7 +223,7 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
         if (context_.box().surfaces.is_side(k) && !surface.motion &&
             only_reflects(surface.behaviour))
             continue;
-        const Gas& its = context_.scene.gas;
+        const Gas& its = context_.gas_in_scene();
         const bool is_x = its.box.surfaces.axis_of(k) == 0;
         const TableCell at = place_of_surface(its.box, gas.surfaces, k), none;
         std::vector<TableCell>& row = table.rows.emplace_back();

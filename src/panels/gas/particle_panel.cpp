@@ -2,8 +2,8 @@
 
 #include "panels/archived.h"
 #include "panels/chosen.h"
+#include "physics/gas.h"
 #include "physics/mechanics.h"
-#include "scene/scene.h"
 
 namespace carom {
 
@@ -77,8 +77,7 @@ void ParticlePanel::archive_progress(Archive& archive) {
 }
 
 bool ParticlePanel::is_filled(Eigen::Index particle) const {
-    return context_.scene.looks[static_cast<std::size_t>(context_.particles.species[particle])]
-        .fill;
+    return context_.looks()[static_cast<std::size_t>(context_.particles.species[particle])].fill;
 }
 
 void ParticlePanel::add_row(Table& table, const char* part, Eigen::Index particle,

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "panels/means/thinning.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 
@@ -64,7 +64,7 @@ void VelocityArrows::fix_scale(double length) {
     const bool all = context_.particles.count() <= few;
     fast_ = pool_.empty() ? 0.0 : quantile(pool_, all ? 1.0 : fast);
     pool_ = {};
-    const double wanted = context_.scene.film.velocity_scale.value_or(length / fast_);
+    const double wanted = context_.film().velocity_scale.value_or(length / fast_);
     reach_ = fast_ > 0.0 ? wanted : 0.0;
 }
 
@@ -84,7 +84,7 @@ void VelocityArrows::draw(Canvas& canvas, const DrawContext& dc, const ArrowFiel
     ArrowStyle drawn = style(dc, field.scale, ground);
     if (light < 1.0) drawn.color = mix(ground, drawn.color, light);
     if (!(length >= drawn.shaft)) return;
-    const double start = context_.scene.film.labels == Labels::none ? 0.0 : radius / length;
+    const double start = context_.film().labels == Labels::none ? 0.0 : radius / length;
     const Rect within = bounds(dc, field);
     Rect limits = within;  // what leaves by a joined side comes in again, and is not cut
     constexpr double everywhere = 1e9;

@@ -8,7 +8,7 @@
 #include "draw/arrow.h"
 #include "panels/field/key_row.h"
 #include "panels/panel.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 
@@ -27,7 +27,7 @@ class VelocityArrows {
     explicit VelocityArrows(const PanelContext& context) : context_(context) {}
 
     /// Whether the scene asks for them.
-    bool shown() const { return context_.scene.film.velocities; }
+    bool shown() const { return context_.film().velocities; }
 
     /// First pass: survey() for every frame in order, then fix_scale(), which fixes the scale: the
     /// arrow of a fast particle has this `length` (in units of the scene), unless the scene gives

@@ -1,5 +1,6 @@
 #include "panels/instruments/crossings.h"
 
+#include "physics/box.h"
 #include "scene/keys/check.h"
 #include "util/text.h"
 
@@ -18,7 +19,7 @@ void check_line(const Node& node, Reading& reading) {
 SuitableSurface passable_surfaces(const Reading& reading) {
     return {[&](std::int32_t surface) { return lets_through(reading, surface); },
             "a partition that lets particles through and does not move",
-            reading.gas.box.dimension == 1
+            reading.box().dimension == 1
                 ? "count at `line: {x: PLACE}`"
                 : "give a partition `gaps` or `passes`, let an event open it, or count at `line: "
                   "{x: PLACE}`"};

@@ -15,6 +15,7 @@
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "panels/surfaces/place_options.h"
+#include "physics/box.h"
 #include "physics/mechanics.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/panel_kind.h"
@@ -32,7 +33,7 @@ std::vector<Binding<PressureOptions>> pressure_keys() {
 // A gauge needs a solid wall.
 void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!panel.options.as<PressureOptions>().gauge || is_written(node, "surfaces")) return;
-    if (!has_solid_side(reading.gas.box))
+    if (!has_solid_side(reading.box()))
         reading.errors.add(*given(node, "gauge"), "a gauge needs a solid wall of the box",
                            "make a wall solid, or name a partition by `surfaces`");
 }

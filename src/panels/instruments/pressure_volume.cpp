@@ -17,7 +17,6 @@
 #include "physics/mechanics.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 #include "stats/histogram.h"
 #include "util/text.h"
 
@@ -143,7 +142,7 @@ void check_pressure_volume(PanelSpec& panel, const Node& node, Reading& reading)
     keep_suitable(
         panel, surfaces,
         {[&](std::int32_t surface) {
-             return reading.gas.box.surfaces.is_side(surface) && may_move(reading, surface);
+             return reading.box().surfaces.is_side(surface) && may_move(reading, surface);
          },
          "a wall of the box that moves", "give a side in `box.walls` a `velocity` or a `mass`"},
         node, reading);

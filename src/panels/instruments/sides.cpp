@@ -10,6 +10,7 @@
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/registry.h"
 #include "panels/surfaces/box_parts.h"
+#include "physics/box.h"
 #include "physics/mechanics.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/keys/check.h"
@@ -49,9 +50,9 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
     if (is_written(node, "regions")) return;  // reported
     keep_suitable(
         panel, parts.surfaces,
-        {[&](std::int32_t surface) { return !reading.gas.box.surfaces.is_side(surface); },
+        {[&](std::int32_t surface) { return !reading.box().surfaces.is_side(surface); },
          "a partition of the box",
-         reading.gas.box.dimension == 1
+         reading.box().dimension == 1
              ? "give the panel `regions: [{name: left, within: [x0, x1]}]`"
              : "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, "
                "y0, x1, y1]}]`"},

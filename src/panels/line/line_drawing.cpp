@@ -9,7 +9,7 @@
 
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 namespace {
@@ -157,7 +157,7 @@ void LinePanel::Drawing::draw_captions() const {
     const double end = left + draw_text(canvas, {left, baseline}, what, words).width;
     const bool larger = map.length() > context.box().size[0];
     words.align = Align::right;
-    const Labels asked = context.scene.film.labels;
+    const Labels asked = context.film().labels;
     const bool has_room = asked == Labels::none || words_fit(asked);
     if (!larger && has_room) return;
     const std::string remark = has_room ? say(language, "beads enlarged for visibility")

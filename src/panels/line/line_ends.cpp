@@ -6,8 +6,8 @@
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/gas.h"
 #include "physics/surfaces/behaviours.h"
-#include "scene/scene.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -18,21 +18,20 @@ constexpr double half_of_end = 2.2;  // units, as other ends of a wire
 }  // namespace
 
 LineEnds::LineEnds(const PanelContext& context)
-    : scene_(context.scene),
+    : gas_(context.gas_in_scene()),
+      run_(context.run()),
+      language_(context.language()),
       look_(context),
       length_(context.box().size[0]),
       extent_{0.0, length_} {}
 
-void LineEnds::survey(const FrameInput& input) {
-    widen_to_sides(extent_, scene_.gas.box, 0, input);
-}
+void LineEnds::survey(const FrameInput& input) { widen_to_sides(extent_, gas_.box, 0, input); }
 
 std::vector<LineEnds::End> LineEnds::see(const FrameInput& input, double memory) {
     const std::vector<SurfaceState>& states = input.advanced.surfaces;
     std::vector<End> ends;
     for (std::size_t side = 0; side < 2 && states.size() > 1 && !is_plain(); ++side) {
-        End& end =
-            ends.emplace_back(End{states[side], place_of_surface(scene_.gas.box, states, side)});
+        End& end = ends.emplace_back(End{states[side], place_of_surface(gas_.box, states, side)});
         if (!end.state.motion) continue;
         std::deque<Point>& path = paths_[side];
         path.push_back({input.tick.time, end.place});
@@ -73,7 +72,7 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
         const double middle = x + out * (is_imposed ? 2.0 : 1.6) * u;
         draw_surface_arrow(canvas, dc, {middle - length / 2, y}, {length, 0.0});
     }
-    const std::string words = label_of_surface(scene_.film.language, scene_.gas, behaviour, 0);
+    const std::string words = label_of_surface(language_, gas_, behaviour, 0);
     if (words.empty()) return;
     TextStyle style = label_style(dc);
     style.color = dc.theme.ink;
@@ -83,16 +82,16 @@ void LineEnds::draw(Canvas& canvas, const DrawContext& dc, const End& end, std::
 }
 
 bool LineEnds::has_words(std::size_t side) const {
-    const auto in_time = behaviours_in_time(scene_.gas.box.surfaces, scene_.run);
+    const auto in_time = behaviours_in_time(gas_.box.surfaces, run_);
     return std::ranges::any_of(in_time[side], [&](const Behaviour& behaviour) {
-        return !label_of_surface(scene_.film.language, scene_.gas, behaviour, 0).empty();
+        return !label_of_surface(language_, gas_, behaviour, 0).empty();
     });
 }
 
 // The arrow is at an end without a label, since labels move with their end; in the middle if both
 // ends have labels.
 void LineEnds::draw_gravity(Canvas& canvas, const DrawContext& dc, const Rect& line) const {
-    const double g = scene_.gas.box.surfaces.gravity[0], u = dc.unit;
+    const double g = gas_.box.surfaces.gravity[0], u = dc.unit;
     if (g == 0.0) return;
     const double middle = !has_words(1)   ? line.right() - 3.0 * u
                           : !has_words(0) ? line.x + 1.5 * u

@@ -53,7 +53,9 @@ class LineEnds {
   private:
     bool has_words(std::size_t side) const;
 
-    const Scene& scene_;
+    const Gas& gas_;  ///< of the scene
+    const Run& run_;
+    Language language_;
     SurfaceView look_;
     double length_;
     std::pair<double, double> extent_;

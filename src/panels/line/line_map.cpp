@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <numeric>
 
-#include "scene/scene.h"
-
 namespace carom {
 namespace {
 
@@ -14,7 +12,7 @@ constexpr double share_of_spacing = 0.4;  // the radius that points are drawn wi
 
 double drawn_radius(const PanelContext& context, Eigen::Index i) {
     const auto species = static_cast<std::size_t>(context.particles.species[i]);
-    if (const auto& wanted = context.scene.looks[species].drawn_radius) return *wanted;
+    if (const auto& wanted = context.looks()[species].drawn_radius) return *wanted;
     if (context.particles.radius[i] > 0.0) return context.particles.radius[i];
     return share_of_spacing * context.box().size[0] /
            static_cast<double>(context.particles.count());

@@ -7,7 +7,7 @@
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
 #include "panels/surfaces/surface_words.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "stats/histogram.h"
 
 namespace carom {
@@ -17,8 +17,8 @@ constexpr double most_film_seconds = 12.0;  // that world lines go back
 constexpr double least_film_seconds = 2.5;  // below, they would rush by
 constexpr double bends_in_memory = 8.0;     // of each bead, where film seconds allow
 
-double film_seconds_of(const Scene& scene) {
-    return static_cast<double>(moving_steps(scene.film, scene.run)) / scene.film.fps;
+double film_seconds_of(const Film& film, const Run& run) {
+    return static_cast<double>(moving_steps(film, run)) / film.fps;
 }
 
 }  // namespace
@@ -38,7 +38,7 @@ void LinePanel::survey(const FrameInput& input) {
 
 // Flashes are drawn between the two beads, or between the bead and the end, at their drawn places.
 void LinePanel::survey_places(const FrameInput& input) {
-    if (!flashes_.asked() && context_.scene.film.callouts.empty()) return;
+    if (!flashes_.asked() && context_.film().callouts.empty()) return;
     if (surveyed_places_.size() == 0) surveyed_places_ = map_->places(input.sample, {});
     flashes_.survey(input, [this](const Collision& collision) {
         const Eigen::Index i = collision.first;
@@ -77,7 +77,7 @@ void LinePanel::fix_axes() {
     const double spacing = length / static_cast<double>(context_.particles.count());
     arrows_.fix_scale(std::clamp(0.8 * spacing, 0.02 * length, 0.15 * length));
     const double until = context_.run().until;
-    const double pace = until / film_seconds_of(context_.scene);
+    const double pace = until / film_seconds_of(context_.film(), context_.run());
     const double rate = usual_rate();
     const double wanted = rate > 0.0 ? bends_in_memory / rate : until;
     const double bounded = std::clamp(wanted, least_film_seconds * pace, most_film_seconds * pace);
@@ -129,14 +129,15 @@ std::string LinePanel::account(const PanelState& state) const {
     std::vector<SurfaceState> states;
     for (const LineEnds::End& end : now.ends) states.push_back(end.state);
     if (!states.empty()) states.resize(4);
-    const std::string words = words_at_present(context_.language(), context_.scene.gas, states);
+    const std::string words =
+        words_at_present(context_.language(), context_.gas_in_scene(), states);
     if (!now.field) return words;
     return words + (words.empty() ? "" : " ") + field_.account(*now.field);
 }
 
 // Masses are shown by default if they differ.
 Labels LinePanel::shown_labels() const {
-    const Labels asked = context_.scene.film.labels;
+    const Labels asked = context_.film().labels;
     const Eigen::ArrayXd& inverse_mass = context_.particles.inverse_mass;
     const bool differ = (inverse_mass != inverse_mass[0]).any();
     return asked == Labels::none && differ ? Labels::mass : asked;

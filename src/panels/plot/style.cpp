@@ -7,7 +7,6 @@
 
 #include "draw/palette.h"
 #include "panels/plot/layers.h"
-#include "scene/scene.h"
 
 namespace carom::plot {
 namespace {

@@ -6,6 +6,7 @@
 #include "panels/chosen.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "physics/gas.h"
 #include "scene/panel_kind.h"
 #include "util/text.h"
 

@@ -10,6 +10,7 @@
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
 #include "panels/surfaces/place_options.h"
+#include "physics/gas.h"
 #include "physics/theory/velocity_entropy.h"
 #include "scene/panel_kind.h"
 

@@ -14,7 +14,7 @@
 #include "panels/surfaces/side_extent.h"
 #include "physics/mechanics.h"
 #include "physics/sample_times.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "util/text.h"
 
 namespace carom {
@@ -295,7 +295,7 @@ void HistogramPanel::archive_progress(Archive& archive) {
 // This hysteresis keeps a bar that fluctuates about the end of the axis from changing in every
 // frame.
 std::vector<bool> HistogramPanel::tall_bars(const MeanHistogram& now, int frame, std::size_t k) {
-    const int hold = static_cast<int>(std::lround(tall_seconds * context_.scene.film.fps));
+    const int hold = static_cast<int>(std::lround(tall_seconds * context_.film().fps));
     std::vector<int>& until = taller_until_[k];
     until.resize(now.counts.size(), -1);
     std::vector<bool> taller;

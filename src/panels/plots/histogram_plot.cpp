@@ -10,7 +10,7 @@
 #include "panels/plot/draw_bars.h"
 #include "panels/plot/layers.h"
 #include "panels/plots/histogram_panel.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "util/text.h"
 
 namespace carom {
@@ -169,9 +169,8 @@ plot::Marker HistogramPanel::mean_marker(std::size_t k, double mean, bool is_sta
 // A single choice of particles whose disks are coloured by what the bars count.
 void HistogramPanel::take_colors(const GasColors& colors) {
     const bool is_single = count() == 1 && !compares();
-    if (!is_single || !colors.has_bar() || subject_.colored_by != context_.scene.film.color_by)
-        return;
-    const auto on = [&](ThemeKind kind) { return scale_colors(context_.scene, theme(kind)); };
+    if (!is_single || !colors.has_bar() || subject_.colored_by != context_.film().color_by) return;
+    const auto on = [&](ThemeKind kind) { return scale_colors(context_.film(), theme(kind)); };
     whole_.ramp = std::make_shared<const Ramp>(Ramp{
         {on(ThemeKind::light), on(ThemeKind::dark), on(ThemeKind::print)}, colors.scale().top});
 }

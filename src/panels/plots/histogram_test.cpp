@@ -113,10 +113,10 @@ void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
     if (!has_surfaces) return;
     const SuitableSurface fixed{
         [&](std::int32_t surface) {
-            return !reading.gas.box.surfaces.is_side(surface) && !may_move(reading, surface);
+            return !reading.box().surfaces.is_side(surface) && !may_move(reading, surface);
         },
         "a partition that does not move",
-        reading.gas.box.dimension == 1
+        reading.box().dimension == 1
             ? "name another one, or parts by `regions: [{name: left, within: [x0, x1]}]`"
             : "name another one, or parts by `regions: [{name: left, within: [x0, y0, x1, y1]}]`"};
     SurfaceNumbers& surfaces = panel.options.change<HistogramOptions>().parts.surfaces;

@@ -7,6 +7,7 @@
 #include "panels/plots/points_panel.h"
 #include "panels/registry.h"
 #include "panels/surfaces/side_extent.h"
+#include "physics/gas.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/gas_reading.h"
 

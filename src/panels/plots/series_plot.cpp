@@ -9,7 +9,6 @@
 
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
-#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {

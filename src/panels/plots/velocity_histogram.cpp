@@ -2,6 +2,7 @@
 // finite gas.
 #include "panels/plots/histogram_panel.h"
 #include "panels/registry.h"
+#include "physics/gas.h"
 #include "physics/theory/theory.h"
 #include "scene/panel_kind.h"
 

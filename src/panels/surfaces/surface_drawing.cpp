@@ -8,8 +8,8 @@
 #include "panels/surfaces/surface_strokes.h"
 #include "panels/surfaces/surface_view.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/gas.h"
 #include "physics/surfaces/behaviours.h"
-#include "scene/scene.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -26,7 +26,7 @@ struct SurfaceView::Brush {
     const DrawContext& dc;
     const BoxMap& map;
     const std::vector<SurfaceState>& states;
-    const Box& box = view.scene_.gas.box;
+    const Box& box = view.gas_.box;
     const Theme& theme = dc.theme;
     double u = dc.unit;
     Rect room = map.rect(view.room(states));
@@ -92,7 +92,7 @@ void SurfaceView::draw_obstacles(Canvas& canvas, const DrawContext& dc, const Bo
 void SurfaceView::draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                   const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
-    for (std::size_t k = scene_.gas.box.surfaces.numbered_sides().size(); k < states.size(); ++k)
+    for (std::size_t k = gas_.box.surfaces.numbered_sides().size(); k < states.size(); ++k)
         brush.draw_partition(k);
 }
 
@@ -100,7 +100,7 @@ void SurfaceView::draw_around(Canvas& canvas, const DrawContext& dc, const BoxMa
                               const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
     for (std::size_t k = 0; k < states.size(); ++k)
-        scene_.gas.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
+        gas_.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
     if (!states.empty()) brush.draw_labels();
 }
 
@@ -225,8 +225,7 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
 // side: all of it, or only its last part. The arrow is shifted if necessary.
 SurfaceView::Brush::SideLabel SurfaceView::Brush::label_beside(std::size_t side) const {
     if (is_upright(side)) return {};
-    const std::string all =
-        label_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(side), 1);
+    const std::string all = label_of_surface(view.language_, view.gas_, behaviour(side), 1);
     const auto* piston = piston_of(behaviour(side));
     const bool has_arrow = piston != nullptr && piston->force != 0.0;
     const double taken = has_arrow ? 1.8 * u : 0.0;
@@ -384,8 +383,7 @@ void SurfaceView::Brush::draw_labels() const {
     std::vector<SurfaceLabel> labels;
     for (std::size_t k = 0; k < states.size(); ++k) {
         const int axis = box.surfaces.axis_of(k);
-        const std::string words =
-            label_of_surface(view.scene_.film.language, view.scene_.gas, behaviour(k), axis);
+        const std::string words = label_of_surface(view.language_, view.gas_, behaviour(k), axis);
         if (words.empty() || states[k].is_open || (axis == 1 && box.surfaces.is_side(k))) continue;
         const double at = place_of_surface(box, states, k);
         const Point foot = map.pixel({at, at});

@@ -7,8 +7,8 @@
 
 #include "panels/surfaces/surface_sizes.h"
 #include "panels/surfaces/surface_words.h"
+#include "physics/gas.h"
 #include "physics/surfaces/behaviours.h"
-#include "scene/scene.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -62,7 +62,8 @@ Rect BoxMap::rect(const Region& region) const {
 }
 
 SurfaceView::SurfaceView(const PanelContext& context)
-    : scene_(context.scene),
+    : gas_(context.gas_in_scene()),
+      language_(context.language()),
       plain_(context.box().surfaces.are_plain() && !change_behaviours(context.run().events)),
       behaviours_(behaviours_in_time(context.box().surfaces, context.run())),
       extent_{Vec(), context.box().size} {
@@ -96,7 +97,7 @@ bool SurfaceView::may_move(std::size_t k) const {
 }
 
 SurfaceView::Margins SurfaceView::margins_of() const {
-    const Gas& gas = scene_.gas;
+    const Gas& gas = gas_;
     std::array<double, 4> depth{};
     for (std::size_t side = 0; side < 4; ++side)
         for (const Behaviour& behaviour : behaviours_[side])
@@ -133,7 +134,7 @@ std::vector<SurfaceState> SurfaceView::states(const FrameInput& input) const {
 }
 
 Region SurfaceView::room(const std::vector<SurfaceState>& states) const {
-    const Box& box = scene_.gas.box;
+    const Box& box = gas_.box;
     const auto place = [&](std::size_t k) { return place_of_surface(box, states, k); };
     return {{place(0), place(2)}, {place(1), place(3)}};
 }

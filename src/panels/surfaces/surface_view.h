@@ -81,7 +81,8 @@ class SurfaceView {
     bool may_move(std::size_t k) const;
     double thickness_of(std::size_t side) const;
 
-    const Scene& scene_;
+    const Gas& gas_;  ///< of the scene
+    Language language_;
     bool plain_, still_ = true;
     std::vector<std::vector<Behaviour>> behaviours_;  ///< of each side and partition, at all times
     std::array<double, 2> temperatures_{};            ///< lowest and highest of baths

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "physics/gas.h"
 #include "util/text.h"
 
 namespace carom {

@@ -11,7 +11,6 @@
 #include "panels/registry.h"
 #include "panels/sweep/sweep_keys.h"
 #include "scene/panel_kind.h"
-#include "scene/scene.h"
 #include "util/text.h"
 
 namespace carom {

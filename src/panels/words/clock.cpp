@@ -4,7 +4,7 @@
 
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "scene/words.h"
 #include "util/text.h"
 
@@ -35,7 +35,7 @@ class ClockPanel : public MonitorsPanel {
 // Of the factors of slow motion, and of pauses; 0 if there are none.
 double ClockPanel::widest_slowness(TextStyle style) const {
     style.weight = bold;
-    const Film& film = context_.scene.film;
+    const Film& film = context_.film();
     double widest = 0.0;
     const auto see = [&](double factor) {
         const std::string words = localised(context_.language(), slow_words({factor, 1.0}));

@@ -5,7 +5,7 @@
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "util/text.h"
 
 namespace carom {
@@ -43,7 +43,7 @@ class RunLinePanel : public MonitorsPanel {
 // A name has the colour of its run's lines, if there are plots.
 TextStyle RunLinePanel::name_style(const DrawContext& dc) const {
     TextStyle style = title_style(dc);
-    if (!context_.scene.film.panels.empty())
+    if (!context_.film().panels.empty())
         style.color = plot::color_of(plot::stroke_of_run(run_).role, dc.theme);
     style.max_width = dc.area.width;
     return style;

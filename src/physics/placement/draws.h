@@ -8,11 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "physics/gas.h"
 #include "physics/particles.h"
 #include "physics/placement/problem.h"
 
 namespace carom {
+
+struct Gas;
+struct Species;
 
 /// Which rules of a species have the right number of values, one for all of its particles or one
 /// for each. The functions here and place() require that.

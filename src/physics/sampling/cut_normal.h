@@ -1,7 +1,7 @@
 // What is left of a normal distribution from which only values above 0 are wanted.
 #pragma once
 
-#include "physics/gas.h"
+#include "physics/value_rule.h"
 
 namespace carom {
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "physics/gas.h"
 #include "physics/surfaces/behaviours.h"
 #include "scene/keys/binding.h"
 #include "scene/limits.h"
@@ -36,7 +37,7 @@ std::vector<std::string> named(const std::vector<std::string>& names) {
 
 std::optional<std::int32_t> surface_called(const std::string& name, const Node& node,
                                            Reading& reading) {
-    const std::vector<std::string> names = measurable(reading.gas.box);
+    const std::vector<std::string> names = measurable(reading.box());
     const auto found = std::ranges::find(names, name);
     if (!name.empty() && found != names.end())
         return static_cast<std::int32_t>(found - names.begin());
@@ -51,7 +52,7 @@ std::optional<std::int32_t> surface_called(const std::string& name, const Node& 
 }  // namespace
 
 bool may_move(const Reading& reading, std::int32_t surface) {
-    const auto all = behaviours_in_time(reading.gas.box.surfaces, reading.run);
+    const auto all = behaviours_in_time(reading.box().surfaces, reading.run);
     return std::ranges::any_of(all.at(static_cast<std::size_t>(surface)), moves);
 }
 
@@ -72,7 +73,7 @@ const Node& place_of_surfaces(const Node& node) {
 
 void keep_suitable(const PanelSpec& panel, SurfaceNumbers& surfaces, const SuitableSurface& what,
                    const Node& node, Reading& reading) {
-    const std::vector<std::string> names = measurable(reading.gas.box);
+    const std::vector<std::string> names = measurable(reading.box());
     const bool is_named = is_written(node, "surfaces");
     if (is_named && surfaces.empty()) return;  // reported
     for (const std::int32_t surface : surfaces)
@@ -95,7 +96,7 @@ void require_one(const PanelSpec& panel, const SurfaceNumbers& surfaces, const N
     if (surfaces.size() < 2) return;
     std::vector<std::string> names;
     for (const std::int32_t surface : surfaces)
-        names.push_back(reading.gas.box.surfaces.names()[static_cast<std::size_t>(surface)]);
+        names.push_back(reading.box().surfaces.names()[static_cast<std::size_t>(surface)]);
     reading.errors.add(
         place_of_surfaces(node),
         fmt::format("a panel of kind `{}` shows one surface, and there are several", panel.kind),
@@ -103,7 +104,7 @@ void require_one(const PanelSpec& panel, const SurfaceNumbers& surfaces, const N
 }
 
 bool lets_through(const Reading& reading, std::int32_t surface) {
-    const Partition* line = reading.gas.box.surfaces.partition(surface);
+    const Partition* line = reading.box().surfaces.partition(surface);
     if (line == nullptr || may_move(reading, surface)) return false;
     if (line->is_open || !line->gaps.empty() || membrane_of(line->behaviour)) return true;
     return std::ranges::any_of(reading.run.events, [&](const RunEvent& event) {
@@ -121,7 +122,7 @@ namespace {
 std::optional<WatchStart> event_called(const std::string& word, const Node& node,
                                        Reading& reading) {
     std::vector<std::string> there{"start"};
-    const std::vector<std::string> names = reading.gas.box.surfaces.names();
+    const std::vector<std::string> names = reading.box().surfaces.names();
     const std::vector<RunEvent>& events = reading.run.events;
     for (std::size_t k = 0; k < events.size(); ++k) {
         std::string name;
@@ -161,7 +162,7 @@ Notation<CountingLine> counting_line_notation() {
     const auto complete = [](const Written& written, const Node& node,
                              Reading& reading) -> std::optional<CountingLine> {
         if (written.x.has_value() == written.y.has_value()) return std::nullopt;  // reported
-        const Box& box = reading.gas.box;
+        const Box& box = reading.box();
         CountingLine line{.axis = written.x ? 0 : 1, .at = written.x ? *written.x : *written.y};
         if (line.axis >= box.dimension || (box.dimension == 1 && written.between)) {
             reading.errors.add(node, "on a wire a `line` takes only `x`",

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 
 namespace carom {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "physics/gas.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/colors.h"
 #include "scene/yaml/scalar.h"
@@ -86,6 +87,8 @@ KeyTable<Distribution> distribution(Range range) {
 }
 
 }  // namespace
+
+const Box& Reading::box() const { return gas.box; }
 
 Held::Held(const void* what, void (*destroy)(const void*)) : what_(what, destroy) {}
 Held::Held(const Held& other) = default;

@@ -15,13 +15,17 @@
 #include <variant>
 #include <vector>
 
-#include "physics/gas.h"
 #include "physics/run.h"
+#include "physics/value_rule.h"
+#include "physics/vec.h"
 #include "scene/keys/keys.h"
 #include "scene/words.h"
 #include "scene/yaml/node.h"
 
 namespace carom {
+
+struct Box;
+struct Gas;
 
 /// What reading a value may use besides its node: where errors are reported, and the gas and the
 /// run as far as they have been read.
@@ -29,6 +33,8 @@ struct Reading {
     Errors& errors;
     const Gas& gas;
     const Run& run;
+
+    const Box& box() const;  ///< of the gas
 };
 
 /// A reference-counted object of erased type. None of its functions is inline, which makes the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/gas.h"
 #include "scene/lettering/word_pattern.h"
 #include "scene/limits.h"
 #include "util/text.h"

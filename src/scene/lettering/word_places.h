@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "physics/gas.h"
+#include "physics/box.h"
+#include "physics/value_rule.h"
 #include "scene/yaml/node.h"
 
 namespace carom {
+
+struct Places;
 
 /// Returns places for `count` disks, with as many disks across a stroke of the letters as that
 /// takes. If `count` is 0, there are as many across as leave a gap of a quarter of their diameter.

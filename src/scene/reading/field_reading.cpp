@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "physics/gas.h"
 #include "scene/limits.h"
 #include "scene/reading/overlay_reading.h"
 #include "scene/words.h"

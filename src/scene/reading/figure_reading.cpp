@@ -7,6 +7,7 @@
 #include <set>
 #include <variant>
 
+#include "physics/gas.h"
 #include "physics/theory/law.h"
 #include "scene/keys/made_once.h"
 #include "scene/reading/gas_reading.h"

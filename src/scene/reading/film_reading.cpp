@@ -7,6 +7,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "physics/gas.h"
 #include "scene/limits.h"
 #include "scene/reading/film_length.h"
 #include "scene/reading/panel_reading.h"
@@ -66,7 +67,7 @@ Notation<double> title_card_notation() {
 
 Notation<Trails> trails_notation() {
     const auto in_a_plane = [](std::int64_t seeds, const Node& node, Reading& reading) {
-        if (seeds > 0 && reading.gas.box.dimension == 1)
+        if (seeds > 0 && reading.box().dimension == 1)
             reading.errors.add(node, "paths in other runs are drawn in a plane only",
                                "leave it out, or show another run by `beside`");
     };
@@ -193,7 +194,7 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
 
 // Beads on a line would hide their own streaks.
 std::optional<bool> streaks_of(bool shown, const Node& node, Reading& reading) {
-    if (!shown || reading.gas.box.dimension == 2) return shown;
+    if (!shown || reading.box().dimension == 2) return shown;
     reading.errors.add(node,
                        "streaks are drawn behind disks in a plane, and beads on a line have none",
                        "leave it out: world lines show where beads have been");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "physics/gas.h"
 #include "scene/lettering/word_places.h"
 #include "scene/limits.h"
 #include "scene/yaml/scalar.h"

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/gas.h"
 #include "scene/keys/binding.h"
 #include "scene/looks.h"
 #include "scene/panel_spec.h"

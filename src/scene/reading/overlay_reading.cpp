@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "physics/gas.h"
 #include "physics/surfaces/behaviours.h"
 #include "scene/limits.h"
 #include "scene/reading/figure_reading.h"
@@ -137,7 +138,7 @@ struct CameraDraft {
 void check_followed(const CameraDraft& draft, const Node& node, Reading& reading) {
     const Node* follow = given(node, "follow");
     if (follow == nullptr || draft.follow.empty()) return;
-    const Box& box = reading.gas.box;
+    const Box& box = reading.box();
     if (draft.follow.size() > 1 ||
         (!draft.follow.front().particle && !draft.follow.front().species))
         reading.errors.add(*follow, "`follow` takes one particle or one species",
@@ -156,9 +157,9 @@ std::optional<CameraMove> camera_move(const CameraDraft& draft, const Node& node
     const Node* follow = given(node, "follow");
     if (follow != nullptr && !draft.width && find(node, "width") == nullptr)
         reading.errors.add(*follow, "`follow` needs `width`: how much of the box is seen",
-                           reading.gas.box.size[0] > 0.0
+                           reading.box().size[0] > 0.0
                                ? fmt::format("for instance half of the box, `width: {}`",
-                                             0.5 * reading.gas.box.size[0])
+                                             0.5 * reading.box().size[0])
                                : "");
     if (const Node* width = given(node, "width"); width != nullptr && follow == nullptr)
         reading.errors.add(*width, "`width` applies to `follow` only",
@@ -236,7 +237,7 @@ Notation<TimeSpan> show_notation() {
 Notation<Region> region_notation(const std::string& key, const std::string& instead) {
     const auto part = [=](const std::vector<double>& ends, const Node& node,
                           Reading& reading) -> std::optional<Region> {
-        const Box& box = reading.gas.box;
+        const Box& box = reading.box();
         const bool is_view = key == "view";
         const Region whole = is_view ? reach_of(box, reading.run) : Region{{0.0, 0.0}, box.size};
         const bool can_widen = !box.contains(whole);
@@ -416,7 +417,7 @@ Binding<Film> beside_key() {
                                "each run needs a `label` of its own");
     };
     const auto check_box = [](const bool& is_overlaid, const Node& node, Reading& reading) {
-        if (is_overlaid && reading.gas.box.dimension == 1)
+        if (is_overlaid && reading.box().dimension == 1)
             reading.errors.add(node, "two runs share one box in a plane only",
                                "leave it out: each wire has a place of its own");
     };
@@ -463,7 +464,8 @@ void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& 
             written && film.beside && film.beside->is_overlaid)
             errors.add(*written, fmt::format("two runs in one box have no `{}`", key),
                        "leave it out, or leave out `overlaid`");
-    if (!film.beside || panels == nullptr || panels->source->origin == Origin::template_file)
+    if (!film.beside || panels == nullptr || panels->source->origin == Origin::template_file ||
+        film.panels.size() != panels->items.size())  // one could not be read
         return;
     const std::vector<std::string> able = kinds_that_can(kinds, Ability::comparison);
     for (std::size_t i = 0; i < film.panels.size() && i < panels->items.size(); ++i) {

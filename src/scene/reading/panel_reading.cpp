@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "physics/gas.h"
 #include "scene/limits.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/overlay_reading.h"
@@ -120,7 +121,7 @@ void check_component(const PanelSpec& panel, const Node& node, const PanelKind& 
                      Reading& reading) {
     const Node* written = given(node, "component");
     if (written == nullptr) return;
-    if (reading.gas.box.dimension == 1)
+    if (reading.box().dimension == 1)
         reading.errors.add(*written,
                            "on a wire there is one direction only: `component` has no meaning",
                            "leave it out");

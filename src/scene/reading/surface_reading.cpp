@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "physics/gas.h"
 #include "scene/limits.h"
 #include "scene/reading/gas_reading.h"
 #include "util/text.h"

@@ -14,6 +14,7 @@
 #include "panels/layout.h"
 #include "panels/panel_set.h"
 #include "physics/placement/draws.h"
+#include "scene/scene.h"
 #include "support/first_frame.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"

@@ -9,6 +9,7 @@
 
 #include "physics/simulation.h"
 #include "physics/theory/law.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

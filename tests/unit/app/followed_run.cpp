@@ -5,6 +5,7 @@
 
 #include "app/report/run_facts.h"
 #include "runs/run.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

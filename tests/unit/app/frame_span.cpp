@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <vector>
 
+#include "app/film/film_plan.h"
 #include "app/film/render.h"
 #include "app/film/words/letters.h"
 #include "physics/theory/theory.h"

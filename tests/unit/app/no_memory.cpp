@@ -12,6 +12,7 @@
 #include "app/command.h"
 #include "app/commands/command_line.h"
 #include "panels/registry.h"
+#include "scene/scene.h"
 #include "support/files.h"
 #include "util/interrupt.h"
 

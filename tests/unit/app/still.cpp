@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "app/film/film_plan.h"
 #include "app/film/render.h"
 #include "support/scene_text.h"
 

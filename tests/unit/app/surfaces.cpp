@@ -14,6 +14,7 @@
 #include "runs/json.h"
 #include "runs/run.h"
 #include "scene/describe.h"
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "support/process.h"
 #include "support/scene_text.h"

@@ -6,6 +6,7 @@
 #include "app/film/words/film_text.h"
 #include "panels/recording.h"
 #include "scene/describe.h"
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "support/scene_text.h"
 

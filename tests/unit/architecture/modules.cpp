@@ -51,8 +51,8 @@ const std::map<std::string, Parts> parts_of_module{
      {{"units", "collision", "plane", "multiprecision", "line", "surfaces", "sampling", "placement",
        "theory", "events", "physics", "reversal"},
       {"advance_result.h", "box.h", "collision_error.h", "exact_positions.h", "gas.h",
-       "mechanics.h", "particles.h", "run.h", "surface.h", "temperature.h", "vec.h",
-       "ways_back.h"}}},
+       "mechanics.h", "particles.h", "run.h", "surface.h", "temperature.h",
+       "value_rule.h", "vec.h", "ways_back.h"}}},
     {"scene",
      {{"yaml", "time", "keys", "lettering", "reading", "sets", "instruments", "feasibility",
        "scene", "manual"},
@@ -85,6 +85,8 @@ const std::set<std::string> plain_physics{"physics/box.h",
                                           "physics/surfaces/surface_problem.h",
                                           "physics/theory/law.h",
                                           "physics/events/time_step.h",
+                                          "physics/value_rule.h",
+                                          "physics/vec.h",
                                           "physics/ways_back.h"};
 
 struct ThirdParty {

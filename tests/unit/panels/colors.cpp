@@ -99,7 +99,7 @@ TEST_CASE("disks of a class of speed have its colour, and species beside them no
                     colors.of_shades(theme(kind)).at(colors.shade(0, {speed, {speed, 0.0}, 1.0}));
                 CHECK(same(seen, speed_class_color(k, theme(kind))));
                 if (kind != ThemeKind::print)
-                    CHECK(distance(visions[0], kind_in(scene, 0, theme(kind)), seen) >=
+                    CHECK(distance(visions[0], kind_in(scene.film, 0, theme(kind)), seen) >=
                           least_distance_on_scale);
             }
         }
@@ -432,11 +432,11 @@ TEST_CASE("where colours of the gas are a scale, kinds in panels have none of th
             const ColorMap map = color_map_on(palette, theme(kind));
             for (std::size_t k = 0; k < 2; ++k)
                 for (int i = 0; i <= 100; ++i)
-                    CHECK(distance(visions[0], kind_in(scene, k, theme(kind)), map.at(i / 100.0)) >=
-                          least_distance_on_scale);
+                    CHECK(distance(visions[0], kind_in(scene.film, k, theme(kind)),
+                                   map.at(i / 100.0)) >= least_distance_on_scale);
         }
     const Scene by_species = scene_of("{count: 3}", "color_by: species");
-    CHECK(same(kind_in(by_species, 0, theme(ThemeKind::dark)),
+    CHECK(same(kind_in(by_species.film, 0, theme(ThemeKind::dark)),
                kind_color(0, theme(ThemeKind::dark))));
 }
 

@@ -10,6 +10,7 @@
 #include "panels/correlations/curve_panel.h"
 #include "panels/plot/draw_plot.h"
 #include "panels/registry.h"
+#include "scene/scene.h"
 #include "stats/paths/free_flights.h"
 #include "support/scene_text.h"
 #include "util/archive.h"

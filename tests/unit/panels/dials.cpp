@@ -11,6 +11,7 @@
 #include "panels/dials/dial_panel.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 #include "support/seen_panel.h"
 

@@ -4,6 +4,7 @@
 
 #include "panels/gas/marks/seed_paths.h"
 #include "physics/simulation.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

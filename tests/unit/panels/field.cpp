@@ -11,6 +11,7 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/registry.h"
 #include "panels/table.h"
+#include "scene/scene.h"
 #include "support/first_frame.h"
 #include "support/scene_text.h"
 #include "util/archive.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "panels/plots/histogram_panel.h"
+#include "scene/scene.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/scene.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 

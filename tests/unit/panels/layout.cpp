@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

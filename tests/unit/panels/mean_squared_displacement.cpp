@@ -11,6 +11,7 @@
 #include "panels/correlations/displacement_meter.h"
 #include "panels/plot/draw_plot.h"
 #include "panels/plot/layers.h"
+#include "scene/scene.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 

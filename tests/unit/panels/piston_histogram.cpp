@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "scene/scene.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "panels/table.h"
+#include "scene/scene.h"
 #include "stats/mean_error.h"
 #include "support/scene_text.h"
 #include "support/seen_panel.h"

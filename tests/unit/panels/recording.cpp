@@ -10,6 +10,7 @@
 
 #include "panels/archived.h"
 #include "physics/simulation.h"
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "support/scene_text.h"
 #include "util/archive.h"

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "panels/registry.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 #include "support/seen_panel.h"
 

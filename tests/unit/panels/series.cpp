@@ -284,11 +284,11 @@ TEST_CASE("points stand before the paths of all, and out from them") {
         return view.data[static_cast<int>(y) * view.stride + static_cast<int>(x)] & 0xFFFFFF;
     };
     const double x = plot.x + 0.1 * plot.width, y = plot.y + plot.height / 2;
-    const Color own = edge_of(kind_in(film.scene, 1, dc.theme), dc.theme);
+    const Color own = edge_of(kind_in(film.scene.film, 1, dc.theme), dc.theme);
     for (const double down : {-0.25, 0.0, 0.25})
         CHECK(is_pixel_of(own, pixel(x, y + down * dc.unit)));
     CHECK(pixel(x, y - 0.42 * dc.unit) == (to_pixel(dc.theme.page) & 0xFFFFFF));
-    const Color other = edge_of(kind_in(film.scene, 2, dc.theme), dc.theme);
+    const Color other = edge_of(kind_in(film.scene.film, 2, dc.theme), dc.theme);
     CHECK(is_pixel_of(other, pixel(x, y - 1.2 * dc.unit)));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/placement/draws.h"
 #include "support/relative.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runs/run.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/mechanics.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

@@ -11,6 +11,7 @@
 
 #include "panels/registry.h"
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "support/bad_scenes.h"
 #include "support/files.h"
 #include "support/test_root.h"

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "support/resources.h"
 #include "support/scene_text.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "scene/scene.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
 #include "support/scene_text.h"

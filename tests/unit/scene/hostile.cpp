@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "stats/histogram.h"
 #include "support/hostile_files.h"
 #include "support/resources.h"

@@ -8,6 +8,7 @@
 #include "physics/placement/placement.h"
 #include "physics/simulation.h"
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "support/resources.h"
 #include "util/random.h"
 

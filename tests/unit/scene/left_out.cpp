@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "support/files.h"
 #include "support/library.h"
 #include "support/resources.h"

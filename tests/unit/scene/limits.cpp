@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene.h"
 #include "scene/yaml/yaml.h"
 #include "support/files.h"
 #include "support/scene_text.h"

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

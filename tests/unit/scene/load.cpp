@@ -9,6 +9,7 @@
 
 #include "panels/plots/histogram_panel.h"
 #include "panels/words/monitors_panel.h"
+#include "scene/scene.h"
 #include "support/files.h"
 #include "support/library.h"
 #include "support/resources.h"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/scene.h"
 #include "support/files.h"
 #include "support/scene_text.h"
 #include "support/test_root.h"

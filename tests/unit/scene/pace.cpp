@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene.h"
 #include "scene/time/timeline.h"
 #include "support/scene_text.h"
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "support/resources.h"
 #include "support/share_of_cases.h"
 #include "util/random.h"

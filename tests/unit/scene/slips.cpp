@@ -7,6 +7,7 @@
 
 #include "panels/registry.h"
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "support/test_root.h"
 
 using namespace carom;

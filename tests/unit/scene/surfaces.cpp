@@ -8,6 +8,7 @@
 
 #include "physics/reversal/mirrored_events.h"
 #include "physics/surfaces/surface_problem.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

@@ -8,6 +8,7 @@
 #include <set>
 #include <string>
 
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "physics/placement/placement.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

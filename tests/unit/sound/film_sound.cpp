@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "physics/simulation.h"
+#include "scene/scene.h"
 #include "support/scene_text.h"
 
 using namespace carom;

@@ -1,12 +1,12 @@
 #include "panels/gas/marks/callouts.h"
 
 #include "panels/gas/marks/spotlights.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 
 Callouts::Callouts(const PanelContext& context) : context_(context) {
-    const Film& film = context.scene.film;
+    const Film& film = context.film();
     if (film.callouts.empty()) return;
     const std::vector<Tick> ticks = timeline(context.scene);
     for (const Callout& callout : film.callouts)

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 
 void Fading::see(const Tick& tick, const Eigen::ArrayXXd& position, std::vector<float>& light) {
     constexpr double trace = 0.12;  // what is left of a colour
-    const std::optional<FadeOut>& fade = context_.scene.film.fade_out;
+    const std::optional<FadeOut>& fade = context_.film().fade_out;
     if (!fade || !context_.in_film) return;
     const auto count = static_cast<std::size_t>(position.rows());
     since_.resize(count, NAN);

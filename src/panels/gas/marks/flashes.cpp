@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/scene.h"
+#include "scene/film.h"
 #include "util/text.h"
 
 namespace carom {
@@ -32,9 +32,9 @@ bool is_contact(const Collision& collision, const FrameInput& input, const Surfa
 // A flash is visible in at least one frame. If there are more contacts than may flash, flashes are
 // spaced evenly: three at once would look like a pulse.
 Flashes::Flashes(const PanelContext& context)
-    : scene_(context.scene),
-      asked_(context.scene.film.flashes && context.in_film),
-      life_(std::max(usual_life, 1.0 / context.scene.film.fps)),
+    : context_(context),
+      asked_(context.film().flashes && context.in_film),
+      life_(std::max(usual_life, 1.0 / context.film().fps)),
       dense_{0.0, {}},
       even_{(1.0 + life_) / double(most), {}} {}
 
@@ -65,11 +65,11 @@ void Flashes::survey(const FrameInput& input, const std::function<Point(const Co
         high_ = leg_high_;
     }
     for (const Collision& collision : input.advanced.collisions) {
-        if (!is_contact(collision, input, scene_.gas.box.surfaces)) continue;
+        if (!is_contact(collision, input, context_.box().surfaces)) continue;
         ++contacts_;
         const double share = step > 0.0 ? (collision.time - last_time_) / step : 1.0;
-        Start start{(last_frame_ + share * (tick.frame - last_frame_)) / scene_.film.fps,
-                    folded_time(scene_.run, collision.time),
+        Start start{(last_frame_ + share * (tick.frame - last_frame_)) / context_.film().fps,
+                    folded_time(context_.run(), collision.time),
                     std::minmax({collision.first, number_of(collision.second)}),
                     {}};
         const bool is_way_back = start.folded > low_ && start.folded < high_;
@@ -80,7 +80,7 @@ void Flashes::survey(const FrameInput& input, const std::function<Point(const Co
             choice->starts.push_back(start);
         }
     }
-    const double folded = folded_time(scene_.run, tick.time);
+    const double folded = folded_time(context_.run(), tick.time);
     leg_low_ = std::min(leg_low_, folded);
     leg_high_ = std::max(leg_high_, folded);
     last_time_ = tick.time;
@@ -93,7 +93,7 @@ void Flashes::fix_scale() {
 }
 
 std::vector<Flash> Flashes::at(const Tick& tick) const {
-    const double now = static_cast<double>(tick.frame) / scene_.film.fps;
+    const double now = static_cast<double>(tick.frame) / context_.film().fps;
     const auto end = std::ranges::upper_bound(dense_.starts, now, {}, &Start::seconds);
     const auto begin = std::ranges::upper_bound(dense_.starts, now - life_, {}, &Start::seconds);
     std::vector<Flash> flashes;
@@ -105,7 +105,7 @@ std::vector<Flash> Flashes::at(const Tick& tick) const {
 std::vector<std::string> Flashes::remarks() const {
     const auto shown = static_cast<std::int64_t>(dense_.starts.size());
     if (shown == contacts_) return {};
-    const Language language = scene_.film.language;
+    const Language language = context_.language();
     const std::string some =
         say(language, "{} of {} collisions flash", grouped(shown), grouped(contacts_));
     return {say(language, "{}, at most three per second", some), some};

@@ -58,7 +58,7 @@ class Flashes {
     bool is_free(const Choice& choice, double seconds) const;
     bool is_seen_again(const Choice& choice, const Start& start, double nearest) const;
 
-    const Scene& scene_;
+    PanelContext context_;
     bool asked_;
     double life_;  ///< duration of a flash, in seconds of film
     Choice dense_, even_;

@@ -15,7 +15,7 @@ std::vector<SeedPath> seed_paths(const PanelContext& context,
     std::vector<SeedPath> all;
     if (particles.empty() || !context.in_film) return all;
     const Box& box = context.box();
-    for (int later = 1; later <= context.scene.film.trails.seeds; ++later) {
+    for (int later = 1; later <= context.film().trails.seeds; ++later) {
         Scene scene = context.scene;
         scene.gas.seed = scene.seed += static_cast<std::uint64_t>(later);
         Simulation run = start_scene(scene).simulation;

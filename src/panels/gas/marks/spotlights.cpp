@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "panels/chosen.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 namespace {
@@ -14,12 +14,12 @@ constexpr double dimmed = 0.35;  // what is left of a colour
 
 double share_of(const PanelContext& context, const Showing& time, const Tick& tick, bool is_still) {
     if (!context.in_film) return time.holds(tick.time) ? 1.0 : 0.0;
-    const double share = opacity(time, context.scene.film, tick.frame, overlay_fade_seconds);
+    const double share = opacity(time, context.film(), tick.frame, overlay_fade_seconds);
     return is_still && share > 0.0 ? 1.0 : share;
 }
 
 Spotlights::Spotlights(const PanelContext& context) : context_(context) {
-    const Film& film = context.scene.film;
+    const Film& film = context.film();
     if (film.spotlights.empty()) return;
     const std::vector<Tick> ticks = timeline(context.scene);
     for (const Spotlight& spotlight : film.spotlights) {

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "panels/archived.h"
-#include "scene/scene.h"
+#include "scene/film.h"
 
 namespace carom {
 
 Streaks::Streaks(const PanelContext& context)
-    : shown_(context.scene.film.streaks && context.in_film),
-      fps_(context.scene.film.fps),
+    : shown_(context.film().streaks && context.in_film),
+      fps_(context.film().fps),
       tolerance_(1e-4 * context.box().shortest_side()),
       count_(context.particles.count()),
       paths_(context.box(), velocity_changes(context.run())) {}

@@ -16,7 +16,8 @@ std::optional<ProblemText> time_step_problem(const Box& box, const Run& run) {
                            "leave out `precision`, or the time step"};
     if (act_on_box(run.events) || !box.surfaces.are_plain())
         return ProblemText{
-            "with a time step there are only walls that reflect, without gravity and obstacles",
+            "with a time step there are only walls that reflect as mirrors do, without gravity and "
+            "obstacles",
             "leave it out"};
     return std::nullopt;
 }

@@ -468,7 +468,7 @@ void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& 
         film.panels.size() != panels->items.size())  // one could not be read
         return;
     const std::vector<std::string> able = kinds_that_can(kinds, Ability::comparison);
-    for (std::size_t i = 0; i < film.panels.size() && i < panels->items.size(); ++i) {
+    for (std::size_t i = 0; i < film.panels.size(); ++i) {
         const PanelKind* kind = kind_of(kinds, film.panels[i].kind);
         if (kind != nullptr && (!kind->shows_run || kind->can(Ability::comparison))) continue;
         errors.add(panels->items[i],

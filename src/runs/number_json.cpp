@@ -1,6 +1,6 @@
 #include "runs/number_json.h"
 
-#include <optional>
+#include <cmath>
 #include <string>
 
 namespace carom {
@@ -14,6 +14,10 @@ RunNumber run_number_from(const Json& json) {
     const auto quantity = quantity_with_unit(unit, UnitSystem::reduced_names);
     if (!quantity) throw Json::other_error::create(501, "unknown unit: " + unit, &json);
     return {json.at("name"), *quantity};
+}
+
+void to_json(Json& json, const Amount& amount) {
+    json = amount.value && std::isfinite(*amount.value) ? Json(*amount.value) : Json(nullptr);
 }
 
 }  // namespace carom

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -19,8 +18,6 @@ constexpr const char* quantiles_in_words =
     "by linear interpolation between order statistics: of n sorted values x[0] to x[n-1] the value "
     "at the place p (n - 1)";
 
-Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
 double number_of(const Json& json) {
     return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
 }
@@ -33,16 +30,17 @@ Json value_of(const std::string& text) {
     return json.is_number() ? json : Json(text);
 }
 
-Json to_json(const NumberStatistics& its) {
+Json to_json(const NumberStatistics& its, const Quantity& quantity) {
+    const auto amount = [&](double value) { return Amount{value, quantity}; };
     Json quantiles = Json::object();
     for (std::size_t k = 0; k < quantile_shares.size(); ++k)
-        quantiles[name_of_share(quantile_shares[k])] = number_or_null(its.quantiles[k]);
+        quantiles[name_of_share(quantile_shares[k])] = amount(its.quantiles[k]);
     return {{"n", its.count},
-            {"mean", number_or_null(its.mean)},
-            {"standard_error", number_or_null(its.error)},
-            {"standard_deviation", number_or_null(its.deviation)},
-            {"min", number_or_null(its.least)},
-            {"max", number_or_null(its.most)},
+            {"mean", amount(its.mean)},
+            {"standard_error", amount(its.error)},
+            {"standard_deviation", amount(its.deviation)},
+            {"min", amount(its.least)},
+            {"max", amount(its.most)},
             {"quantiles", std::move(quantiles)}};
 }
 
@@ -66,7 +64,7 @@ Json point_to_json(const SweepSummary& summary, std::size_t point) {
     for (std::size_t k = 0; k < values.size(); ++k)
         at[summary.sweep.axes[k].key] = value_of(values[k]);
     for (std::size_t k = 0; k < its.numbers.size(); ++k)
-        numbers[summary.numbers[k].name] = to_json(its.numbers[k]);
+        numbers[summary.numbers[k].name] = to_json(its.numbers[k], summary.numbers[k].quantity);
     return {{"values", std::move(at)}, {"runs", its.runs}, {"numbers", std::move(numbers)}};
 }
 

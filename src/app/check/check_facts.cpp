@@ -13,6 +13,7 @@
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/law.h"
+#include "runs/number_json.h"
 #include "scene/describe.h"
 #include "scene/words.h"
 #include "util/fingerprint.h"
@@ -80,7 +81,7 @@ Fact collisions(const Scene& scene, const Law& rate, double expected, std::int64
     if (rate.none)
         return {"expected_collisions", nullptr, "collisions",
                 "no estimate: " + to_text(Language::english, *rate.none, scene.gas.species)};
-    return {"expected_collisions", number_or_null(expected), "collisions",
+    return {"expected_collisions", Amount{expected, quantities::count}, "collisions",
             fmt::format("{} between particles, {} for each (kinetic theory, in equilibrium)",
                         (expected < 0.01 ? "" : "about ") + about(expected),
                         about(2.0 * expected / std::max(1.0, static_cast<double>(particles))))};

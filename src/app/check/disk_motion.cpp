@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "panels/gas/drawn_radius.h"
+#include "runs/number_json.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
 #include "scene/time/timeline.h"
@@ -100,9 +101,9 @@ Json motion_value(const std::vector<DiskMotion>& disks) {
     Json list = Json::array();
     for (const DiskMotion& disk : disks) {
         list.push_back({{"species", disk.species},
-                        {"pixels", number_or_null(disk.pixels)},
-                        {"diameters_a_frame", number_or_null(disk.diameters)},
-                        {"time", disk.time}});
+                        {"pixels", Amount{disk.pixels, quantities::number}},
+                        {"diameters_a_frame", Amount{disk.diameters, quantities::number}},
+                        {"time", Amount{disk.time, quantities::time}}});
         if (!disk.run.empty()) list.back()["run"] = disk.run;
     }
     return list;

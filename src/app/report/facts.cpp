@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 
 #include "util/text.h"
@@ -24,10 +23,6 @@ std::string printable_lines(std::string_view text) {
 }  // namespace
 
 Fact for_people(const char* label, const std::string& words) { return {"", nullptr, label, words}; }
-
-Json number_or_null(std::optional<double> value) {
-    return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
-}
 
 Facts rows_of(const char* label, const std::vector<std::string>& lines) {
     Facts rows;

@@ -23,9 +23,6 @@ using Facts = std::vector<Fact>;
 /// A row for people only.
 Fact for_people(const char* label, const std::string& words);
 
-/// A JSON number; null if there is no value or it is not finite.
-Json number_or_null(std::optional<double> value);
-
 /// A row for each line, the first with a label; for programs a list.
 Facts rows_of(const char* label, const std::vector<std::string>& lines);
 

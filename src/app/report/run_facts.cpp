@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "app/report/facts.h"
+#include "runs/number_json.h"
 #include "scene/scene.h"
 #include "util/joined.h"
 #include "util/text.h"
@@ -20,6 +21,13 @@ std::string number(std::optional<double> value) {
     return value && std::isfinite(*value) ? fmt::format("{:.5g}", *value) : "—";
 }
 
+std::string number(const Amount& amount) { return number(amount.value); }
+
+// An error or an overlap over what it is compared with.
+Amount relative(std::optional<double> value) { return {value, quantities::number}; }
+
+Amount energy(std::optional<double> value) { return {value, quantities::energy}; }
+
 std::string vector(const std::vector<std::optional<double>>& components) {
     if (components.size() == 1) return number(components[0]);
     std::vector<std::string> words;
@@ -27,9 +35,9 @@ std::string vector(const std::vector<std::optional<double>>& components) {
     return fmt::format("({})", fmt::join(words, ", "));
 }
 
-Json vector_value(const std::vector<std::optional<double>>& components) {
+Json vector_value(const std::vector<std::optional<double>>& components, const Quantity& quantity) {
     Json list = Json::array();
-    for (const auto& component : components) list.push_back(number_or_null(component));
+    for (const auto& component : components) list.push_back(Amount{component, quantity});
     return list;
 }
 
@@ -40,7 +48,7 @@ Fact collisions(const RunReport& report) {
     return {"collisions",
             Json{{"particle", counts.particle},
                  {"wall", counts.wall},
-                 {"per_particle", number_or_null(of_each)}},
+                 {"per_particle", Amount{of_each, quantities::count}}},
             "collisions",
             fmt::format("{} between particles ({:.3g} for each), {} with walls",
                         grouped(counts.particle), of_each, grouped(counts.wall))};
@@ -65,12 +73,10 @@ std::string account_words(const EnergyAccount& account) {
 }
 
 Json account_value(const EnergyAccount& account) {
-    return Json{{"kinetic", number_or_null(account.kinetic)},
-                {"potential", number_or_null(account.potential)},
-                {"pistons", number_or_null(account.pistons)},
-                {"work", number_or_null(account.work)},
-                {"heat", number_or_null(account.heat)},
-                {"relative_error", number_or_null(account.relative_error)}};
+    return Json{
+        {"kinetic", energy(account.kinetic)}, {"potential", energy(account.potential)},
+        {"pistons", energy(account.pistons)}, {"work", energy(account.work)},
+        {"heat", energy(account.heat)},       {"relative_error", relative(account.relative_error)}};
 }
 
 std::string energy_words(const RunSummary& summary) {
@@ -81,12 +87,12 @@ std::string energy_words(const RunSummary& summary) {
                        *summary.largest_energy_error);
 }
 
-Fact energy(const RunReport& report) {
+Fact energies(const RunReport& report) {
     const RunSummary& summary = report.summary;
     Fact fact{"energy",
-              Json{{"initial", number_or_null(summary.energy_initial)},
-                   {"final", number_or_null(summary.energy_final)},
-                   {"largest_relative_error", number_or_null(summary.largest_energy_error)}},
+              Json{{"initial", energy(summary.energy_initial)},
+                   {"final", energy(summary.energy_final)},
+                   {"largest_relative_error", relative(summary.largest_energy_error)}},
               "energy", ""};
     if (report.account) {
         fact.value["account"] = account_value(*report.account);
@@ -130,25 +136,27 @@ Facts surfaces(const RunReport& report, int dimension) {
     Json list = Json::array();
     for (const SurfaceReport& surface : report.surfaces) {
         const SurfaceTotals& its = surface.totals;
+        const auto position_of = [](double value) { return Amount{value, quantities::position}; };
         Json position = nullptr;
         if (surface.position)
-            position = Json{{"mean", number_or_null(surface.position->mean)},
-                            {"deviation", number_or_null(surface.position->deviation)},
-                            {"last", number_or_null(surface.position->last)}};
-        list.push_back(Json{{"name", surface.name},
-                            {"hits", its.hits},
-                            {"impulse", vector_value(impulse_of(its, dimension))},
-                            {"work", number_or_null(its.work)},
-                            {"heat", number_or_null(its.heat)},
-                            {"position", std::move(position)}});
+            position = Json{{"mean", position_of(surface.position->mean)},
+                            {"deviation", position_of(surface.position->deviation)},
+                            {"last", position_of(surface.position->last)}};
+        list.push_back(
+            Json{{"name", surface.name},
+                 {"hits", its.hits},
+                 {"impulse", vector_value(impulse_of(its, dimension), quantities::momentum)},
+                 {"work", energy(its.work)},
+                 {"heat", energy(its.heat)},
+                 {"position", std::move(position)}});
     }
     return {{"surfaces", std::move(list), "", surface_rows(report.surfaces, dimension) + "\n"}};
 }
 
 Fact momentum(const RunSummary& summary) {
     return {"momentum",
-            Json{{"initial", vector_value(summary.momentum_initial)},
-                 {"final", vector_value(summary.momentum_final)}},
+            Json{{"initial", vector_value(summary.momentum_initial, quantities::momentum)},
+                 {"final", vector_value(summary.momentum_final, quantities::momentum)}},
             "momentum",
             fmt::format("{} at the start, {} at the end", vector(summary.momentum_initial),
                         vector(summary.momentum_final))};
@@ -171,16 +179,17 @@ std::string pressure_words(const RunReport& report) {
 
 Fact pressure(const RunReport& report, int dimension) {
     const RunSummary& summary = report.summary;
+    const Quantity pressure = quantities::pressure(dimension);
     return {"pressure",
-            Json{{"wall", number_or_null(summary.wall_pressure)},
-                 {"virial", number_or_null(summary.virial_pressure)},
-                 {"since", number_or_null(summary.pressure_since)}},
+            Json{{"wall", Amount{summary.wall_pressure, pressure}},
+                 {"virial", Amount{summary.virial_pressure, pressure}},
+                 {"since", Amount{summary.pressure_since, quantities::time}}},
             dimension == 1 ? "force" : "pressure", pressure_words(report)};
 }
 
 // An overlap smaller than the round-off of the coordinates counts as contact.
 Fact overlap(double largest) {
-    return {"overlap", Json{{"largest_relative", number_or_null(largest)}}, "overlap",
+    return {"overlap", Json{{"largest_relative", relative(largest)}}, "overlap",
             largest == 0.0 ? "none" : fmt::format("at most {:.1e} of a contact distance", largest)};
 }
 
@@ -217,14 +226,17 @@ std::string way_back(const ReversalReport& report) {
 
 Json reversal(const ReversalReport& report, int bits) {
     const auto length = [&](double ReturnDistance::*member) {
-        return report.distance ? number_or_null((*report.distance).*member) : Json();
+        return report.distance ? Amount{(*report.distance).*member, quantities::length} : Amount{};
     };
-    return Json{{"at", report.at},
+    const auto logarithm = [&](double ReturnDistance::*member) {
+        return Amount{length(member).value, quantities::length.logarithm()};
+    };
+    return Json{{"at", Amount{report.at, quantities::time}},
                 {"bits", bits},
                 {"largest_return_distance", length(&ReturnDistance::largest)},
                 {"root_mean_square", length(&ReturnDistance::root_mean_square)},
-                {"log10_largest_return_distance", length(&ReturnDistance::log10_largest)},
-                {"log10_root_mean_square", length(&ReturnDistance::log10_root_mean_square)},
+                {"log10_largest_return_distance", logarithm(&ReturnDistance::log10_largest)},
+                {"log10_root_mean_square", logarithm(&ReturnDistance::log10_root_mean_square)},
                 {"events",
                  {{"out", report.events_out},
                   {"back", report.events_back ? Json(*report.events_back) : Json()}}}};
@@ -262,8 +274,8 @@ Fact species(const Scene& scene, const RunSummary& summary) {
     for (std::size_t s = 0; s < summary.species.size(); ++s)
         list.push_back(Json{{"name", scene.gas.species[s].name},
                             {"count", summary.species[s].count},
-                            {"mean_energy", number_or_null(summary.species[s].energy)},
-                            {"mean_speed", number_or_null(summary.species[s].speed)}});
+                            {"mean_energy", energy(summary.species[s].energy)},
+                            {"mean_speed", Amount{summary.species[s].speed, quantities::speed}}});
     return {"species", std::move(list), "", "\n" + species_rows(scene, summary) + "\n"};
 }
 
@@ -296,15 +308,17 @@ std::string bars(const BinnedCounts& bins) {
     return text + fmt::format(" {:.4g}", bins.edges[end]);
 }
 
-Json histogram(const BinnedCounts& bins) {
-    return Json{{"edges", bins.edges}, {"counts", bins.counts}};
+Json histogram(const BinnedCounts& bins, const Quantity& quantity) {
+    Json edges = Json::array();
+    for (const double edge : bins.edges) edges.push_back(Amount{edge, quantity});
+    return Json{{"edges", std::move(edges)}, {"counts", bins.counts}};
 }
 
 Facts histograms(const RunSummary& summary) {
     return {{"", nullptr, "speeds", bars(summary.speeds)},
             {"", nullptr, "energies", bars(summary.energies)},
-            {"histograms",
-             Json{{"speed", histogram(summary.speeds)}, {"energy", histogram(summary.energies)}}}};
+            {"histograms", Json{{"speed", histogram(summary.speeds, quantities::speed)},
+                                {"energy", histogram(summary.energies, quantities::energy)}}}};
 }
 
 std::string heading(const Scene& scene, const RunReport& report) {
@@ -318,19 +332,19 @@ std::string heading(const Scene& scene, const RunReport& report) {
 Facts facts_of(const Scene& scene, const RunReport& report) {
     const RunSummary& summary = report.summary;
     const auto events = static_cast<double>(events_of(report.collisions));
+    const Amount temperature{summary.temperature, quantities::temperature};
     return joined<Fact>(
         {{{"carom", CAROM_VERSION, "", heading(scene, report)},
           {"scene", scene.source.path},
           {"seed", scene.seed},
           {"dimension", scene.gas.box.dimension},
           {"particles", report.particles},
-          {"time", scene.run.until},
+          {"time", Amount{scene.run.until, quantities::time}},
           collisions(report),
           ties_fact(report.collisions.ties),
-          energy(report),
+          energies(report),
           momentum(summary),
-          {"temperature", number_or_null(summary.temperature), "temperature",
-           number(summary.temperature)},
+          {"temperature", temperature, "temperature", number(temperature)},
           pressure(report, scene.gas.box.dimension),
           overlap(summary.largest_overlap),
           precision(scene, report.bits),

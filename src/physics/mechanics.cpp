@@ -32,10 +32,14 @@ Eigen::ArrayXd finite_masses(const Particles& particles) {
     return (particles.inverse_mass > 0.0).select(1.0 / particles.inverse_mass, 0.0);
 }
 
-// `counted`: 1 for the particles of finite mass that are looked at, 0 for others.
+// `counted`: 1 for the particles of finite mass that are looked at, 0 for others. Those that are
+// absent count for nothing.
 ThermalMotion motion_of(const Box& box, const Particles& particles, const Sample& sample,
-                        const Eigen::ArrayXd& counted) {
-    const Eigen::ArrayXd mass = finite_masses(particles);
+                        Eigen::ArrayXd counted) {
+    Eigen::ArrayXd mass = finite_masses(particles);
+    if (sample.membership)
+        for (Eigen::ArrayXd* each : {&mass, &counted})
+            *each = sample.membership->is_present.select(*each, 0.0);
     ThermalMotion motion;
     for (Eigen::Index a = 0; a < sample.velocity.cols(); ++a) {
         const auto v = sample.velocity.col(a);

@@ -68,10 +68,11 @@ struct ThermalMotion {
     double temperature() const { return 2.0 * energy / degrees_of_freedom; }
 };
 
-/// Thermal motion of all particles of finite mass.
+/// Thermal motion of all particles of finite mass that are present.
 ThermalMotion thermal_motion(const Box& box, const Particles& particles, const Sample& sample);
 
-/// Thermal motion of the particles listed by number; infinite masses among them are ignored.
+/// Thermal motion of the particles listed by number; those among them that are absent or of
+/// infinite mass are ignored.
 ThermalMotion thermal_motion(const Box& box, const Particles& particles, const Sample& sample,
                              const std::vector<Eigen::Index>& members);
 

@@ -397,6 +397,10 @@ const Sample& Simulation::sample() {
     return state.present;
 }
 
+const std::shared_ptr<const Membership>& Simulation::membership() const {
+    return implementation_->membership;
+}
+
 Sample Simulation::sample_of_positions() const {
     const Implementation& state = *implementation_;
     Sample sample =

@@ -100,6 +100,9 @@ class Simulation {
     /// State of all particles at the present time.
     const Sample& sample();
 
+    /// The membership at the present time, as in all samples of this time; it is not null.
+    const std::shared_ptr<const Membership>& membership() const;
+
     /// The same without velocities, or without positions. Takes half the memory, and the result is
     /// not kept.
     Sample sample_of_positions() const;

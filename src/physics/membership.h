@@ -1,0 +1,65 @@
+// What a sample says of its particles: which species each belongs to, whether it is present, and
+// whether this has changed since the sample before.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "physics/particles.h"
+
+namespace carom {
+
+/// The species of all particles at the time of a sample, N: index into Gas::species. `particles`
+/// and the sample must outlive the reference.
+inline const Eigen::ArrayXi& species_at(const Sample& sample, const Particles& particles) {
+    return sample.membership ? sample.membership->species : particles.species;
+}
+
+/// Whether a particle is present at the time of a sample.
+inline bool is_present(const Sample& sample, Eigen::Index particle) {
+    return !sample.membership || sample.membership->is_present[particle];
+}
+
+/// Follows the membership through the samples of a run.
+class MembershipWatch {
+  public:
+    /// Takes the next sample, in order of time. Returns whether its membership differs from that of
+    /// the sample before; the first sample is compared with the start of the run. It looks at the
+    /// particles only where two samples do not share their membership.
+    bool see(const Sample& sample, const Particles& particles) {
+        if (sample.membership == last_) return false;
+        const std::shared_ptr<const Membership> before = std::exchange(last_, sample.membership);
+        return !are_same(before.get(), last_.get(), particles);
+    }
+
+    /// The membership of the last sample seen; null for that of the start.
+    const std::shared_ptr<const Membership>& last() const { return last_; }
+
+    /// Writes or reads the membership of the last sample. Needs physics/archived.h.
+    void archive(auto& archive, const Particles& particles) {
+        bool is_start = archive.is_reading() || are_same(last_.get(), nullptr, particles);
+        archive(is_start);
+        if (is_start && archive.is_reading()) last_ = nullptr;
+        if (is_start) return;
+        Membership its = archive.is_reading() ? Membership{} : *last_;
+        archive(its);
+        if (!archive.is_reading()) return;
+        if (its.species.size() != particles.count() || its.is_present.size() != particles.count())
+            archive.refuse("its membership is not that of the particles");
+        last_ = std::make_shared<const Membership>(std::move(its));
+    }
+
+  private:
+    /// Null: that of the start.
+    static bool are_same(const Membership* a, const Membership* b, const Particles& particles) {
+        const Eigen::ArrayXi &of_a = a ? a->species : particles.species,
+                             &of_b = b ? b->species : particles.species;
+        if ((of_a != of_b).any()) return false;
+        if (a != nullptr && b != nullptr) return (a->is_present == b->is_present).all();
+        return (a == nullptr || a->is_present.all()) && (b == nullptr || b->is_present.all());
+    }
+
+    std::shared_ptr<const Membership> last_;
+};
+
+}  // namespace carom

@@ -7,6 +7,7 @@
 #include <deque>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -193,6 +194,7 @@ class PhysicsRun {
         while (!events_.empty() && events_.front() <= 0.0) events_.pop_front();
         events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
         averages_.see(simulation_.sample(), {});
+        membership_ = simulation_.membership();
         if (!take_.sample) simulation_.forget_sample();
         simulation_.record_collisions(true);
         step_.begin(first_step * run_.until);
@@ -312,7 +314,9 @@ class PhysicsRun {
 
     bool see_changes() {
         const Stopwatch watch;
-        const bool are_seen = statistics_.see_changes(now_, *advanced_.velocities, advanced_);
+        const bool are_seen =
+            statistics_.see_changes({.time = now_, .membership = simulation_.membership()},
+                                    *advanced_.velocities, advanced_);
         seconds_.samples += watch.wall();
         return are_seen;
     }
@@ -355,9 +359,9 @@ class PhysicsRun {
             averages_.see(sample, its);
             if (take_.collisions && !its.empty()) take_.collisions(simulation_.particles(), its);
         };
-        Sample sample;
-        sample.time = now_;
-        if (averages_.needs_samples()) sample = simulation_.sample();
+        Sample sample{.time = now_, .membership = simulation_.membership()};
+        const bool is_changed = std::exchange(membership_, sample.membership) != sample.membership;
+        if (averages_.needs_samples() || is_changed) sample = simulation_.sample();
         if (!aside_) return give([&] { take(sample, collisions); });
         give([take, sample = std::move(sample),
               all = std::vector(collisions.begin(), collisions.end())] { take(sample, all); });
@@ -368,6 +372,7 @@ class PhysicsRun {
     Simulation simulation_;
     RunStatistics statistics_;
     TimeAverages averages_;
+    std::shared_ptr<const Membership> membership_;  ///< in the last sample of the averages
     ReversalWatch reversals_;
     SurfaceWatch surfaces_;
     StepLength step_;

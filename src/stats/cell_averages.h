@@ -8,6 +8,7 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "physics/box.h"
@@ -75,6 +76,10 @@ class CellAverages {
 
     CellAverages(const Box& box, const Particles& particles, const Cells& cells, Wanted wanted,
                  std::vector<double> velocity_changes);
+
+    /// Changes `members` of Wanted for what is seen from now on. The present moment is that of the
+    /// next call of see(), which may take the last sample again.
+    void choose(std::vector<bool> members) { wanted_.members = std::move(members); }
 
     /// Takes the next sample. Samples must come in order of time, each with all collisions since
     /// the previous one. Throws CollisionError if a particle crosses more than a million cells

@@ -91,41 +91,58 @@ HistogramOverTime::Slot* HistogramOverTime::slot(std::int64_t number) {
     return &slots_[static_cast<std::size_t>(number - slots_.front().number)];
 }
 
-void HistogramOverTime::add(const Course& course, bool counted) {
-    if (slots_.empty()) slot(0);  // the first course may not be that of the first interval
-    if (at_clock_) return add_samples(course, counted);
-    const auto add_between = [&](Slot& its, double from, double to) {
-        if (counted)
-            add_to(its, course, from, to);
-        else
-            its.elsewhere += to - from;
-    };
-    if (length_ == 0.0) return add_between(*slot(0), 0.0, course.to - course.from);
-    auto number = static_cast<std::int64_t>(std::floor(course.from / length_));
+// Calls `add(slot, from, to)` for each part of a time that belongs to a slot.
+void HistogramOverTime::for_each_slot(double from, double to, const auto& add) {
+    if (length_ == 0.0) return add(*slot(0), from, to);
+    auto number = static_cast<std::int64_t>(std::floor(from / length_));
     number = std::max(number, slots_.front().number);
-    for (; start_of(number) < course.to; ++number) {
-        const double from = std::max(course.from, start_of(number));
-        const double to = std::min(course.to, start_of(number + 1));
-        if (to > from) add_between(*slot(number), from - course.from, to - course.from);
+    for (; start_of(number) < to; ++number) {
+        const double begin = std::max(from, start_of(number));
+        const double end = std::min(to, start_of(number + 1));
+        if (end > begin) add(*slot(number), begin, end);
     }
 }
 
-// Samples from the start of the course up to its end, excluded; the last sample, at the end of the
-// run, is that of the present.
-void HistogramOverTime::add_samples(const Course& course, bool counted) {
-    auto number = static_cast<std::int64_t>(std::ceil(course.from / clock_.every - 1.0));
+// Calls `add(slot, time)` for each sample of a time up to its end, excluded; the last sample, at
+// the end of the run, is that of the present.
+void HistogramOverTime::for_each_sample(double from, double to, const auto& add) {
+    auto number = static_cast<std::int64_t>(std::ceil(from / clock_.every - 1.0));
     number = std::max<std::int64_t>(0, number);
     for (;; ++number) {
         const double time = static_cast<double>(number) * clock_.every;
-        if (time >= course.to || time >= clock_.until - rounding * clock_.every) return;
-        if (time < course.from) continue;
-        Slot* its = slot(window_ ? number : 0);
-        const double value = course.value(time - course.from);
-        if (its != nullptr && !counted) its->elsewhere += 1.0;
-        if (its == nullptr || !counted) continue;
-        count(*its, value, 1.0);
-        if (std::isfinite(value)) its->join(1.0, value, 0.0);
+        if (time >= to || time >= clock_.until - rounding * clock_.every) return;
+        if (time < from) continue;
+        if (Slot* its = slot(window_ ? number : 0)) add(*its, time);
     }
+}
+
+void HistogramOverTime::add(const Course& course, bool counted) {
+    if (slots_.empty()) slot(0);  // the first course may not be that of the first interval
+    if (at_clock_)
+        return for_each_sample(course.from, course.to, [&](Slot& its, double time) {
+            if (!counted) {
+                its.elsewhere += 1.0;
+                return;
+            }
+            const double value = course.value(time - course.from);
+            count(its, value, 1.0);
+            if (std::isfinite(value)) its.join(1.0, value, 0.0);
+        });
+    for_each_slot(course.from, course.to, [&](Slot& its, double from, double to) {
+        if (counted)
+            add_to(its, course, from - course.from, to - course.from);
+        else
+            its.elsewhere += to - from;
+    });
+}
+
+void HistogramOverTime::add_elsewhere(double values, double from, double to) {
+    if (slots_.empty()) slot(0);
+    if (at_clock_)
+        return for_each_sample(from, to, [&](Slot& its, double) { its.elsewhere += values; });
+    for_each_slot(from, to, [&](Slot& its, double begin, double end) {
+        its.elsewhere += values * (end - begin);
+    });
 }
 
 // From and to are times since the start of the course.

@@ -32,9 +32,13 @@ class HistogramOverTime {
     /// `counted` is elsewhere for this time: it is in no bin, and lowers the mean counts.
     void add(const Course& course, bool counted = true);
 
+    /// Lets so many values be elsewhere between two times that have passed; negative: so many more
+    /// than usual are here. For choices of particles whose number changes.
+    void add_elsewhere(double values, double from, double to);
+
     /// The mean over the time up to `now`, to which all courses must have been added; `present`,
     /// the values now, is the mean while no time has passed. `absent`: the number of values that
-    /// are elsewhere now; with those present, the same at all times.
+    /// are elsewhere now, as for add_elsewhere(); with those present, the same at all times.
     MeanHistogram mean(double now, const Eigen::ArrayXd& present, double absent = 0.0) const;
 
     /// Drops what no mean from `now` on needs.
@@ -63,7 +67,8 @@ class HistogramOverTime {
     bool fits_together() const;
     Slot* slot(std::int64_t number);
     double start_of(std::int64_t number) const { return static_cast<double>(number) * length_; }
-    void add_samples(const Course& course, bool counted);
+    void for_each_slot(double from, double to, const auto& add);
+    void for_each_sample(double from, double to, const auto& add);
     void add_to(Slot& slot, const Course& course, double from, double to) const;
     void add_monotone(Slot& slot, const Course& course, double from, double to) const;
     void count(Slot& slot, double value, double weight) const;

@@ -63,18 +63,29 @@ RunStatistics::RunStatistics(const Box& box, const Particles& particles, int spe
       tallies_(static_cast<std::size_t>(species)),
       sums_(static_cast<std::size_t>(species)),
       counts_(static_cast<std::size_t>(species)),
+      all_counts_(static_cast<std::size_t>(species)),
       pressure_(box) {
+    count({});
+    first_counts_ = counts_;
+}
+
+// What depends on which particles are present, and on their species.
+void RunStatistics::count(const Sample& sample) {
+    const Eigen::ArrayXi& species = species_at(sample, particles_);
+    some_are_absent_ = sample.membership && !sample.membership->is_present.all();
+    counts_.assign(counts_.size(), 0);
     ExactSum mass;
     double movable = 0.0;
-    for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        ++counts_[static_cast<std::size_t>(particles.species[i])];
-        mass.add(1.0 / particles.inverse_mass[i]);
-        movable += particles.inverse_mass[i] > 0.0;
+    for (Eigen::Index i = 0; i < particles_.count(); ++i) {
+        if (!is_present(sample, i)) continue;
+        ++counts_[static_cast<std::size_t>(species[i])];
+        mass.add(1.0 / particles_.inverse_mass[i]);
+        movable += particles_.inverse_mass[i] > 0.0;
     }
     mass_ = mass.value();
-    degrees_of_freedom_ = box.dimension * movable;
-    for (int axis = 0; axis < box.dimension; ++axis) {
-        const bool is_conserved = mass_ > 0.0 && conserves_momentum(box, particles, axis);
+    degrees_of_freedom_ = box_.dimension * movable;
+    for (int axis = 0; axis < box_.dimension; ++axis) {
+        const bool is_conserved = mass_ > 0.0 && conserves_momentum(box_, particles_, axis);
         is_conserved_[static_cast<std::size_t>(axis)] = is_conserved;
         degrees_of_freedom_ -= is_conserved ? 1.0 : 0.0;
     }
@@ -104,15 +115,18 @@ void RunStatistics::see_positions(const Sample& sample, const AdvanceResult& adv
 
 void RunStatistics::see_velocities(const Sample& sample, const AdvanceResult& advanced,
                                    bool is_followed) {
+    if (membership_.see(sample, particles_)) count(sample);
     tally(sample, is_followed);
     if (seen_ == 0) worked_on_ = infinite_mass_moves(particles_, sample);
     const std::optional<ThermalMotion> motion = present_motion();
     finish(sample.time, motion ? *motion : thermal_motion(box_, particles_, sample), advanced);
 }
 
-bool RunStatistics::see_changes(double time, std::span<const VelocityChange> changes,
+bool RunStatistics::see_changes(const Sample& sample, std::span<const VelocityChange> changes,
                                 const AdvanceResult& advanced) {
-    if (!is_followed_) return false;
+    const bool is_unchanged = sample.membership == membership_.last() && !some_are_absent_;
+    if (!is_followed_ || !is_unchanged) return false;
+    const Eigen::ArrayXi& species = species_at(sample, particles_);
     const auto count = static_cast<Eigen::Index>(changes.size());
     Bodies before, after;
     Eigen::ArrayXd inverse(count);
@@ -122,7 +136,7 @@ bool RunStatistics::see_changes(double time, std::span<const VelocityChange> cha
     for (Eigen::Index k = 0; k < count; ++k) {
         const VelocityChange& change = changes[static_cast<std::size_t>(k)];
         inverse[k] = particles_.inverse_mass[change.particle];
-        before.species[k] = particles_.species[change.particle];
+        before.species[k] = species[change.particle];
         for (int axis = 0; axis < box_.dimension; ++axis) {
             before.velocity(k, axis) = change.before[static_cast<std::size_t>(axis)];
             after.velocity(k, axis) = change.after[static_cast<std::size_t>(axis)];
@@ -139,7 +153,7 @@ bool RunStatistics::see_changes(double time, std::span<const VelocityChange> cha
     energies_.replace(before.energy, after.energy);
     const std::optional<ThermalMotion> motion = present_motion();
     if (!motion) return false;
-    finish(time, *motion, advanced);
+    finish(sample.time, *motion, advanced);
     return true;
 }
 
@@ -153,13 +167,23 @@ void RunStatistics::tally(const Sample& sample, bool is_followed) {
     tallies_.assign(tallies_.size(), {});
     momentum_ = {};
     constexpr Eigen::Index in_block = 2048;
+    const Eigen::ArrayXi& species = species_at(sample, particles_);
     const auto for_each_block = [&](const auto& see) {
         Bodies block;
         for (Eigen::Index first = 0; first < particles_.count(); first += in_block) {
             const Eigen::Index size = std::min(in_block, particles_.count() - first);
-            block.species = particles_.species.segment(first, size);
-            block.velocity = sample.velocity.middleRows(first, size);
-            block.complete(particles_.inverse_mass.segment(first, size));
+            if (some_are_absent_) {
+                std::vector<Eigen::Index> there;
+                for (Eigen::Index i = first; i < first + size; ++i)
+                    if (is_present(sample, i)) there.push_back(i);
+                block.species = species(there);
+                block.velocity = sample.velocity(there, Eigen::all);
+                block.complete(particles_.inverse_mass(there));
+            } else {
+                block.species = species.segment(first, size);
+                block.velocity = sample.velocity.middleRows(first, size);
+                block.complete(particles_.inverse_mass.segment(first, size));
+            }
             see(block);
         }
     };
@@ -230,6 +254,7 @@ void RunStatistics::finish(double time, const ThermalMotion& motion,
         energy.add(tallies_[s].energy);
         sums_[s].energy += tallies_[s].energy.value();
         sums_[s].speed += tallies_[s].speed.value();
+        all_counts_[s] += counts_[s];
     }
     last_.energy = energy.value();
     if (seen_ == 0) first_ = last_;
@@ -237,6 +262,7 @@ void RunStatistics::finish(double time, const ThermalMotion& motion,
         largest_energy_error_ =
             std::max(largest_energy_error_, std::abs(last_.energy - first_.energy) / first_.energy);
     thermal_energy_ += motion.energy;
+    all_degrees_ += degrees_of_freedom_;
     if (is_followed_) {
         speeds_.count_held();
         energies_.count_held();
@@ -248,9 +274,9 @@ void RunStatistics::finish(double time, const ThermalMotion& motion,
 std::vector<SpeciesMeans> RunStatistics::species_means() const {
     std::vector<SpeciesMeans> means;
     for (std::size_t s = 0; s < sums_.size(); ++s) {
-        const double values = static_cast<double>(counts_[s]) * static_cast<double>(seen_);
-        means.push_back(
-            {counts_[s], if_finite(sums_[s].energy / values), if_finite(sums_[s].speed / values)});
+        const auto values = static_cast<double>(all_counts_[s]);
+        means.push_back({first_counts_[s], if_finite(sums_[s].energy / values),
+                         if_finite(sums_[s].speed / values)});
     }
     return means;
 }
@@ -273,7 +299,8 @@ RunSummary RunStatistics::summary(const AdvanceResult& advanced) const {
     if (!worked_on_ && plain)
         summary.virial_pressure =
             virial_pressure(box_, particles_, thermal, advanced.impulses, time_);
-    summary.temperature = if_finite(ThermalMotion{thermal, degrees_of_freedom_}.temperature());
+    const double degrees = all_degrees_ / static_cast<double>(seen_);
+    summary.temperature = if_finite(ThermalMotion{thermal, degrees}.temperature());
     summary.species = species_means();
     summary.speeds = speeds_.counts();
     summary.energies = energies_.counts();

@@ -11,6 +11,7 @@
 
 #include "physics/box.h"
 #include "physics/mechanics.h"
+#include "physics/membership.h"
 #include "physics/particles.h"
 #include "physics/simulation.h"
 #include "stats/growing_histogram.h"
@@ -19,9 +20,9 @@
 
 namespace carom {
 
-/// Means over the particles of one species and the samples; of a run, over time.
+/// Means over the particles that one species has at each time and the samples; of a run, over time.
 struct SpeciesMeans {
-    std::int64_t count = 0;
+    std::int64_t count = 0;        ///< at the start
     std::optional<double> energy;  ///< none with an infinite mass that moves
     std::optional<double> speed;
 };
@@ -65,11 +66,12 @@ class RunStatistics {
     /// be given by its velocity changes (see_changes()).
     void see_velocities(const Sample& sample, const AdvanceResult& advanced, bool is_followed);
 
-    /// Alternatively, all velocities that differ from the previous sample, which must have been
-    /// given with `is_followed` or by see_changes() itself. Returns false, and ignores the sample,
-    /// if it must be given whole by see_velocities(): the energy of the drift is too large a part
-    /// of the kinetic energy to be subtracted accurately.
-    bool see_changes(double time, std::span<const VelocityChange> changes,
+    /// Alternatively, the time and the membership of a sample, with all velocities that differ from
+    /// the previous one, which must have been given with `is_followed` or by see_changes() itself.
+    /// Returns false, and ignores the sample, if it must be given whole by see_velocities(): the
+    /// energy of the drift is too large a part of the kinetic energy to be subtracted accurately,
+    /// or the membership has changed.
+    bool see_changes(const Sample& sample, std::span<const VelocityChange> changes,
                      const AdvanceResult& advanced);
 
     /// Takes an event of the run between samples, at which partitions may open.
@@ -99,12 +101,15 @@ class RunStatistics {
     void tally(const Sample& sample, bool is_followed);
     template <bool is_added>
     void tally(const Bodies& bodies);
+    void count(const Sample& sample);
     std::optional<ThermalMotion> present_motion() const;
     void finish(double time, const ThermalMotion& motion, const AdvanceResult& advanced);
     std::vector<SpeciesMeans> species_means() const;
 
     Box box_;
     const Particles& particles_;
+    MembershipWatch membership_;
+    bool some_are_absent_ = false;
     std::int64_t samples_between_audits_;
     std::int64_t seen_ = 0;
     std::int64_t audited_ = 0;              ///< samples whose positions were seen
@@ -114,15 +119,17 @@ class RunStatistics {
     bool is_followed_ = false;              ///< the next sample may be given by its changes
     std::vector<Tally> tallies_;            ///< by species
     std::array<ExactSum, 2> momentum_;      ///< by axis
-    double mass_ = 0.0;                     ///< of all
+    double mass_ = 0.0;                     ///< of all that are present
     std::array<bool, 3> is_conserved_{};    ///< momentum along an axis
     Totals first_, last_;
     double largest_energy_error_ = 0.0;
     double largest_overlap_ = 0.0;
     double thermal_energy_ = 0.0;      ///< summed over the samples
-    double degrees_of_freedom_ = 0.0;  ///< sharing this energy, in one sample
+    double degrees_of_freedom_ = 0.0;  ///< sharing this energy, in the present sample
+    double all_degrees_ = 0.0;         ///< summed over the samples
     std::vector<Sums> sums_;           ///< by species, over its particles and the samples
-    std::vector<std::int64_t> counts_;
+    std::vector<std::int64_t> counts_, first_counts_;  ///< by species, at present and at the start
+    std::vector<std::int64_t> all_counts_;             ///< by species, summed over the samples
     GrowingHistogram speeds_, energies_;
     PressureWatch pressure_;
 };

@@ -10,10 +10,17 @@ LineCrossings::LineCrossings(const Box& box, const Particles& particles, const C
     : box_(box),
       particles_(particles),
       line_(line),
-      is_member_(static_cast<std::size_t>(particles.count())),
       paths_(box, std::move(velocity_changes)),
-      ends_(is_member_.size()) {
+      ends_(static_cast<std::size_t>(particles.count())) {
+    choose(members);
+}
+
+// Where a particle was when it was counted before says nothing of where it is when it is again.
+void LineCrossings::choose(const std::vector<Eigen::Index>& members) {
+    is_member_.assign(ends_.size(), false);
     for (const Eigen::Index i : members) is_member_[static_cast<std::size_t>(i)] = true;
+    for (std::size_t i = 0; i < ends_.size(); ++i)
+        if (!is_member_[i]) ends_[i].reset();
 }
 
 const CrossingTotals& LineCrossings::see(const Sample& sample,

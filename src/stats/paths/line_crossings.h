@@ -34,6 +34,9 @@ class LineCrossings {
     LineCrossings(const Box& box, const Particles& particles, const CrossedLine& line,
                   const std::vector<Eigen::Index>& members, std::vector<double> velocity_changes);
 
+    /// Changes which particles are counted, from the last sample seen on.
+    void choose(const std::vector<Eigen::Index>& members);
+
     /// Takes the next sample. Samples must come in order of time, each with all collisions since
     /// the previous one. Returns the totals up to this sample.
     const CrossingTotals& see(const Sample& sample, std::span<const Collision> collisions);

@@ -131,9 +131,10 @@ bool PairCorrelation::is_wanted(Eigen::Index i, Eigen::Index j) const {
 // Counts the pairs for each pair of radii. If there are too many different radii, the particles are
 // grouped, and each group has its mean radius.
 void PairCorrelation::find_kinds() {
-    const Eigen::Index count = particles_.count();
+    kinds_.clear();
+    last_expected_.reset();
     std::vector<Eigen::Index> by_radius;
-    for (Eigen::Index i = 0; i < count; ++i) by_radius.push_back(i);
+    for (Eigen::Index i = 0; i < particles_.count(); ++i) by_radius.push_back(i);
     std::ranges::stable_sort(by_radius, {}, [&](Eigen::Index i) { return particles_.radius[i]; });
     std::vector<std::vector<Eigen::Index>> groups;
     for (const Eigen::Index i : by_radius) {
@@ -208,6 +209,10 @@ void PairCorrelation::see(const Sample& sample, std::span<const Collision> colli
     const bool is_short = (time_ - since_) * speed_ < way_of_slice * wanted_.to;
     const bool is_read_often = std::exchange(is_read_, false);  // then each reading adds little
     if (!wanted_.window && is_short && !is_read_often) return;
+    add_all_pieces();
+}
+
+void PairCorrelation::add_all_pieces() {
     const Pieces all = with_open();
     for_each_slice(pairs_, {since_, time_}, [&](Interval part) {
         add_pieces(all, part, pairs_.at(part.middle()), flights_added_);

@@ -43,6 +43,15 @@ class PairCorrelation {
     PairCorrelation(const Box& box, const Particles& particles, Wanted wanted,
                     std::vector<double> velocity_changes);
 
+    /// Changes `first` and `second` of Wanted for what is seen from now on. The present moment is
+    /// that of the next call of see(), which may take the last sample again.
+    void choose(std::vector<bool> first, std::vector<bool> second) {
+        if (time_ > since_) add_all_pieces();  // of the pairs until now
+        wanted_.first = std::move(first);
+        wanted_.second = std::move(second);
+        find_kinds();
+    }
+
     /// Takes the next sample. Samples must come in order of time, each with all collisions since
     /// the previous one. `sides`: the positions of the sides at this sample.
     void see(const Sample& sample, std::span<const Collision> collisions, const BoxSides& sides);
@@ -80,6 +89,7 @@ class PairCorrelation {
     Eigen::ArrayXd expected(const BoxSides& sides);
     void see_pieces(const Sample& sample, std::span<const Collision> collisions);
     Pieces with_open() const;
+    void add_all_pieces();
     int slices_in(Interval within) const;
     void add_pieces(const Pieces& pieces, Interval whole, Eigen::ArrayXd& time,
                     double& flights) const;

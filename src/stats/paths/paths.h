@@ -88,6 +88,12 @@ class Paths {
         time_ = sample.time;
     }
 
+    /// Ends all flights at the sample that see_whole() has taken last, and calls `see(piece)` for
+    /// their last pieces: what follows belongs to something else.
+    void end_flights(const Sample& sample, std::invocable<const PathPiece&> auto&& see) {
+        cut(sample, see);
+    }
+
     /// Calls `see(piece)` for the pieces from where see_whole() has left off to the last sample.
     void see_open(std::invocable<const PathPiece&> auto&& see) const {
         std::vector<PathPiece> pieces;

@@ -11,14 +11,18 @@ ThermalTimes::ThermalTimes(const Box& box, const Particles& particles,
       parts_(std::move(parts)),
       paths_(box, std::move(velocity_changes)),
       integrals_(parts_.size()) {
-    for (const ThermalPart& part : parts_) {
-        std::vector<bool>& is_member =
-            is_member_.emplace_back(static_cast<std::size_t>(particles.count()));
-        for (const Eigen::Index i : part.members) is_member[static_cast<std::size_t>(i)] = true;
-    }
+    is_member_.resize(parts_.size());
+    for (std::size_t k = 0; k < parts_.size(); ++k) choose(k, std::move(parts_[k].members));
     if ((particles.inverse_mass > 0.0).all()) mass_ = (1.0 / particles.inverse_mass).sum();
     for (int axis = 0; axis < box.dimension; ++axis)
         is_conserved_[static_cast<std::size_t>(axis)] = conserves_momentum(box, particles, axis);
+}
+
+void ThermalTimes::choose(std::size_t part, std::vector<Eigen::Index> members) {
+    std::vector<bool>& is_member = is_member_[part];
+    is_member.assign(static_cast<std::size_t>(particles_.count()), false);
+    for (const Eigen::Index i : members) is_member[static_cast<std::size_t>(i)] = true;
+    parts_[part].members = std::move(members);
 }
 
 const std::vector<ThermalIntegrals>& ThermalTimes::see(const Sample& sample,
@@ -46,9 +50,16 @@ std::vector<ThermalIntegrals> ThermalTimes::moment(const Sample& sample) {
 // The drift of the whole gas is not thermal motion and is subtracted. The drift found at one sample
 // is used until the next.
 void ThermalTimes::look_for_drift(const Sample& sample) {
+    const auto of_present = [&](const Eigen::ArrayXd& values) {
+        if (!some_are_absent_) return values.sum();
+        return Eigen::ArrayXd(sample.membership->is_present.select(values, 0.0)).sum();
+    };
+    const bool is_changed = membership_.see(sample, particles_);
+    if (is_changed) some_are_absent_ = sample.membership && !sample.membership->is_present.all();
+    if (is_changed && mass_ > 0.0) mass_ = of_present(1.0 / particles_.inverse_mass);
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
         if (is_conserved(axis))
-            drift_[axis] = (sample.velocity.col(axis) / particles_.inverse_mass).sum() / mass_;
+            drift_[axis] = of_present(sample.velocity.col(axis) / particles_.inverse_mass) / mass_;
 }
 
 double ThermalTimes::half_freedom(Eigen::Index particle) const {

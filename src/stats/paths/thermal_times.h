@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/box.h"
+#include "physics/membership.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
 #include "stats/paths/stays.h"
@@ -31,6 +32,9 @@ class ThermalTimes {
   public:
     ThermalTimes(const Box& box, const Particles& particles, std::vector<ThermalPart> parts,
                  std::vector<double> velocity_changes);
+
+    /// Changes which particles a part has, from the last sample seen on.
+    void choose(std::size_t part, std::vector<Eigen::Index> members);
 
     /// Takes the next sample. Samples must come in order of time, each with all collisions since
     /// the previous one. Returns the integrals of each part.
@@ -57,7 +61,9 @@ class ThermalTimes {
     Paths paths_;
     std::array<bool, 3> is_conserved_{};  ///< momentum along an axis
     Vec drift_ = {};                      ///< of the centre of mass, along conserved axes
-    double mass_ = 0.0;                   ///< of the whole gas; 0 if it has infinite masses
+    MembershipWatch membership_;
+    bool some_are_absent_ = false;
+    double mass_ = 0.0;  ///< of all that are present; 0 if the gas has infinite masses
     std::vector<ThermalIntegrals> integrals_;
     std::vector<Stay> stays_;  ///< scratch
 };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/box.h"
+#include "physics/membership.h"
 #include "physics/particles.h"
 #include "stats/paths/paths.h"
 
@@ -20,7 +21,7 @@ class TimeAverages {
                  std::vector<double> velocity_changes);
 
     /// Whether see() needs positions and velocities; if not, after the first call the time of the
-    /// sample is enough.
+    /// sample and its membership are enough where this is the same object as before.
     bool needs_samples() const { return needs_samples_; }
 
     /// Takes the next sample. Samples must come in order of time, each with all collisions since
@@ -29,8 +30,8 @@ class TimeAverages {
 
     /// The averages over the time since the first sample, which must be longer than 0.
     struct Values {
-        std::vector<double> energy, speed;  ///< by species, over its particles; particles of
-                                            ///< infinite mass have no energy
+        std::vector<double> energy, speed;  ///< by species, over its particles at each time;
+                                            ///< particles of infinite mass have no energy
         double temperature;                 ///< as in ThermalMotion; NaN if nothing can move
     };
     Values averages() const;
@@ -41,19 +42,30 @@ class TimeAverages {
     struct Integrals {
         std::vector<double> energy, speed;
     };
+    /// Integrals over time of what changes only with the membership: the numbers of particles by
+    /// species, what they had in the first sample, and the degrees of freedom.
+    struct Times {
+        std::vector<double> counts = {}, energy = {}, speed = {};
+        double freedom = 0.0;
+    };
     void add(const PathPiece& piece, Integrals& to) const;
     void begin(const Sample& sample);
     void look_for_drift(const Sample& sample);
+    void count();
+    void add_times_until(double time, Times& to) const;
 
     int dimension_;
-    Eigen::ArrayXd inverse_mass_;
-    Eigen::ArrayXi species_;
+    Particles particles_;
+    MembershipWatch membership_;
+    Eigen::ArrayXi species_;  ///< at present; -1: absent
     bool needs_samples_;
     Paths paths_;
     std::array<bool, 3> is_conserved_{};         ///< momentum along an axis
-    double mass_ = 0.0;                          ///< of all, if momentum is conserved
+    double mass_ = 0.0;                          ///< of all present, if momentum is conserved
     double freedom_ = 0.0;                       ///< degrees of freedom
     std::vector<double> counts_;                 ///< of particles, by species
+    Times before_;                               ///< until `since_`
+    double since_ = 0.0;                         ///< when the membership changed last
     Eigen::ArrayXd first_energy_, first_speed_;  ///< of each particle, in the first sample
     Integrals integrals_;
     double drift_ = 0.0, drift_integral_ = 0.0;  ///< energy of the motion of the whole gas

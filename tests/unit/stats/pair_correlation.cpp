@@ -266,3 +266,33 @@ TEST_CASE("a window forgets, and sides that move take their points with them") {
     CHECK(pairs.values()[1] ==
           doctest::Approx(1.0 / ring_probability(box, sides, {0.0, 0.0}, 2.0, 4.0)));
 }
+
+TEST_CASE("pairs are of the particles that are chosen at the time") {
+    const Box box = box_of(20.0, 20.0, Wall::solid, Wall::solid);
+    const Particles particles = particles_of({0.5, 0.5, 0.5});
+    const std::vector<bool> one{true, false, false}, second{false, true, false},
+        third{false, false, true};
+    // From the first particle the second is 2 away, the third 4; all rest.
+    const auto at = [](double time) {
+        return sample_of(time, {{8, 10, 0, 0}, {10, 10, 0, 0}, {12, 10, 0, 0}});
+    };
+    const auto see = [&](const std::vector<bool>& of, std::optional<double> window, bool changes) {
+        PairCorrelation pairs(box, particles,
+                              {.first = one, .second = of, .to = 5.0, .rings = 5, .window = window},
+                              {});
+        for (const double time : {0.0, 1.0, 2.0, 3.0, 4.0}) {
+            pairs.see(at(time), {}, sides_of(box));
+            if (time != 1.0 || !changes) continue;
+            pairs.choose(one, third);
+            pairs.see(at(time), {}, sides_of(box));
+        }
+        return pairs.values();
+    };
+    const std::optional<double> all, moment = 0.0;
+    const Eigen::ArrayXd near = see(second, all, false), far = see(third, all, false);
+    CHECK(near[2] > 0.0);
+    CHECK(near[4] == 0.0);
+    CHECK(see(second, moment, true).isApprox(far));
+    CHECK(see(second, all, true).isApprox(0.25 * near + 0.75 * far));
+    CHECK(see(second, 2.0, true).isApprox(far));
+}

@@ -6,11 +6,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "physics/exact_positions.h"
 #include "physics/mechanics.h"
 #include "physics/placement/overlap.h"
 #include "physics/theory/equation_of_state.h"
+#include "stats/paths/time_averages.h"
 #include "stats/pressure.h"
 #include "support/relative.h"
 #include "util/random.h"
@@ -389,7 +391,7 @@ TEST_CASE("samples given by their changes have the very statistics of whole samp
             const Sample sample = sample_of(bodies, 2, k);
             whole.see(sample);
             changed.see_positions({sample.time, sample.position, {}}, {});
-            if (k != 25 && changed.see_changes(k, changes, {}))
+            if (k != 25 && changed.see_changes({.time = double(k)}, changes, {}))
                 ++seen_by_changes;
             else
                 changed.see_velocities({sample.time, {}, sample.velocity}, {}, k != 25);
@@ -413,4 +415,58 @@ TEST_CASE("samples given by their changes have the very statistics of whole samp
         last.see(sample_of(bodies));
         CHECK(*last.summary({}).temperature == relative(thermal, 1e-14));
     }
+}
+
+TEST_CASE("means by species are over the particles that belong to it in each sample") {
+    const std::vector<Body> bodies{
+        {1, 1, 3, 4, 0.5, 2.0, 0}, {5, 5, 0, 2, 0.5, 2.0, 0}, {8, 1, 1, 0, 0.5, 1.0, 1}};
+    const Particles particles = particles_of(bodies);  // energies 25, 4, 1/2
+    Membership its = *membership_at_start(particles);
+    its.species[1] = 1;
+    const auto moved = std::make_shared<const Membership>(its);
+    its.is_present[0] = false;
+    const auto gone = std::make_shared<const Membership>(its);
+    RunStatistics statistics(box_of(10, 8), particles, 2, 3);
+    for (int k = 0; k < 3; ++k) {
+        Sample sample = sample_of(bodies, 2, k);
+        if (k > 0) sample.membership = k == 1 ? moved : gone;
+        statistics.see_positions(sample, {});
+        CHECK(!statistics.see_changes(sample, {}, {}));  // the first, then two that differ
+        statistics.see_velocities(sample, {}, true);
+    }
+    const RunSummary summary = statistics.summary({});
+    CHECK(summary.species[0].count == 2);
+    CHECK(*summary.species[0].energy == relative((25.0 + 4.0 + 25.0) / 3.0, 1e-14));
+    CHECK(*summary.species[0].speed == relative((5.0 + 2.0 + 5.0) / 3.0, 1e-14));
+    CHECK(*summary.species[1].energy == relative((0.5 + 4.5 + 4.5) / 5.0, 1e-14));
+    CHECK(summary.energy_final == 4.5);
+    CHECK(*summary.temperature == relative((29.5 + 29.5 + 4.5) / (6.0 + 6.0 + 4.0) * 2.0, 1e-14));
+    CHECK(thermal_motion(box_of(9, 9, Wall::periodic), particles,
+                         {0.0, {}, sample_of(bodies).velocity, gone})
+              .degrees_of_freedom == 3.0);
+}
+
+TEST_CASE("averages over time count a particle for what it is at each time") {
+    // One flies at speed 1, the other at 2 and is of the second species from time 1 to 3, then
+    // absent until the end at 4.
+    const std::vector<Body> bodies{{1, 1, 1, 0}, {1, 5, 2, 0}};
+    const Particles particles = particles_of(bodies);
+    Membership its = *membership_at_start(particles);
+    its.species[1] = 1;
+    const auto moved = std::make_shared<const Membership>(its);
+    its.is_present[1] = false;
+    const auto gone = std::make_shared<const Membership>(its);
+    TimeAverages averages(box_of(20, 8), particles, 2, {});
+    for (int k = 0; k < 5; ++k) {
+        Sample sample = sample_of(bodies, 2, k);
+        sample.position.col(0) += k * sample.velocity.col(0);
+        if (k > 0) sample.membership = k < 3 ? moved : gone;
+        averages.see(sample, {});
+    }
+    const TimeAverages::Means means = averages.means();
+    CHECK(means.speed[0] == relative((4.0 * 1.0 + 1.0 * 2.0) / 5.0, 1e-14));
+    CHECK(means.energy[0] == relative((4.0 * 0.5 + 1.0 * 2.0) / 5.0, 1e-14));
+    CHECK(means.speed[1] == relative(2.0, 1e-14));
+    CHECK(means.temperature ==
+          relative((4.0 * 0.5 + 3.0 * 2.0) * 2.0 / (4.0 * 2.0 + 3.0 * 2.0), 1e-14));
 }

@@ -21,19 +21,22 @@ SamplesCsv::SamplesCsv(const Gas& gas, Output& output) : rows_(output) {
     output.write(csv_header(columns));
 }
 
-void SamplesCsv::name_rows(const Particles& particles) {
+void SamplesCsv::name_rows(const Particles& particles, const Sample& sample) {
     const Eigen::ArrayXd mass = masses(particles);
+    const Eigen::ArrayXi& species = species_at(sample, particles);
+    labels_.clear();
     for (Eigen::Index i = 0; i < particles.count(); ++i)
         labels_.push_back(fmt::format(",{},{},{},{}", i,
-                                      species_[static_cast<std::size_t>(particles.species[i])],
-                                      mass[i], particles.radius[i]));
+                                      species_[static_cast<std::size_t>(species[i])], mass[i],
+                                      particles.radius[i]));
 }
 
 void SamplesCsv::add(const Particles& particles, const Sample& sample) {
-    if (labels_.empty()) name_rows(particles);
+    if (membership_.see(sample, particles) || labels_.empty()) name_rows(particles, sample);
     const std::string time = csv_number(sample.time);
     auto out = rows_.end();
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
+        if (!is_present(sample, i)) continue;
         fmt::format_to(out, "{}{}", time, labels_[static_cast<std::size_t>(i)]);
         for (const double x : sample.position.row(i)) fmt::format_to(out, FMT_COMPILE(",{}"), x);
         for (const double v : sample.velocity.row(i)) fmt::format_to(out, FMT_COMPILE(",{}"), v);

@@ -6,14 +6,15 @@
 
 #include "app/output.h"
 #include "app/report/row_buffer.h"
-#include "physics/particles.h"
+#include "physics/membership.h"
 
 namespace carom {
 
 struct Gas;
 
-/// A header, then a row for each sample and particle: time,particle,species,mass,radius,x,y,vx,vy
-/// (in 1-D x,vx). Numbers are formatted by csv_number(); an infinite mass is `inf`.
+/// A header, then a row for each sample and particle that is present:
+/// time,particle,species,mass,radius,x,y,vx,vy (in 1-D x,vx). Numbers are formatted by
+/// csv_number(); an infinite mass is `inf`.
 class SamplesCsv {
   public:
     /// Writes the header to `output`, which must outlive the object.
@@ -26,10 +27,11 @@ class SamplesCsv {
     void finish() { rows_.finish(); }
 
   private:
-    void name_rows(const Particles& particles);
+    void name_rows(const Particles& particles, const Sample& sample);
 
     std::vector<std::string> species_;  ///< names as fields
     std::vector<std::string> labels_;   ///< of each particle, what stays the same: ",0,cold,1,0.5"
+    MembershipWatch membership_;
     RowBuffer rows_;
 };
 

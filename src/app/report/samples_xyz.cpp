@@ -9,6 +9,7 @@
 
 #include "physics/gas.h"
 #include "physics/mechanics.h"
+#include "physics/membership.h"
 #include "util/csv.h"
 
 namespace carom {
@@ -73,13 +74,16 @@ void SamplesXyz::add(const Particles& particles, const Sample& sample) {
     if (ends_.empty()) name_lines(particles);
     auto out = rows_.end();
     const bool is_plane = sample.position.cols() == 2;
-    fmt::format_to(out, "{}\n{}{}{}", particles.count(), before_time_, csv_number(sample.time),
-                   after_time_);
+    const Eigen::ArrayXi& species = species_at(sample, particles);
+    const Eigen::Index count =
+        sample.membership ? sample.membership->is_present.count() : particles.count();
+    fmt::format_to(out, "{}\n{}{}{}", count, before_time_, csv_number(sample.time), after_time_);
     const auto add_vector = [&](const Eigen::ArrayXXd& values, Eigen::Index i) {
         fmt::format_to(out, FMT_COMPILE(" {} {} 0"), values(i, 0), is_plane ? values(i, 1) : 0.0);
     };
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        fmt::format_to(out, "{}", begins_[static_cast<std::size_t>(particles.species[i])]);
+        if (!is_present(sample, i)) continue;
+        fmt::format_to(out, "{}", begins_[static_cast<std::size_t>(species[i])]);
         add_vector(sample.position, i);
         add_vector(sample.velocity, i);
         fmt::format_to(out, "{}", ends_[static_cast<std::size_t>(i)]);

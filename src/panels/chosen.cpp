@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "panels/gas/gas_colors.h"
+#include "physics/archived.h"
 #include "scene/scene.h"
+#include "util/archive.h"
 
 namespace carom {
 
@@ -13,13 +16,29 @@ std::vector<Chosen> choices(const PanelSpec& spec) {
     return spec.of.empty() ? std::vector<Chosen>{{}} : spec.of;
 }
 
-std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& chosen) {
-    if (chosen.particle) return {static_cast<Eigen::Index>(*chosen.particle)};
+namespace {
+
+// `membership`: null for that of the start.
+std::vector<Eigen::Index> members_in(const Particles& particles, const Membership* membership,
+                                     const Chosen& chosen) {
+    const Eigen::ArrayXi& species = membership ? membership->species : particles.species;
     std::vector<Eigen::Index> found;
-    for (Eigen::Index i = 0; i < context.particles.count(); ++i)
-        if (!chosen.species || context.particles.species[i] == static_cast<int>(*chosen.species))
-            found.push_back(i);
+    const auto add = [&](Eigen::Index i) {
+        if (!membership || membership->is_present[i]) found.push_back(i);
+    };
+    if (chosen.particle) {
+        add(static_cast<Eigen::Index>(*chosen.particle));
+        return found;
+    }
+    for (Eigen::Index i = 0; i < particles.count(); ++i)
+        if (!chosen.species || species[i] == static_cast<int>(*chosen.species)) add(i);
     return found;
+}
+
+}  // namespace
+
+std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& chosen) {
+    return members_in(context.particles, nullptr, chosen);
 }
 
 std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
@@ -38,6 +57,36 @@ std::vector<std::vector<Eigen::Index>> members_that_collide(const PanelContext& 
     for (std::vector<Eigen::Index>& list : lists)
         if (!std::ranges::all_of(list, is_infinite)) std::erase_if(list, is_infinite);
     return lists;
+}
+
+Members::Members(const PanelContext& context, std::vector<Chosen> chosen)
+    : particles_(&context.particles), chosen_(std::move(chosen)) {
+    find();
+}
+
+void Members::find() {
+    lists_.clear();
+    for (const Chosen& one : chosen_)
+        lists_.push_back(members_in(*particles_, membership_.last().get(), one));
+}
+
+bool Members::see(const Sample& sample) {
+    if (!membership_.see(sample, *particles_)) return false;
+    find();
+    return true;
+}
+
+std::vector<bool> Members::flags(std::size_t choice) const {
+    const std::vector<Eigen::Index>& list = lists_[choice];
+    if (std::cmp_equal(list.size(), particles_->count())) return {};
+    std::vector<bool> all(static_cast<std::size_t>(particles_->count()));
+    for (const Eigen::Index i : list) all[static_cast<std::size_t>(i)] = true;
+    return all;
+}
+
+void Members::archive(Archive& archive) {
+    membership_.archive(archive, *particles_);
+    if (archive.is_reading()) find();
 }
 
 std::optional<double> asked_trail(const Scene& scene, const Particles& particles,

@@ -7,6 +7,7 @@
 
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
+#include "physics/membership.h"
 
 namespace carom {
 
@@ -14,7 +15,7 @@ namespace carom {
 /// particles.
 std::vector<Chosen> choices(const PanelSpec& spec);
 
-/// The indices of the chosen particles, in ascending order.
+/// The indices of the particles that are chosen at the start, in ascending order.
 std::vector<Eigen::Index> members(const PanelContext& context, const Chosen& chosen);
 std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
                                                const std::vector<Chosen>& chosen);
@@ -23,6 +24,43 @@ std::vector<std::vector<Eigen::Index>> members(const PanelContext& context,
 /// that has only such particles keeps them.
 std::vector<std::vector<Eigen::Index>> members_that_collide(const PanelContext& context,
                                                             const std::vector<Chosen>& chosen);
+
+/// The particles of some choices in the course of a run, as its samples say: those of a species are
+/// the ones that belong to it at the time, and what is absent is in no choice. They are looked for
+/// again only where the membership changes. Not thread-safe: each pass of a panel has its own.
+class Members {
+  public:
+    /// As at the start. The particles of the context must outlive the object.
+    Members(const PanelContext& context, std::vector<Chosen> chosen);
+
+    /// Takes the next sample, in order of time. Returns whether its membership differs from that of
+    /// the sample before (of the first: from that of the start). Flights up to this sample belong
+    /// to the membership before.
+    bool see(const Sample& sample);
+
+    /// The indices of the particles of each choice at the last sample seen, in ascending order.
+    const std::vector<std::vector<Eigen::Index>>& lists() const { return lists_; }
+
+    /// see(), then lists().
+    const std::vector<std::vector<Eigen::Index>>& at(const Sample& sample) {
+        see(sample);
+        return lists_;
+    }
+
+    /// Whether each particle is in a choice; empty: all are.
+    std::vector<bool> flags(std::size_t choice) const;
+
+    /// Writes or reads the membership of the last sample seen.
+    void archive(Archive& archive);
+
+  private:
+    void find();
+
+    const Particles* particles_;
+    std::vector<Chosen> chosen_;
+    MembershipWatch membership_;
+    std::vector<std::vector<Eigen::Index>> lists_;
+};
 
 /// The length of trail that the scene asks for, in seconds of film: as given for the particle's
 /// species, or else for the film; none if neither gives one.

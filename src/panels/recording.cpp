@@ -195,7 +195,7 @@ bool Recording::keep_in_file(const Sample& sample, bool is_new,
         particles_ = sample.position.rows();
         axes_ = sample.position.cols();
         const auto count = static_cast<std::size_t>(sample.position.size());
-        FiledSample& filed = filed_.emplace_back(FiledSample{sample.time, 0});
+        FiledSample& filed = filed_.emplace_back(FiledSample{sample.time, 0, sample.membership});
         std::int64_t behind = 0;
         if (!add(bytes_of(sample.position.data(), count), filed.place) ||
             !add(bytes_of(sample.velocity.data(), count), behind))
@@ -208,6 +208,7 @@ bool Recording::keep_in_file(const Sample& sample, bool is_new,
 void Recording::read_sample(std::size_t number, Sample& to) const {
     const FiledSample& filed = filed_[number - samples_.size()];
     to.time = filed.time;
+    to.membership = filed.membership;
     to.position.resize(particles_, axes_);
     to.velocity.resize(particles_, axes_);
     const auto count = static_cast<std::size_t>(to.position.size());

@@ -186,6 +186,7 @@ class Recording {
     struct FiledSample {
         double time = 0.0;
         std::int64_t place = 0;  ///< in the file
+        std::shared_ptr<const Membership> membership = {};
     };
     bool fits(const Frame& frame, const Box& box, Eigen::Index particles) const;
     bool fits_together(const Box& box, Eigen::Index particles) const;

@@ -81,7 +81,7 @@ std::vector<DiskMotion> those(const std::vector<DiskMotion>& disks, const auto& 
 std::vector<DiskMotion> disk_motion(const Scene& scene, const Particles& drawn,
                                     const std::vector<MeanSpeeds>& speeds, double scale) {
     const std::vector<Tick> ticks = timeline(scene);
-    const Eigen::ArrayXd radius = drawn_radius(scene.looks, drawn);
+    const Eigen::ArrayXd radius = drawn_radius(scene.looks, drawn, drawn.species);
     std::vector<DiskMotion> all;
     for (std::size_t k = 0; k < scene.gas.species.size(); ++k) {
         const auto is_its = (drawn.species == static_cast<int>(k)).cast<double>();

@@ -1,5 +1,5 @@
 // Measures the mean squared displacement over all starting times, with what its diffusion
-// coefficient and the error of that take.
+// coefficient and the error of that take. The particles are those chosen at the start.
 #pragma once
 
 #include <cmath>

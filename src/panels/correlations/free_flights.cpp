@@ -1,5 +1,6 @@
 // The distribution of free flights from one collision to the next, as lengths or as times: the
-// share of flights in each bin, with the exponential law of memoryless flights.
+// share of flights in each bin, with the exponential law of memoryless flights. The particles are
+// those chosen at the start.
 #include "stats/paths/free_flights.h"
 
 #include <algorithm>

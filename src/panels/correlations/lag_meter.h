@@ -1,4 +1,5 @@
-// Measures averages over pairs of times that are a time lag apart.
+// Measures averages over pairs of times that are a time lag apart. The particles are those chosen
+// at the start, each followed by itself, whatever species it belongs to later.
 #pragma once
 
 #include <utility>

@@ -1,7 +1,7 @@
 // The mean squared displacement of particles, unwrapped across periodic sides: since a fixed time,
-// or averaged over all starting times from then on. With the initial ballistic parabola <v^2> t^2,
-// and where the gas diffuses (LawOf::displacement) the fitted line of slope 2 d D, where D is the
-// diffusion coefficient.
+// or averaged over all starting times from then on; of the particles chosen at the start. With the
+// initial ballistic parabola <v^2> t^2, and where the gas diffuses (LawOf::displacement) the fitted
+// line of slope 2 d D, where D is the diffusion coefficient.
 #include <algorithm>
 #include <cmath>
 #include <variant>

@@ -86,8 +86,15 @@ Rings rings_of(const PanelContext& context, const PanelSpec& spec,
 
 class PairMeter : public CurveMeter {
   public:
-    PairMeter(const PanelContext& context, PairCorrelation::Wanted wanted)
-        : context_(context), box_(context.box()), wanted_(std::move(wanted)) {}
+    PairMeter(const PanelContext& context, const std::vector<Chosen>& chosen,
+              PairCorrelation::Wanted wanted)
+        : context_(context),
+          box_(context.box()),
+          members_(context, {chosen.front(), chosen.back()}),
+          wanted_(std::move(wanted)) {
+        wanted_.first = members_.flags(0);
+        wanted_.second = members_.flags(1);
+    }
 
     // Before anything is seen.
     void fix_axis(double, double reach, int points) override {
@@ -102,16 +109,24 @@ class PairMeter : public CurveMeter {
             sides[axis] = {place_of_surface(box_, input.advanced.surfaces, 2 * axis),
                            place_of_surface(box_, input.advanced.surfaces, 2 * axis + 1)};
         pairs_->see(input.sample, input.advanced.collisions, sides);
+        if (!members_.see(input.sample)) return;
+        pairs_->choose(members_.flags(0), members_.flags(1));
+        pairs_->see(input.sample, {}, sides);  // the present moment
     }
     CurveValues values() const override {
         const Eigen::ArrayXd g = pairs_->values();
         return {{{g.begin(), g.end()}}};
     }
-    void archive(Archive& archive) override { archive(*pairs_); }
+    void archive(Archive& archive) override {
+        archive(members_);
+        if (archive.is_reading()) pairs_->choose(members_.flags(0), members_.flags(1));
+        archive(*pairs_);
+    }
 
   private:
     PanelContext context_;
     Box box_;
+    Members members_;
     PairCorrelation::Wanted wanted_;
     std::optional<PairCorrelation> pairs_;  ///< with the rings of the axis
 };
@@ -137,18 +152,15 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     const Rings rings = rings_of(context, spec, lists);
     PairCorrelation::Wanted wanted;
-    for (auto* part : {&wanted.first, &wanted.second}) {
-        part->resize(static_cast<std::size_t>(context.particles.count()));
-        for (const Eigen::Index i : part == &wanted.first ? lists.front() : lists.back())
-            (*part)[static_cast<std::size_t>(i)] = true;
-    }
     PanelSpec timed = spec;
     if (!timed.over) timed.over = Over{Over::Since::start, 0.0};
     wanted.window = window_of(*timed.over);
 
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = rings.count};
     subject.over = *timed.over;
-    subject.meter = [context, wanted] { return std::make_unique<PairMeter>(context, wanted); };
+    subject.meter = [context, chosen, wanted] {
+        return std::make_unique<PairMeter>(context, chosen, wanted);
+    };
     const std::string what = say(language, "Pair correlation") + " <i>g</i>(<i>r</i>)";
     name_curves(subject, context, spec, what, time_words(language, timed));
     if (chosen.size() > 1) {  // one curve, of pairs

@@ -136,19 +136,16 @@ void CounterPanel::draw_value(Canvas& canvas, const DrawContext& dc, const Rect&
               number(reading.said, reading.error), style);
 }
 
-std::vector<bool> flags(const PanelContext& context, const Chosen& chosen) {
-    std::vector<bool> all(static_cast<std::size_t>(context.particles.count()));
-    for (const Eigen::Index i : members(context, chosen)) all[static_cast<std::size_t>(i)] = true;
-    return all;
-}
-
 // Counts since the first frame: for each choice of particles, for each surface.
 class HitMeter {
   public:
     HitMeter(const PanelContext& context, const std::vector<Chosen>& chosen,
              std::vector<std::int32_t> surfaces)
-        : surfaces_(std::move(surfaces)), counts_(chosen.size() * surfaces_.size()) {
-        for (const Chosen& one : chosen) is_member_.push_back(flags(context, one));
+        : surfaces_(std::move(surfaces)),
+          members_(context, chosen),
+          is_member_(chosen.size()),
+          counts_(chosen.size() * surfaces_.size()) {
+        choose();
     }
 
     std::vector<double> operator()(const FrameInput& o) {
@@ -157,16 +154,22 @@ class HitMeter {
             const auto k = std::ranges::find(surfaces_, one.second.surface()) - surfaces_.begin();
             if (k == std::ssize(surfaces_)) continue;
             for (std::size_t c = 0; c < is_member_.size(); ++c)
-                if (is_member_[c][static_cast<std::size_t>(one.first)])
+                if (is_member_[c].empty() || is_member_[c][static_cast<std::size_t>(one.first)])
                     ++counts_[c * surfaces_.size() + static_cast<std::size_t>(k)];
         }
         is_begun_ = true;
+        if (members_.see(o.sample)) choose();
         return counts_;
     }
 
   private:
+    void choose() {
+        for (std::size_t c = 0; c < is_member_.size(); ++c) is_member_[c] = members_.flags(c);
+    }
+
     std::vector<std::int32_t> surfaces_;
-    std::vector<std::vector<bool>> is_member_;
+    Members members_;
+    std::vector<std::vector<bool>> is_member_;  // of each choice; empty: all are
     std::vector<double> counts_;
     bool is_begun_ = false;
 };
@@ -175,13 +178,13 @@ class HitMeter {
 class CrossingMeter {
   public:
     CrossingMeter(const PanelContext& context, const CrossedAt& at,
-                  const std::vector<Chosen>& chosen) {
+                  const std::vector<Chosen>& chosen)
+        : members_(context, chosen), places_(at.line ? 1 : at.surfaces.size()) {
         const Box& box = context.box();
-        const std::size_t lines = at.line ? 1 : at.surfaces.size();
-        for (const Chosen& one : chosen)
-            for (std::size_t k = 0; k < lines; ++k)
-                lines_.emplace_back(box, context.particles, crossed_line(box, at, k),
-                                    members(context, one), velocity_changes(context.run()));
+        for (const std::vector<Eigen::Index>& list : members_.lists())
+            for (std::size_t k = 0; k < places_; ++k)
+                lines_.emplace_back(box, context.particles, crossed_line(box, at, k), list,
+                                    velocity_changes(context.run()));
     }
 
     std::vector<double> operator()(const FrameInput& o) {
@@ -189,10 +192,15 @@ class CrossingMeter {
         for (LineCrossings& line : lines_)
             for (const std::int64_t count : line.see(o.sample, o.advanced.collisions).count)
                 counts.push_back(static_cast<double>(count));
+        if (members_.see(o.sample))
+            for (std::size_t k = 0; k < lines_.size(); ++k)
+                lines_[k].choose(members_.lists()[k / places_]);
         return counts;
     }
 
   private:
+    Members members_;
+    std::size_t places_;  // for each choice
     std::vector<LineCrossings> lines_;
 };
 

@@ -151,14 +151,20 @@ void ThermometerPanel::draw_error(Canvas& canvas, const DrawContext& dc, const G
 // The mean over the panel's time window; the present value while no time has passed.
 class TemperatureMeter {
   public:
-    TemperatureMeter(const PanelContext& context, std::vector<ThermalPart> parts, Over over)
-        : times_(context.box(), context.particles, std::move(parts),
+    /// `chosen`: of each part.
+    TemperatureMeter(const PanelContext& context, std::vector<ThermalPart> parts,
+                     std::vector<Chosen> chosen, Over over)
+        : members_(context, std::move(chosen)),
+          times_(context.box(), context.particles, std::move(parts),
                  velocity_changes(context.run())),
           accounts_(over),
-          is_of_moment_(over.since == Over::Since::now) {}
+          is_of_moment_(over.since == Over::Since::now) {
+        choose();
+    }
 
     std::vector<double> operator()(const FrameInput& o) {
         accounts_.add({o.tick.time, times_.see(o.sample, o.advanced.collisions)}, o.is_sample);
+        if (members_.see(o.sample)) choose();
         const Account &from = accounts_.from(), &to = accounts_.to();
         if (is_of_moment_ || !(to.time > from.time))
             return temperatures({}, times_.moment(o.sample));
@@ -182,6 +188,12 @@ class TemperatureMeter {
         return all;
     }
 
+    void choose() {
+        for (std::size_t k = 0; k < members_.lists().size(); ++k)
+            times_.choose(k, members_.lists()[k]);
+    }
+
+    Members members_;
     ThermalTimes times_;
     Trailing<Account> accounts_;
     bool is_of_moment_;
@@ -199,18 +211,18 @@ std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const Panel
     const std::vector<NamedRegion>& regions = spec.options.as<ThermometerOptions>().regions;
     for (const NamedRegion& one : regions) {
         subject.lines.push_back({one.name, one.name, surface_role(parts.size(), regions.size())});
-        parts.push_back({members(context, Chosen{}), one.region});
+        parts.push_back({.region = one.region});
     }
-    if (regions.empty()) {
-        const std::vector<Chosen> chosen = choices(spec);
+    const std::vector<Chosen> chosen =
+        regions.empty() ? choices(spec) : std::vector<Chosen>(regions.size());
+    if (regions.empty())
         for (std::size_t k = 0; k < chosen.size(); ++k) {
             subject.lines.push_back({column_name_of(context.scene, chosen[k]),
                                      spec.of.empty() ? "" : name_of(context.scene, chosen[k]),
                                      role_among(context, chosen, k)});
-            parts.push_back({members(context, chosen[k]), {}});
+            parts.push_back({});
         }
-    }
-    subject.measure = TemperatureMeter(context, std::move(parts), over);
+    subject.measure = TemperatureMeter(context, std::move(parts), chosen, over);
     return std::make_unique<ThermometerPanel>(context, spec, std::move(subject));
 }
 

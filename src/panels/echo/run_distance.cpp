@@ -1,6 +1,7 @@
 // The distance between two runs against time, on a logarithmic axis: the root mean square over
-// particles of how far each is from its counterpart. Where small distances grow exponentially it
-// rises along a straight line, whose slope is fitted.
+// particles, those chosen at the start, of how far each is from its counterpart while both are
+// present. Where small distances grow exponentially it rises along a straight line, whose slope is
+// fitted.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +16,8 @@
 namespace carom {
 namespace {
 
-// Positions of one run at some times; `place`: time after time, particle after particle.
+// Positions of one run at some times; `place`: time after time, particle after particle, NaN of one
+// that is absent.
 struct RunPath {
     std::vector<double> time = {}, place = {};
     void archive(Archive& archive) { archive(time, place); }
@@ -50,14 +52,16 @@ LogDistance distance_of(const RunPath& a, const RunPath& b, const Box& box) {
         while (k < b.time.size() && b.time[k] < a.time[i]) ++k;
         if (k == b.time.size()) break;
         if (b.time[k] != a.time[i]) continue;  // an event of one run alone
-        double sum = 0.0;
+        double sum = 0.0, numbers = 0.0;
         for (std::size_t j = 0; j < size; ++j) {
             double apart = a.place[i * size + j] - b.place[k * size + j];
+            if (std::isnan(apart)) continue;
             const auto axis = static_cast<int>(j % axes);
             apart -= box.length(axis) * box.turns(axis, apart);
             sum += apart * apart;
+            numbers += 1.0;
         }
-        const double particles = static_cast<double>(size / axes);
+        const double particles = numbers / static_cast<double>(axes);
         all.time.push_back(a.time[i]);
         all.log10.push_back(0.5 * std::log10(sum / particles));
         ++k;  // several frames may have one time
@@ -109,7 +113,9 @@ class RunDistancePanel : public FramesPanel<RunDistanceRecord> {
             path.time.push_back(input.tick.time);
             for (const Eigen::Index i : of_)
                 for (Eigen::Index axis = 0; axis < input.sample.position.cols(); ++axis)
-                    path.place.push_back(input.sample.position(i, axis));
+                    path.place.push_back(is_present(input.sample, i)
+                                             ? input.sample.position(i, axis)
+                                             : std::nan(""));
         };
         if (input.is_sample) add_to(record_.samples);
         if (input.is_frame) add_to(record_.frames);

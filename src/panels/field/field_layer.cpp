@@ -24,13 +24,6 @@ constexpr double part_of_slab = 0.1;   // the same where all parts lie in one ro
 constexpr int most_parts = 16;         // of a cell along an axis, unless all lie in one row
 constexpr double key_height = 3.6;     // units, of the arrow that is the key of a flow
 
-std::vector<bool> members_of(const PanelContext& context, std::optional<std::size_t> species) {
-    std::vector<bool> members;
-    for (const int its : context.particles.species)
-        members.push_back(!species || std::cmp_equal(its, *species));
-    return members;
-}
-
 // "mean over height and the last 10".
 std::string words_of_mean(const Scene& scene) {
     const Language language = scene.film.language;
@@ -95,20 +88,33 @@ std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
 
 CellQuantity::CellQuantity(const PanelContext& context, const Cells& cells, FieldOf of,
                            std::optional<std::size_t> species, std::optional<double> window,
-                           const std::vector<bool>& members)
+                           const Chosen& chosen)
     : of_(of),
       area_(cells.area()),
-      all_(context.box(), context.particles, cells, {members, window, of == FieldOf::temperature},
+      members_(context, {chosen, Chosen{.species = species}}),
+      all_(context.box(), context.particles, cells,
+           {members_.flags(0), window, of == FieldOf::temperature},
            velocity_changes(context.run())) {
     if (of == FieldOf::concentration)
         part_.emplace(context.box(), context.particles, cells,
-                      CellAverages::Wanted{members_of(context, species), window},
+                      CellAverages::Wanted{members_.flags(1), window},
                       velocity_changes(context.run()));
 }
 
+void CellQuantity::choose() {
+    all_.choose(members_.flags(0));
+    if (part_) part_->choose(members_.flags(1));
+}
+
 void CellQuantity::see(const FrameInput& input) {
-    all_.see(input.sample, input.advanced.collisions);
-    if (part_) part_->see(input.sample, input.advanced.collisions);
+    const auto see = [&](std::span<const Collision> collisions) {
+        all_.see(input.sample, collisions);
+        if (part_) part_->see(input.sample, collisions);
+    };
+    see(input.advanced.collisions);
+    if (!members_.see(input.sample)) return;
+    choose();
+    see({});  // the present moment
 }
 
 CellQuantity::Ratio CellQuantity::ratio(const CellSums& all, const CellSums* part,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/chosen.h"
 #include "panels/field/color_bar.h"
 #include "panels/field/key_row.h"
 #include "panels/panel.h"
@@ -32,9 +33,10 @@ std::string name_of_quantity(Language language, const Scene& scene, FieldOf of,
 /// Measures a quantity in cells during a run.
 class CellQuantity {
   public:
+    /// `chosen`: the particles that are looked at; `species`: whose share is shown.
     CellQuantity(const PanelContext& context, const Cells& cells, FieldOf of,
                  std::optional<std::size_t> species, std::optional<double> window,
-                 const std::vector<bool>& members = {});
+                 const Chosen& chosen = {});
 
     /// Called for every frame in order, with the collisions since the frame before.
     void see(const FrameInput& input);
@@ -49,8 +51,9 @@ class CellQuantity {
 
     /// Writes or reads all that was seen.
     void archive(auto& archive) {
-        archive(all_);
+        archive(members_, all_);
         if (part_) archive(*part_);
+        if (archive.is_reading()) choose();
     }
 
   private:
@@ -58,10 +61,12 @@ class CellQuantity {
     struct Ratio {
         Eigen::ArrayXd sum, weight;
     };
+    void choose();
     Ratio ratio(const CellSums& all, const CellSums* part, Eigen::Index axis) const;
 
     FieldOf of_;
     double area_;
+    Members members_;  ///< all that are looked at, and those of the species
     CellAverages all_;
     std::optional<CellAverages> part_;  ///< of the species whose share is shown
 };

@@ -58,12 +58,9 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
       cells_(slabs(context.box(), axis_, options().cells.value_or(usual_slabs))),
       over_(spec.over.value_or(usual_window_of_profile(context.run()))),
       choices_(choices(spec)) {
-    for (const std::vector<Eigen::Index>& list : carom::members(context, choices_)) {
-        std::vector<bool> members(static_cast<std::size_t>(context.particles.count()));
-        for (const Eigen::Index i : list) members[static_cast<std::size_t>(i)] = true;
+    for (const Chosen& chosen : choices_)
         surveyed_.emplace_back(context, cells_, options().quantity, std::nullopt, window_of(over_),
-                               members);
-    }
+                               chosen);
     shown_ = surveyed_;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "panels/chosen.h"
 #include "scene/film.h"
 
 namespace carom {
@@ -31,18 +30,25 @@ Camera::Camera(const PanelContext& context, const std::optional<View>& fixed)
     const bool all_whole = std::ranges::all_of(
         moves_, [](const CameraMove& move) { return std::holds_alternative<WholeBox>(move.view); });
     if (all_whole) moves_.clear();
+    for (const CameraMove& move : moves_) {
+        const auto* followed = std::get_if<Followed>(&move.view);
+        followed_.emplace_back(
+            context, followed ? std::vector<Chosen>{followed->what} : std::vector<Chosen>{});
+    }
 }
 
 Vec Camera::nearest_image(const Vec& of, const Vec& to) const {
     return to + context_.box().nearest(of - to);
 }
 
-// The position of what a view follows: a particle, or the centre of mass of several.
-Vec Camera::target(const View& view, const FrameInput& input) const {
-    const auto* followed = std::get_if<Followed>(&view);
+// The position of what a view follows: a particle, or the centre of mass of several. Where none is
+// left, it stays where the last were.
+Vec Camera::target(std::size_t move, const FrameInput& input) {
     Vec sum;
-    if (followed == nullptr) return sum;
-    const std::vector<Eigen::Index> its = members(context_, followed->what);
+    const auto& lists = followed_[move].at(input.sample);
+    if (lists.empty()) return sum;
+    const std::vector<Eigen::Index>& its = lists.front();
+    if (its.empty()) return frames_.empty() ? sum : frames_.back().targets[move];
     const Eigen::ArrayXd& inverse_mass = context_.particles.inverse_mass;
     const bool weighs = its.size() > 1 && std::ranges::all_of(its, [&](Eigen::Index i) {
                             return inverse_mass[i] > 0.0;
@@ -61,7 +67,7 @@ void Camera::survey(const FrameInput& input) {
     if (!moves()) return;
     Frame frame{input.tick.time, input.tick.seconds, {}};
     for (std::size_t k = 0; k < moves_.size(); ++k) {
-        const Vec now = target(moves_[k].view, input);
+        const Vec now = target(k, input);
         frame.targets.push_back(frames_.empty() ? now
                                                 : nearest_image(now, frames_.back().targets[k]));
     }

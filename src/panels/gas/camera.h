@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "panels/chosen.h"
 #include "panels/panel.h"
 
 namespace carom {
@@ -48,14 +49,15 @@ class Camera {
         double time, seconds;
         std::vector<Vec> targets;  ///< of each move; 0 if it follows nothing
     };
-    Vec target(const View& view, const FrameInput& input) const;
+    Vec target(std::size_t move, const FrameInput& input);
     CameraView view_of(std::size_t move, const Frame& frame, const Region& whole_box) const;
     Vec nearest_image(const Vec& of, const Vec& to) const;
 
     PanelContext context_;
     std::vector<CameraMove> moves_;
-    std::vector<Frame> frames_;    ///< of the first pass
-    std::vector<CameraView> way_;  ///< of each frame; width 0: the whole box
+    std::vector<Members> followed_;  ///< of each move; none if it follows nothing
+    std::vector<Frame> frames_;      ///< of the first pass
+    std::vector<CameraView> way_;    ///< of each frame; width 0: the whole box
     std::size_t next_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include "panels/means/thinning.h"
 #include "panels/plot/layers.h"
 #include "physics/gas.h"
+#include "physics/membership.h"
 #include "scene/film.h"
 #include "stats/speed_classes.h"
 #include "util/archive.h"
@@ -138,6 +139,7 @@ double GasColors::value(Eigen::Index i, double speed) const {
 void GasColors::survey(const FrameInput& input) {
     const Eigen::Index n = context_.particles.count();
     for_each_kept(n, static_cast<double>(n), surveyed_++, context_.frames, [&](Eigen::Index i) {
+        if (!is_present(input.sample, i)) return;
         const double its = value(i, input.speed[i]);
         if (std::isfinite(its)) pool_.push_back(its);
     });
@@ -158,8 +160,10 @@ void GasColors::archive(Archive& archive) {
     shades_ = make_shades(theme_of(context_.film().theme));
 }
 
-std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
-    const auto species = static_cast<std::size_t>(context_.particles.species[i]);
+std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion,
+                               const Membership* membership) const {
+    const Eigen::ArrayXi& of_all = membership ? membership->species : context_.particles.species;
+    const auto species = static_cast<std::size_t>(of_all[i]);
     if (context_.film().color_by == ColorBy::species || has_own_color(species))
         return static_cast<std::uint16_t>(first_species + species);
     const auto on_scale = [](double share) {
@@ -173,11 +177,13 @@ std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion) const {
             std::atan2(motion.direction[1], motion.direction[0]) / (2.0 * std::numbers::pi);
         return on_scale(turns - std::floor(turns));
     }
-    if (is_told_infinite(i)) return infinite_shade;
+    if (tells_infinite() && context_.particles.inverse_mass[i] == 0.0) return infinite_shade;
     return on_scale(std::clamp(value(i, motion.speed) / scale_.top, 0.0, 1.0));
 }
 
 bool GasColors::is_of_species(std::uint16_t shade) { return shade >= first_species; }
+
+bool GasColors::is_of_infinite(std::uint16_t shade) { return shade == infinite_shade; }
 
 bool GasColors::has_own_color(std::size_t species) const {
     return context_.run_in_box || context_.looks()[species].color.has_value();
@@ -204,11 +210,6 @@ std::vector<Color> GasColors::make_shades(const Theme& theme) const {
     for (std::size_t k = 0; k < context_.species().size(); ++k)
         colors.push_back(plot::color_of(species_role(context_, k), theme));
     return colors;
-}
-
-bool GasColors::is_told_infinite(Eigen::Index particle) const {
-    return tells_infinite() && context_.particles.inverse_mass[particle] == 0.0 &&
-           !has_own_color(static_cast<std::size_t>(context_.particles.species[particle]));
 }
 
 namespace {

@@ -67,8 +67,10 @@ class GasColors {
         double mean_speed;
     };
 
-    /// The colour of a particle, as an index into of_shades().
-    std::uint16_t shade(Eigen::Index particle, const Motion& motion) const;
+    /// The colour of a particle, as an index into of_shades(). `membership`: at present; null for
+    /// that of the start.
+    std::uint16_t shade(Eigen::Index particle, const Motion& motion,
+                        const Membership* membership = nullptr) const;
     std::vector<Color> of_shades(const Theme& theme) const;
 
     /// Whether a colour is that of a species, the same at all times.
@@ -77,7 +79,7 @@ class GasColors {
     /// Whether infinite masses are distinguished from all others, by a shade of their own and
     /// hatching.
     bool tells_infinite() const { return tells_infinite_; }
-    bool is_told_infinite(Eigen::Index particle) const;
+    static bool is_of_infinite(std::uint16_t shade);
 
     /// The height of this key, in pixels, in an area that also holds the key of a field.
     double key_height(const DrawContext& dc, bool has_ramp) const;

@@ -35,7 +35,7 @@ double inside_ring(double radius, double line) { return radius > 2.0 * line ? ra
 // would fill it.
 double GasPanel::Drawing::radius_in_crowd() const {
     const double below = least_radius / scale;
-    const auto count = static_cast<double>(panel.disks_below(below));
+    const auto count = static_cast<double>(gas.radii->below(below));
     const double pixels = box.size[0] * box.size[1] * scale * scale;
     const double most = std::sqrt(least_cover * pixels / (std::numbers::pi * std::max(1.0, count)));
     return std::min(least_radius, most);
@@ -47,7 +47,7 @@ void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf&
     if (least_shown == least_radius) return;
     const auto for_each = [&](const auto& add) {
         for (Eigen::Index i = 0; i < radius.size(); ++i) {
-            if (!is_in_crowd(i)) continue;
+            if (!is_in_crowd(i) || std::isnan(places(i, 0))) continue;
             const auto shown = static_cast<float>(std::max(least_shown, radius[i] * scale));
             const std::uint32_t color = color_of(i);
             for_each_image(place_of(places, i), radius[i], [&](Point at) {
@@ -77,7 +77,7 @@ void GasPanel::Drawing::draw_outlines() const {
     const bool is_laid_over = panel.context_.is_laid_over();
     const double line = std::max(1.0, (is_laid_over ? 0.25 : 0.08) * dc.unit);
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (is_in_crowd(i)) continue;
+        if (is_in_crowd(i) || !gas.is_shown(i)) continue;
         const Color color = color_of(i);
         const double shown = shown_radius(i);
         for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
@@ -95,7 +95,7 @@ void GasPanel::Drawing::draw_ghosts() const {
     draw_crowd(gas.ghosts->place, [&](Eigen::Index) { return muted; });
     std::vector<Disk> disks;
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (is_in_crowd(i)) continue;
+        if (is_in_crowd(i) || std::isnan(gas.ghosts->place(i, 0))) continue;
         const double shown = shown_radius(i);
         for_each_image(place_of(gas.ghosts->place, i), radius[i], [&](Point at) {
             add_disk(disks, at, shown, muted, inside_ring(shown, ghost_line(dc)),
@@ -122,7 +122,7 @@ void GasPanel::Drawing::draw_disks() const {
     const auto add = [&](Eigen::Index i) {
         const double shown = shown_radius(i);
         const std::uint32_t color = dimmed(pixels[shade(i)], i), edge = dimmed(edges[shade(i)], i);
-        const bool is_filled = panel.is_filled(i);
+        const bool is_filled = panel.is_filled(i, gas);
         double inside = 0.0;
         if (!is_filled || edge != color)
             inside = inside_ring(shown, is_filled ? rim : ring_line(shown, dc.unit));
@@ -131,13 +131,14 @@ void GasPanel::Drawing::draw_disks() const {
         });
     };
     for (Eigen::Index i = 0; i < radius.size(); ++i)
-        if (!is_in_crowd(i)) add(i);
+        if (!is_in_crowd(i) && gas.is_shown(i)) add(i);
     const auto add_from_crowd = [&](Eigen::Index i) {
         if (is_in_crowd(i)) add(i);
     };
     for (const Spotlights::Ring& ring : gas.rings) add_from_crowd(ring.particle);
     for (const Callouts::Present& callout : gas.callouts) add_from_crowd(callout.particle);
     for (const TrailedParticle& one : panel.followed_) {
+        if (!gas.is_shown(one.particle)) continue;
         const double ring = radius[one.particle] * scale + followed_line * dc.unit;
         for_each_image(place_of(gas.place, one.particle), radius[one.particle],
                        [&](Point at) { add_disk(disks, at, ring, rgb_of(dc.theme.ink), 0.0, 0); });
@@ -149,7 +150,9 @@ void GasPanel::Drawing::draw_disks() const {
 void GasPanel::Drawing::draw_infinite() const {
     if (!panel.colors_.tells_infinite()) return;
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (!panel.colors_.is_told_infinite(i) || !panel.is_disk(i)) continue;
+        if (!GasColors::is_of_infinite(gas.shades[static_cast<std::size_t>(i)]) ||
+            !panel.is_disk(i, gas) || !gas.is_shown(i))
+            continue;
         for_each_image(place_of(gas.place, i), radius[i],
                        [&](Point at) { draw_hatching(canvas, dc, at, radius[i] * scale); });
     }
@@ -163,7 +166,7 @@ Remarks GasPanel::Drawing::remarks() const {
     all.add(panel.flashes_.remarks());
     if (!labels_fit()) all.add({say(language, "No room for labels on the disks")});
     const Eigen::ArrayXd& true_radius = panel.context_.particles.radius;
-    if (panel.smallest_ * scale >= least_shown && !panel.enlarges_) return all;
+    if (gas.radii->smallest * scale >= least_shown && !gas.radii->enlarges) return all;
     const auto is_enlarged = radius * scale < least_shown || radius > true_radius;
     if (!is_enlarged.any()) return all;
     const double smallest = is_enlarged.select(true_radius, true_radius.maxCoeff()).minCoeff();

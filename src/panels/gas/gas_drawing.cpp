@@ -99,6 +99,7 @@ Rect GasPanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& step
         if (scale_before != then.scale) {
             State seen;
             seen.view = view;
+            seen.radii = gas.radii;
             Drawing{panel, canvas, dc, seen}.remarks().take_places(taken);
         }
         scale_before = then.scale;
@@ -179,7 +180,7 @@ void GasPanel::Drawing::draw_arrows() const {
     if (gas.view) field.joined = {false, false};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (!panel.arrows_.is_drawn(i)) continue;
+        if (!panel.arrows_.is_drawn(i) || !gas.is_shown(i)) continue;
         const Point velocity = place_of(gas.velocity, i);
         const double light = gas.light.empty() ? 1.0 : double(gas.light[std::size_t(i)]);
         const auto draw_one = [&](Point at) {
@@ -199,15 +200,20 @@ bool GasPanel::Drawing::labels_fit() const {
     const Labels asked = film.labels;
     if (asked == Labels::none) return true;
     for (Eigen::Index i = 0; i < radius.size(); ++i)
-        if (fitting_words(dc, radius[i] * scale, words_on(panel.context_, i, asked))) return true;
+        if (!std::isnan(radius[i]) &&
+            fitting_words(dc, radius[i] * scale, words_on(panel.context_, i, asked)))
+            return true;
     return false;
 }
 
 void GasPanel::Drawing::draw_labels() const {
-    for (Eigen::Index i = 0; i < radius.size(); ++i)
-        draw_words_on(
-            canvas, dc, pixel(i), radius[i] * scale, words_on(panel.context_, i, film.labels),
-            panel.is_disk(i) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
+    for (Eigen::Index i = 0; i < radius.size(); ++i) {
+        if (!gas.is_shown(i)) continue;
+        draw_words_on(canvas, dc, pixel(i), radius[i] * scale,
+                      words_on(panel.context_, i, film.labels),
+                      panel.is_disk(i, gas) ? gas.seen(colors[shade(i)], i, dc.theme.ground)
+                                            : dc.theme.ground);
+    }
 }
 
 void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t followed,
@@ -274,6 +280,7 @@ void GasPanel::Drawing::draw_followed() const {
     std::vector<Disk> disks;  // for a name to keep clear of
     const Eigen::Index count = panel.context_.in_film ? 0 : radius.size();
     for (Eigen::Index i = 0; i < count; ++i) {
+        if (!gas.is_shown(i)) continue;
         const Point at = pixel(i);
         disks.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                          static_cast<float>(shown_radius(i))});
@@ -288,6 +295,7 @@ void GasPanel::Drawing::draw_followed() const {
     }
     for (const TrailedParticle& one : panel.followed_) {
         const Eigen::Index i = one.particle;
+        if (!gas.is_shown(i)) continue;
         const double shown = radius[i] * scale, line = followed_line * dc.unit;
         if (gas.field)  // a disk was drawn with it; the other run's has it
             for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {

@@ -32,7 +32,7 @@ struct GasPanel::Drawing {
     const State& gas;
     const Film& film = panel.context_.film();
     const Box& box = panel.context_.box();
-    const Eigen::ArrayXd& radius = panel.radius_;
+    const Eigen::ArrayXd& radius = gas.radii->of;  ///< NaN of a particle that is absent
     BoxMap whole = panel.map_in(dc);
     BoxMap map = gas.view ? panel.part_of(whole, *gas.view) : whole;
     Rect frame =

@@ -6,7 +6,6 @@
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "panels/gas/bead_words.h"
-#include "panels/gas/drawn_radius.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/gas.h"
@@ -33,10 +32,7 @@ GasPanel::GasPanel(const PanelContext& context, const std::optional<View>& view)
     : ParticlePanel(context, view),
       surfaces_(context),
       streaks_(context),
-      radius_(drawn_radius(context.looks(), context.particles)),
-      smallest_(radius_.minCoeff()),
-      largest_(radius_.maxCoeff()),
-      enlarges_((radius_ > context.particles.radius).any()) {
+      radii_(std::make_shared<const DrawnRadii>(context.looks(), context.particles, Sample{})) {
     choose_particles();
     trails_.resize(followed_.size());
 }
@@ -106,8 +102,10 @@ void GasPanel::extend_trails(const FrameInput& input) {
     for (std::size_t k = 0; k < followed_.size(); ++k) {
         const auto [particle, seconds] = followed_[k];
         std::deque<TrailPoint>& trail = trails_[k];
-        visit(particle, input.tick.time, vec_in(input.sample.position, particle));
-        while (trail.front().film_time < moving_seconds_ - seconds) trail.pop_front();
+        if (is_present(input.sample, particle))
+            visit(particle, input.tick.time, vec_in(input.sample.position, particle));
+        while (!trail.empty() && trail.front().film_time < moving_seconds_ - seconds)
+            trail.pop_front();
     }
     last_time_ = input.tick.time;
 }
@@ -115,7 +113,10 @@ void GasPanel::extend_trails(const FrameInput& input) {
 std::shared_ptr<const PanelState> GasPanel::state(const FrameInput& input) {
     auto state = std::make_shared<State>();
     state->time = input.tick.time;
-    see(input, input.sample.position, *state);
+    if (see(input, input.sample.position, *state))
+        radii_ =
+            std::make_shared<const DrawnRadii>(context_.looks(), context_.particles, input.sample);
+    state->radii = radii_;
     state->surfaces = surfaces_.states(input);
     state->streaks = streaks_.see(input);
     extend_trails(input);
@@ -136,13 +137,6 @@ void GasPanel::archive_progress(Archive& archive) {
     ParticlePanel::archive_progress(archive);
     streaks_.archive_progress(archive);
     archive(trails_, moving_seconds_, last_time_);
-}
-
-// The number of disks with a smaller radius. Asked in every frame; mostly all or none.
-Eigen::Index GasPanel::disks_below(double radius) const {
-    if (smallest_ >= radius) return 0;
-    if (largest_ < radius) return radius_.size();
-    return (radius_ < radius).count();
 }
 
 bool GasPanel::stands_alone() const { return context_.film().layout.panels.empty(); }
@@ -201,23 +195,26 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     const std::vector<Color> colors = colors_.of_shades(theme);
     const Eigen::ArrayXd& radius = context_.particles.radius;
     for (Eigen::Index i = 0; i < gas.place.rows(); ++i) {
+        if (!gas.is_shown(i)) continue;
         const std::uint16_t shade = gas.shades[static_cast<std::size_t>(i)];
-        add_row(table, "disk", i,
+        add_row(table, gas, "disk", i,
                 {gas.place(i, 0), gas.place(i, 1), radius[i], hex_of(colors[shade % colors.size()]),
                  label(i, gas)},
-                gas.velocity);
+                true);
     }
     for (std::size_t k = 0; k < gas.trails.size(); ++k) {
         const std::uint16_t shade = gas.shades[static_cast<std::size_t>(followed_[k].particle)];
         const Color color = GasColors::is_of_species(shade) ? colors[shade] : theme.ink;
         for (const Point& place : gas.trails[k].places)
-            add_row(table, "trail", followed_[k].particle, {place.x, place.y, {}, hex_of(color)});
+            add_row(table, gas, "trail", followed_[k].particle,
+                    {place.x, place.y, {}, hex_of(color)});
     }
     if (gas.ghosts)
         for (Eigen::Index i = 0; i < gas.ghosts->place.rows(); ++i)
-            add_row(table, "mark", i,
-                    {gas.ghosts->place(i, 0), gas.ghosts->place(i, 1), radius[i],
-                     hex_of(theme.muted), gas.ghosts->words});
+            if (!std::isnan(gas.ghosts->place(i, 0)))
+                add_row(table, gas, "mark", i,
+                        {gas.ghosts->place(i, 0), gas.ghosts->place(i, 1), radius[i],
+                         hex_of(theme.muted), gas.ghosts->words});
     for (std::size_t k = 0; k < gas.surfaces.size(); ++k) {
         const SurfaceState& surface = gas.surfaces[k];
         if (context_.box().surfaces.is_side(k) && !surface.motion &&

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/gas/drawn_radius.h"
 #include "panels/gas/marks/seed_paths.h"
 #include "panels/gas/marks/streaks.h"
 #include "panels/gas/particle_panel.h"
@@ -58,6 +59,7 @@ class GasPanel : public ParticlePanel {
     };
     struct State : ParticleState {
         double time = 0.0;                           // simulated
+        std::shared_ptr<const DrawnRadii> radii;     // never null in a frame
         std::vector<Trail> trails;                   // one for each particle that is followed
         std::vector<SurfaceState> surfaces;          // of sides and partitions; none of a plain box
         std::shared_ptr<const StreakState> streaks;  // null: none
@@ -76,16 +78,13 @@ class GasPanel : public ParticlePanel {
     BoxMap map_in(const DrawContext& own) const;
     BoxMap part_of(const BoxMap& whole, const CameraView& view) const;
     std::string label(Eigen::Index particle, const State& state) const;
-    Eigen::Index disks_below(double radius) const;
-    bool is_disk(Eigen::Index particle) const {
-        return !field_.shown() && !context_.is_laid_over() && is_filled(particle);
+    bool is_disk(Eigen::Index particle, const State& state) const {
+        return !field_.shown() && !context_.is_laid_over() && is_filled(particle, state);
     }
 
     SurfaceView surfaces_;
     Streaks streaks_;
-    Eigen::ArrayXd radius_;      // as drawn
-    double smallest_, largest_;  // of these
-    bool enlarges_;              // draws some larger than they are
+    std::shared_ptr<const DrawnRadii> radii_;  // at the last frame of the second pass
     std::vector<TrailedParticle> followed_;
     std::vector<std::ptrdiff_t> trail_of_;  // for each particle its trail, or -1; empty: no trails
     std::vector<std::deque<TrailPoint>> trails_;  // of the followed particles, at the last state

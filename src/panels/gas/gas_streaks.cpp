@@ -51,11 +51,11 @@ void GasPanel::Drawing::draw_streaks() const {
     std::vector<Taper> tapers;
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
         const auto corners = gas.streaks->of(static_cast<std::size_t>(i));
-        if (corners.empty() || is_in_crowd(i)) continue;
+        if (corners.empty() || is_in_crowd(i) || !gas.is_shown(i)) continue;
         const double wide = 2.0 * shown_radius(i);
         const Color own = colors[shade(i)];
         const Color ink =
-            gas.seen(panel.is_disk(i) ? own : edge_of(own, dc.theme), i, dc.theme.ground);
+            gas.seen(panel.is_disk(i, gas) ? own : edge_of(own, dc.theme), i, dc.theme.ground);
         for_each_streak(i, [&](Point place) {
             Taper taper{.from = {}, .to = pixel(place), .color_at_start = ink, .color_at_end = ink};
             taper.width_at_end = wide;

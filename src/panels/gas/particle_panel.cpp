@@ -1,5 +1,7 @@
 #include "panels/gas/particle_panel.h"
 
+#include <cmath>
+
 #include "panels/archived.h"
 #include "panels/chosen.h"
 #include "physics/gas.h"
@@ -45,10 +47,18 @@ void ParticlePanel::share_scales(ParticlePanel& other) {
     share_span(other);
 }
 
-void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
+bool ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
                         ParticleState& state) {
+    const bool is_changed = membership_.see(input.sample, context_.particles);
+    if (is_changed) {
+        absent_.clear();
+        for (Eigen::Index i = 0; i < context_.particles.count(); ++i)
+            if (!is_present(input.sample, i)) absent_.push_back(i);
+    }
     const double mean_speed = mean_of_speeds(context_.particles, input.speed);
+    state.membership = input.sample.membership;
     state.place = places.cast<float>();
+    for (const Eigen::Index i : absent_) state.place.row(i).setConstant(NAN);
     if (arrows_.shown()) state.velocity = input.sample.velocity.cast<float>();
     const Eigen::ArrayXXd& velocity = input.sample.velocity;
     const auto direction = [&](Eigen::Index i) -> Vec {
@@ -56,18 +66,23 @@ void ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     };
     state.shades.reserve(static_cast<std::size_t>(places.rows()));
     for (Eigen::Index i = 0; i < places.rows(); ++i)
-        state.shades.push_back(colors_.shade(i, {input.speed[i], direction(i), mean_speed}));
+        state.shades.push_back(
+            colors_.shade(i, {input.speed[i], direction(i), mean_speed}, state.membership.get()));
     state.label_alpha = name_alpha(context_, input.tick);
-    ghosts_.see(input.tick, places);
+    ghosts_.see(input.tick, state.place);
     state.ghosts = ghosts_.present();
     state.ghost_words = ghosts_.words_alpha(input.tick);
     state.flashes = flashes_.at(input.tick);
+    spotlights_.see(input.sample);
     state.light = spotlights_.light(input.tick, input.is_still);
     fading_.see(input.tick, input.sample.position, state.light);
     state.rings = spotlights_.rings(input.tick, input.is_still);
     state.callouts = callouts_.at(input.tick, input.is_still);
+    std::erase_if(state.callouts,
+                  [&](const Callouts::Present& its) { return !state.is_shown(its.particle); });
     if (camera_.moves()) state.view = camera_.next();
     state.field = field_.see(input);
+    return is_changed;
 }
 
 void ParticlePanel::archive_progress(Archive& archive) {
@@ -76,18 +91,24 @@ void ParticlePanel::archive_progress(Archive& archive) {
     field_.archive_progress(archive);
 }
 
-bool ParticlePanel::is_filled(Eigen::Index particle) const {
-    return context_.looks()[static_cast<std::size_t>(context_.particles.species[particle])].fill;
+std::size_t ParticlePanel::species_of(Eigen::Index particle, const ParticleState& state) const {
+    const Eigen::ArrayXi& all =
+        state.membership ? state.membership->species : context_.particles.species;
+    return static_cast<std::size_t>(all[particle]);
 }
 
-void ParticlePanel::add_row(Table& table, const char* part, Eigen::Index particle,
-                            std::vector<TableCell> cells, const Eigen::ArrayXXf& velocity) const {
-    const auto species = static_cast<std::size_t>(context_.particles.species[particle]);
+bool ParticlePanel::is_filled(Eigen::Index particle, const ParticleState& state) const {
+    return context_.looks()[species_of(particle, state)].fill;
+}
+
+void ParticlePanel::add_row(Table& table, const ParticleState& state, const char* part,
+                            Eigen::Index particle, std::vector<TableCell> cells,
+                            bool has_velocity) const {
     std::vector<TableCell>& row = table.rows.emplace_back();
-    row = {part, std::int64_t{particle}, context_.species()[species].name};
+    row = {part, std::int64_t{particle}, context_.species()[species_of(particle, state)].name};
     row.insert(row.end(), cells.begin(), cells.end());
-    if (velocity.size() > 0)
-        for (const float along : velocity.row(particle)) row.emplace_back(along);
+    if (has_velocity && state.velocity.size() > 0)
+        for (const float along : state.velocity.row(particle)) row.emplace_back(along);
     row.resize(table.columns.size());
 }
 

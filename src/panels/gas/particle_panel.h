@@ -2,6 +2,7 @@
 // velocity arrows, marks and flashes, a field, and the rows of the table.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,14 +17,17 @@
 #include "panels/gas/marks/spotlights.h"
 #include "panels/gas/velocity_arrows.h"
 #include "panels/panel.h"
+#include "physics/membership.h"
 
 namespace carom {
 
 /// What such a panel shows in one frame, in single precision.
 struct ParticleState : PanelState {
-    Eigen::ArrayXXf place;              ///< of all particles as drawn, a column for each axis
-    Eigen::ArrayXXf velocity;           ///< empty: not shown
-    std::vector<std::uint16_t> shades;  ///< index into the film's colours
+    Eigen::ArrayXXf place;  ///< of all particles as drawn, a column for each axis;
+                            ///< NaN of one that is absent
+    std::shared_ptr<const Membership> membership = {};  ///< null: that of the start
+    Eigen::ArrayXXf velocity;                           ///< empty: not shown
+    std::vector<std::uint16_t> shades;                  ///< index into the film's colours
     double label_alpha = 0.0;
     std::shared_ptr<const Ghosts> ghosts;  ///< may be null
     double ghost_words = 0.0;
@@ -40,6 +44,8 @@ struct ParticleState : PanelState {
                shades.size() * sizeof(std::uint16_t) +
                (field ? (field->values.size() + field->up.size()) * sizeof(float) : 0);
     }
+
+    bool is_shown(Eigen::Index particle) const { return !std::isnan(place(particle, 0)); }
 
     /// A colour of a particle as dimmed by spotlights, on a ground.
     Color seen(Color color, Eigen::Index particle, Color ground) const {
@@ -83,15 +89,15 @@ class ParticlePanel : public Panel {
     virtual void share_span(ParticlePanel&) {}
 
     /// Fills the common members of a state; `places` are the positions as drawn. Second pass, every
-    /// frame in order.
-    void see(const FrameInput& input, const Eigen::ArrayXXd& places, ParticleState& state);
+    /// frame in order. Returns whether the membership differs from that of the frame before.
+    bool see(const FrameInput& input, const Eigen::ArrayXXd& places, ParticleState& state);
 
-    bool is_filled(Eigen::Index particle) const;
+    bool is_filled(Eigen::Index particle, const ParticleState& state) const;
 
     /// Adds a row to the table: the part, the number and the species of a particle, then the cells,
-    /// and its velocity if velocities are shown.
-    void add_row(Table& table, const char* part, Eigen::Index particle,
-                 std::vector<TableCell> cells, const Eigen::ArrayXXf& velocity = {}) const;
+    /// and its velocity if `has_velocity` and velocities are shown.
+    void add_row(Table& table, const ParticleState& state, const char* part, Eigen::Index particle,
+                 std::vector<TableCell> cells, bool has_velocity = false) const;
 
     PanelContext context_;
     GasColors colors_;
@@ -103,6 +109,12 @@ class ParticlePanel : public Panel {
     Camera camera_;
     Callouts callouts_;
     FieldLayer field_;
+
+  private:
+    std::size_t species_of(Eigen::Index particle, const ParticleState& state) const;
+
+    MembershipWatch membership_;        ///< of the frames, in the second pass
+    std::vector<Eigen::Index> absent_;  ///< at the last of them
 };
 
 }  // namespace carom

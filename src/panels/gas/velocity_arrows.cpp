@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "panels/means/thinning.h"
+#include "physics/membership.h"
 #include "scene/film.h"
 #include "stats/histogram.h"
 #include "util/text.h"
@@ -55,8 +56,9 @@ Eigen::Index VelocityArrows::apart() const {
 void VelocityArrows::survey(const FrameInput& input) {
     if (!shown()) return;
     const Eigen::Index n = input.speed.size();
-    for_each_kept(n, static_cast<double>(n), surveyed_++, context_.frames,
-                  [&](Eigen::Index i) { pool_.push_back(input.speed[i]); });
+    for_each_kept(n, static_cast<double>(n), surveyed_++, context_.frames, [&](Eigen::Index i) {
+        if (is_present(input.sample, i)) pool_.push_back(input.speed[i]);
+    });
 }
 
 void VelocityArrows::fix_scale(double length) {

@@ -73,9 +73,10 @@ class FluxMeter {
   public:
     FluxMeter(const PanelContext& context, const PanelSpec& spec, Over over,
               std::shared_ptr<FluxTheory> theory)
-        : crossings_(context.box(), context.particles,
+        : members_(context, {choices(spec).front()}),
+          crossings_(context.box(), context.particles,
                      crossed_line(context.box(), options_of_flux(spec).at),
-                     members(context, choices(spec).front()), velocity_changes(context.run())),
+                     members_.lists().front(), velocity_changes(context.run())),
           theory_(std::move(theory)),
           accounts_(over),
           carried_(options_of_flux(spec).carried) {}
@@ -87,6 +88,7 @@ class FluxMeter {
         for (std::size_t way = 0; way < 2; ++way)
             now.measured.at(way) = {static_cast<double>(totals.count.at(way)),
                                     totals.energy.at(way)};
+        if (members_.see(o.sample)) crossings_.choose(members_.lists().front());
         if (theory_) add_theory(o, now);
         accounts_.add(now, o.is_sample);
         const FluxAccount &from = accounts_.from(), &to = accounts_.to();
@@ -127,6 +129,7 @@ class FluxMeter {
         if (o.is_sample) last_rates_ = rates;
     }
 
+    Members members_;
     LineCrossings crossings_;
     std::shared_ptr<FluxTheory> theory_;
     Trailing<FluxAccount> accounts_;

@@ -143,7 +143,7 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
           over_(spec.over.value_or(usual_window_of_profile(context.run()))),
           mean_(over_),
           choices_(choices(spec)),
-          members_(members(context, choices_)) {}
+          members_(context, choices_) {}
 
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
@@ -183,13 +183,13 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
     Over over_;
     RunningMean mean_;
     std::vector<Chosen> choices_;
-    std::vector<std::vector<Eigen::Index>> members_;
+    Members members_;
     plot::Plot whole_;
 };
 
 void RadialProfilePanel::survey(const FrameInput& input) {
     std::vector<double> now;
-    for (const std::vector<Eigen::Index>& list : members_) {
+    for (const std::vector<Eigen::Index>& list : members_.at(input.sample)) {
         const std::vector<double> one = rings_.densities(input.sample.position, list);
         now.insert(now.end(), one.begin(), one.end());
     }

@@ -272,6 +272,7 @@ void LinePanel::Drawing::draw_band(std::size_t line) const {
 // In one colour, or in those of the speeds.
 void LinePanel::Drawing::draw_line(std::size_t line, std::optional<Color> one, double width) const {
     const std::vector<WorldLines::Bend>& bends = now.lines[line];
+    if (bends.empty()) return;
     const Eigen::Index bead = panel.lines_->particle(line);
     const auto own = [&](std::uint16_t shade) {
         return now.seen(edge_of(color_of(shade), dc.theme), bead, dc.theme.ground);
@@ -313,12 +314,13 @@ void LinePanel::Drawing::draw_beads() const {
                          static_cast<float>(radius), to_pixel(color) & 0xFFFFFF});
     };
     for (Eigen::Index i = 0; i < count(); ++i) {
+        if (!now.is_shown(i)) continue;
         const double radius = shown_radius(i), line = ring_line(radius, u);
         const Color edge = edge_of(color(i), dc.theme);
-        const Color inside = panel.is_filled(i) ? color(i) : dc.theme.page;
+        const Color inside = panel.is_filled(i, now) ? color(i) : dc.theme.page;
         for (const Point& at : seen_at(place(i), radius)) {
             if (is_rod(i)) {
-                draw_rod(canvas, dc, at, radius, color(i), panel.is_filled(i));
+                draw_rod(canvas, dc, at, radius, color(i), panel.is_filled(i, now));
                 continue;
             }
             add(at, radius, edge);
@@ -346,7 +348,7 @@ void LinePanel::Drawing::draw_arrows() const {
         {v.plot.x, y - u, v.plot.width, 2.0 * u}, v.scale / v.zoom, {is_ring && !now.view, false}};
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (Eigen::Index i = 0; i < count(); ++i) {
-        if (!panel.arrows_.is_drawn(i)) continue;
+        if (!panel.arrows_.is_drawn(i) || !now.is_shown(i)) continue;
         const auto velocity = static_cast<double>(now.velocity(i, 0));
         const double row = (velocity > 0.0 ? -0.5 : 0.5) * arrows_apart * u;
         const double light = now.light.empty() ? 1.0 : double(now.light[std::size_t(i)]);
@@ -383,11 +385,13 @@ bool LinePanel::Drawing::words_fit(Labels labels) const {
 void LinePanel::Drawing::draw_words() const {
     const Labels labels = words_fit(panel.shown_labels()) ? panel.shown_labels() : Labels::none;
     for (Eigen::Index i = 0; i < count(); ++i) {
+        if (!now.is_shown(i)) continue;
         const double turns = is_ring ? std::floor((place(i) - v.low) / map.length()) : 0.0;
         const double at = place(i) - map.length() * turns;
         if (now.view && (v.x(at) < v.plot.x || v.x(at) > v.plot.right())) continue;
         draw_words_on(canvas, dc, {v.x(at), v.line_y}, map.radius(i) * v.scale,
-                      words_on(context, i, labels), panel.is_filled(i) ? color(i) : dc.theme.page);
+                      words_on(context, i, labels),
+                      panel.is_filled(i, now) ? color(i) : dc.theme.page);
         if (now.label_alpha > 0.0 && stands_out(context, i)) draw_name(i, at);
     }
 }

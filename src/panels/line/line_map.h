@@ -1,7 +1,7 @@
 // Maps the beads of a line to the places where they are drawn. Point particles are drawn with a
 // radius, and all beads are shifted apart accordingly, so that two neighbours, or a bead and a
 // wall, appear to touch when they collide. Independent of the canvas: lengths are those of the
-// scene.
+// scene. The order of the beads and the radii that they are drawn with are those of the start.
 #pragma once
 
 #include <cstdint>

@@ -10,6 +10,7 @@ void LinePanel::Drawing::draw_ghosts() const {
     if (!now.ghosts) return;
     const double line = ghost_line(dc), half = rod_half_height * u;
     for (Eigen::Index i = 0; i < count(); ++i) {
+        if (std::isnan(now.ghosts->place(i, 0))) continue;
         const double radius = shown_radius(i);
         for (const Point& at : seen_at(static_cast<double>(now.ghosts->place(i, 0)), radius))
             if (is_rod(i))

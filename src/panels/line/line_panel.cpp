@@ -110,8 +110,10 @@ std::shared_ptr<const PanelState> LinePanel::state(const FrameInput& input) {
     last_places_ = places;
     for (std::size_t line = 0; line < lines_->count(); ++line) {
         const Eigen::Index i = lines_->particle(line);
-        state->lines.push_back(lines_->line(
-            line, {state->time, places[i], state->shades[static_cast<std::size_t>(i)]}));
+        std::vector<WorldLines::Bend>& its = state->lines.emplace_back();
+        if (state->is_shown(i))
+            its = lines_->line(
+                line, {state->time, places[i], state->shades[static_cast<std::size_t>(i)]});
     }
     state->reversals = lines_->reversals(state->time);
     state->ends = ends_.see(input, memory_);
@@ -160,23 +162,25 @@ Table LinePanel::table(const PanelState& state, const Theme& theme) const {
     const std::vector<Color> colors = colors_.of_shades(theme);
     const auto color = [&](std::uint16_t shade) { return hex_of(colors[shade % colors.size()]); };
     for (Eigen::Index i = 0; i < now.place.rows(); ++i) {
+        if (!now.is_shown(i)) continue;
         std::string label = words_on(context_, i, shown_labels());
         if (label.empty() && now.label_alpha > 0.0 && stands_out(context_, i))
             label = single_name(context_, i);
-        add_row(table, "bead", i,
+        add_row(table, now, "bead", i,
                 {now.place(i, 0), now.time, map_->radius(i),
                  color(now.shades[static_cast<std::size_t>(i)]), label},
-                now.velocity);
+                true);
     }
     for (std::size_t line = 0; line < now.lines.size(); ++line)
         for (const WorldLines::Bend& bend : now.lines[line])
-            add_row(table, "world line", lines_->particle(line),
+            add_row(table, now, "world line", lines_->particle(line),
                     {bend.place, bend.time, {}, color(bend.shade)});
     if (now.ghosts)
         for (Eigen::Index i = 0; i < now.ghosts->place.rows(); ++i)
-            add_row(table, "mark", i,
-                    {now.ghosts->place(i, 0), now.time, map_->radius(i), hex_of(theme.muted),
-                     now.ghosts->words});
+            if (!std::isnan(now.ghosts->place(i, 0)))
+                add_row(table, now, "mark", i,
+                        {now.ghosts->place(i, 0), now.time, map_->radius(i), hex_of(theme.muted),
+                         now.ghosts->words});
     if (now.field) field_.add_rows(table, *now.field, 3, {});
     return table;
 }

@@ -42,7 +42,8 @@ class LinePanel : public ParticlePanel {
     };
     struct State : ParticleState {
         double time = 0.0;
-        std::vector<std::vector<WorldLines::Bend>> lines;  // oldest bend first, the present last
+        std::vector<std::vector<WorldLines::Bend>> lines;  // oldest bend first, the present last;
+                                                           // empty of a bead that is absent
         std::vector<double> reversals;                     // simulated times in memory
         std::vector<LineEnds::End> ends;                   // empty if they only reflect
         std::size_t bytes() const override {

@@ -45,28 +45,30 @@ void WorldLines::choose(const LineMap& map) {
     bends_.resize(particles_.size());
 }
 
-void WorldLines::bend(std::size_t line, double time, double place, double mean_speed) {
+void WorldLines::bend(std::size_t line, double time, double place, const Present& now) {
     std::deque<Bend>& bends = bends_[line];
     if (!bends.empty() && time - bends.back().time < finest * memory_) return;
     const double velocity =
         bends.empty() ? 0.0 : (place - bends.back().place) / (time - bends.back().time);
     bends.push_back(
         {time, place,
-         colors_.shade(particles_[line], {std::abs(velocity), {velocity, 0.0}, mean_speed})});
+         colors_.shade(particles_[line], {std::abs(velocity), {velocity, 0.0}, now.mean_speed},
+                       now.membership)});
 }
 
 void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
                      const Eigen::ArrayXd& last) {
     const double now = input.tick.time;
-    const double mean_speed = mean_of_speeds(context_.particles, input.speed);
+    const Present present{mean_of_speeds(context_.particles, input.speed),
+                          input.sample.membership.get()};
     const auto bend_at = [&](std::int32_t particle, double time, double x) {
         const std::ptrdiff_t line = line_of_[static_cast<std::size_t>(particle)];
         if (line < 0) return;
         bend(static_cast<std::size_t>(line), time, map_.place(particle, x, last[particle]),
-             mean_speed);
+             present);
     };
     for (std::size_t line = 0; line < count(); ++line)
-        if (bends_[line].empty()) bend(line, now, places[particles_[line]], mean_speed);
+        if (bends_[line].empty()) bend(line, now, places[particles_[line]], present);
     for (const Collision& collision : input.advanced.collisions) {
         bend_at(collision.first, collision.time, collision.first_position[0]);
         if (collision.second.is_particle())
@@ -83,9 +85,8 @@ void WorldLines::see(const FrameInput& input, const Eigen::ArrayXd& places,
     for (std::size_t line = 0; line < count(); ++line) {
         const Eigen::Index i = particles_[line];
         if (bends_[line].back().time < changed && !falls)
-            bend(line, changed, places[i] - (now - changed) * input.sample.velocity(i, 0),
-                 mean_speed);
-        if (falls) bend(line, now, places[i], mean_speed);
+            bend(line, changed, places[i] - (now - changed) * input.sample.velocity(i, 0), present);
+        if (falls) bend(line, now, places[i], present);
         while (bends_[line].size() > 1 && bends_[line][1].time < now - memory_)
             bends_[line].pop_front();
     }

@@ -44,8 +44,13 @@ class WorldLines {
     void archive(auto& archive) { archive(bends_, reversals_); }
 
   private:
+    /// What the colours of a frame depend on.
+    struct Present {
+        double mean_speed;
+        const Membership* membership;
+    };
     void choose(const LineMap& map);
-    void bend(std::size_t line, double time, double place, double mean_speed);
+    void bend(std::size_t line, double time, double place, const Present& now);
 
     PanelContext context_;
     const LineMap& map_;

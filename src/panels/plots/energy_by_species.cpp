@@ -13,11 +13,14 @@
 namespace carom {
 namespace {
 
-std::vector<double> means(const PanelContext& context, const Eigen::ArrayXd& energy) {
+std::vector<double> means(const PanelContext& context, const FrameInput& o) {
+    const Eigen::ArrayXd& energy = o.energy;
+    const Eigen::ArrayXi& all = species_at(o.sample, context.particles);
     std::vector<double> sum(context.species().size());
     std::vector<double> count(sum.size());
     for (Eigen::Index i = 0; i < energy.size(); ++i) {
-        const auto species = static_cast<std::size_t>(context.particles.species[i]);
+        if (!is_present(o.sample, i)) continue;
+        const auto species = static_cast<std::size_t>(all[i]);
         sum[species] += energy[i];
         count[species] += 1.0;
     }
@@ -58,15 +61,14 @@ std::vector<plot::Text> titles(const PanelContext& context) {
 }
 
 std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const PanelSpec& spec) {
-    SeriesSubject subject{
-        .measure = [context](const FrameInput& o) { return means(context, o.energy); },
-        .lines = {},
-        .titles = titles(context),
-        .plain_title = say(context.language(), "Mean energy"),
-        .spreads = true,
-        .quantity = quantities::mean_energy,
-        .over = spec.over,
-        .needs_positions = false};
+    SeriesSubject subject{.measure = [context](const FrameInput& o) { return means(context, o); },
+                          .lines = {},
+                          .titles = titles(context),
+                          .plain_title = say(context.language(), "Mean energy"),
+                          .spreads = true,
+                          .quantity = quantities::mean_energy,
+                          .over = spec.over,
+                          .needs_positions = false};
     const std::vector<Species>& species = context.species();
     for (std::size_t k = 0; k < species.size(); ++k) {
         subject.lines.push_back({species[k].name, species_role(context, k)});

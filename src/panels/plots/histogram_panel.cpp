@@ -81,20 +81,21 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
     : context_(context),
       spec_(spec),
       subject_(std::move(subject)),
+      members_(context, options().parts.any() ? std::vector<Chosen>{{}} : choices(spec)),
       paths_(context.box(), velocity_changes(context.run())) {
     record_.time = with_samples(context.language(), time_words(context.language(), spec),
                                 options().by_clock, context.run());
     record_.pools.resize(1);
     if (options().parts.any()) parts_.emplace(context.box(), options().parts);
     for (std::size_t k = 0; parts_ && k < parts_->count(); ++k) {
-        choices_.push_back({.chosen = {}, .members = {}, .within = parts_->regions({})[k]});
+        choices_.push_back({.within = parts_->regions({})[k],
+                            .at_start = static_cast<double>(context.particles.count())});
         record_.series.push_back({.name = parts_->names(Language::english)[k],
                                   .particles = static_cast<double>(context.particles.count())});
     }
     for (const Chosen& chosen : parts_ ? std::vector<Chosen>{} : choices(spec)) {
-        Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen)});
-        choice.has.resize(static_cast<std::size_t>(context.particles.count()));
-        for (const Eigen::Index i : choice.members) choice.has[static_cast<std::size_t>(i)] = true;
+        const Choice& choice = choices_.emplace_back(Choice{chosen, members(context, chosen)});
+        choices_.back().at_start = static_cast<double>(choice.members.size());
         HistogramSeries series{.name = column_name_of(context.scene, chosen),
                                .particles = static_cast<double>(choice.members.size())};
         if (const Law found = law(context.gas, LawOf::distribution, {.of = choice.members}))
@@ -102,7 +103,28 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
         if (spec.test) require_equilibrium(choice);
         record_.series.push_back(std::move(series));
     }
+    take_members();
     record_.probes.resize(choices_.size());
+}
+
+void HistogramPanel::take_members() {
+    for (std::size_t k = 0; k < choices_.size(); ++k) {
+        Choice& choice = choices_[k];
+        const std::vector<Eigen::Index>& list = members_.lists()[parts_ ? 0 : k];
+        choice.has = members_.flags(parts_ ? 0 : k);
+        choice.missing = choice.at_start - static_cast<double>(list.size());
+        if (!parts_) choice.members = list;
+    }
+}
+
+// A mean count over time is relative to the particles at the start: those that have left since are
+// elsewhere, and those that have come are so many more.
+void HistogramPanel::add_missing(std::vector<HistogramOverTime>& bars,
+                                 const FrameInput& input) const {
+    const auto each = static_cast<double>(subject_.values(input).cols());
+    for (std::size_t k = 0; k < bars.size(); ++k)
+        if (choices_[k].missing != 0.0)
+            bars[k].add_elsewhere(choices_[k].missing * each, members_since_, input.sample.time);
 }
 
 const std::vector<MeanHistogram>& HistogramPanel::histograms(const PanelState& state) {
@@ -169,8 +191,9 @@ void HistogramPanel::survey(const FrameInput& input) {
     if (is_sample) ++surveyed_;
 }
 
-// The particles that are in parts of the box at present.
+// The particles that belong to the choices, or are in parts of the box, at present.
 void HistogramPanel::find_members(const FrameInput& input) {
+    if (members_.see(input.sample)) take_members();
     if (!parts_) return;
     std::vector<std::vector<Eigen::Index>> now = parts_->members(input);
     for (std::size_t k = 0; k < choices_.size(); ++k) choices_[k].members = std::move(now[k]);
@@ -230,6 +253,9 @@ void HistogramPanel::take_axes(const RecordPanel& of) {
 
 void HistogramPanel::begin_counting() {
     record_ = {};
+    members_ = Members(context_, parts_ ? std::vector<Chosen>{{}} : choices(spec_));
+    members_since_ = 0.0;
+    take_members();
     const Run& run = context_.run();
     bars_.assign(choices_.size(),
                  HistogramOverTime(axes_.bins, window(), {sample_interval(run), run.until},
@@ -244,7 +270,11 @@ void HistogramPanel::archive(Archive& archive) {
 }
 
 void HistogramPanel::add_to_bars(const PathPiece& piece, std::vector<HistogramOverTime>& bars) {
+    const auto is_in = [&](const Choice& choice) {
+        return choice.has.empty() || choice.has[static_cast<std::size_t>(piece.particle)];
+    };
     for (std::size_t k = 0; parts_ && k < bars.size(); ++k) {
+        if (!is_in(choices_[k])) continue;
         find_stays(context_.box(), *choices_[k].within, piece, stays_);
         for (const Stay& stay : stays_)
             subject_.courses(piece.part(stay.from, stay.to),
@@ -253,28 +283,38 @@ void HistogramPanel::add_to_bars(const PathPiece& piece, std::vector<HistogramOv
     if (parts_) return;
     subject_.courses(piece, [&](const Course& course) {
         for (std::size_t k = 0; k < bars.size(); ++k)
-            if (choices_[k].has[static_cast<std::size_t>(piece.particle)]) bars[k].add(course);
+            if (is_in(choices_[k])) bars[k].add(course);
     });
 }
 
 void HistogramPanel::see(const FrameInput& input) {
     if (window() == 0.0) return;
-    paths_.see_whole(input.sample, input.advanced.collisions,
-                     [&](const PathPiece& piece) { add_to_bars(piece, bars_); });
+    const auto take = [&](const PathPiece& piece) { add_to_bars(piece, bars_); };
+    paths_.see_whole(input.sample, input.advanced.collisions, take);
+    if (members_.see(input.sample)) {
+        paths_.end_flights(input.sample, take);
+        add_missing(bars_, input);
+        members_since_ = input.sample.time;
+        take_members();
+    }
     for (HistogramOverTime& one : bars_) one.forget_before(input.tick.time);
 }
 
 std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input) {
     see(input);
     std::vector<HistogramOverTime> now = bars_;
-    if (window() != 0.0) paths_.see_open([&](const PathPiece& piece) { add_to_bars(piece, now); });
+    if (window() != 0.0) {
+        paths_.see_open([&](const PathPiece& piece) { add_to_bars(piece, now); });
+        add_missing(now, input);
+    }
     auto state = std::make_shared<HistogramState>();
     const ValuesOfInput all = subject_.values(input);
     Eigen::ArrayXXd place;
     find_members(input);
     for (std::size_t k = 0; k < choices_.size(); ++k) {
         const Values values = values_of(choices_[k].members, all, place);
-        const auto absent = static_cast<double>(parts_ ? all.size() - values.size() : 0);
+        const double absent = parts_ ? static_cast<double>(all.size() - values.size())
+                                     : choices_[k].missing * static_cast<double>(all.cols());
         state->counts.series.push_back(now[k].mean(input.tick.time, values, absent));
     }
     if (input.refreshes_readouts || !readouts_)
@@ -288,7 +328,8 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
 
 void HistogramPanel::archive_progress(Archive& archive) {
     for (HistogramOverTime& one : bars_) archive(one);
-    archive(paths_, readouts_, taller_until_);
+    archive(members_, members_since_, paths_, readouts_, taller_until_);
+    if (archive.is_reading()) take_members();
 }
 
 // The bars that exceed the axis, and those near its end that exceeded it a moment ago.

@@ -119,10 +119,13 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
 
   private:
     struct Choice {
-        Chosen chosen;
-        std::vector<Eigen::Index> members;  ///< of a part of the box, those at present
-        std::vector<bool> has = {};         ///< whether each particle is a member; not of a part
+        Chosen chosen = {};
+        std::vector<Eigen::Index> members = {};  ///< at present
+        std::vector<bool> has = {};         ///< whether each particle is a member, or is present in
+                                            ///< the box of which this is a part; empty: all are
         std::optional<Region> within = {};  ///< of a part
+        double at_start = 0.0;              ///< number of members; of a part, of all particles
+        double missing = 0.0;               ///< how many fewer there are at present
     };
     struct Roles {
         plot::Role bar, curve, fit;
@@ -136,6 +139,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void make_axes() override;
     void take_axes(const RecordPanel& of) override;
     void find_members(const FrameInput& input);
+    void take_members();
+    void add_missing(std::vector<HistogramOverTime>& bars, const FrameInput& input) const;
     void find_law_of_parts(const FrameInput& input);
     void begin_counting();
     std::vector<bool> tall_bars(const MeanHistogram& now, int frame, std::size_t k);
@@ -192,7 +197,8 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     PanelContext context_;
     PanelSpec spec_;
     HistogramSubject subject_;
-    std::optional<BoxParts> parts_;  ///< instead of fixed choices of particles
+    std::optional<BoxParts> parts_;  ///< instead of choices of particles
+    Members members_;                ///< of the choices; of parts all that are present
     std::vector<Choice> choices_;
     int surveyed_ = 0;
     double span_ = 0.0;  ///< of simulated time in the film
@@ -203,6 +209,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     Paths paths_;                          ///< in the second pass, of a mean over time
     std::vector<Stay> stays_;              ///< scratch
     std::vector<HistogramOverTime> bars_;  ///< for each choice, in the second pass
+    double members_since_ = 0.0;           ///< when they changed last, in the second pass
     std::shared_ptr<const HistogramCounts> readouts_;
     std::vector<std::vector<int>> taller_until_;  ///< last frame, for each bar of each series
 };

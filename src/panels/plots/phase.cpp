@@ -69,16 +69,19 @@ std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& 
         .height = {},
         .sets = {},
         .points =
-            [lists, axis](const FrameInput& o, std::size_t set) {
+            [of = Members(context, chosen), axis](const FrameInput& o, std::size_t set) mutable {
                 std::vector<Point> points;
-                for (const Eigen::Index i : lists[set])
+                for (const Eigen::Index i : of.at(o.sample)[set])
                     points.push_back({o.sample.position(i, axis), o.sample.velocity(i, axis)});
                 return points;
             },
         .corners =
-            [flights](const FrameInput& o, std::size_t set) mutable {
+            [flights, lists, of = Members(context, chosen)](const FrameInput& o,
+                                                            std::size_t set) mutable {
                 std::vector<Point> points;
-                for (const Flights::Corner& corner : flights[set].see(o))
+                const std::vector<Flights::Corner> corners = flights[set].see(o);
+                if (of.at(o.sample)[set] != lists[set]) return points;
+                for (const Flights::Corner& corner : corners)
                     for (const double up : {corner.before[0], corner.after[0]})
                         points.push_back({corner.place[0], up});
                 return points;

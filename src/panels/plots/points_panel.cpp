@@ -68,6 +68,7 @@ void PointsPanel::survey(const FrameInput& input) {
         std::vector<Point> more = now;
         if (now.size() <= 1) {
             Path& path = paths_[k];
+            path.ends.resize(surveyed_, path.x.size());  // frames of several points have no path
             if (subject_.corners) more = subject_.corners(input, k);
             if (subject_.corners) more.insert(more.end(), now.begin(), now.end());
             // Older points are shown by no frame and are dropped, as a run may have any number of

@@ -44,14 +44,18 @@ std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSp
         .sets = {{"both"}},
         .points =
             [first, second, axis](const FrameInput& o, std::size_t) {
+                if (!is_present(o.sample, first) || !is_present(o.sample, second))
+                    return std::vector<Point>{};
                 return std::vector<Point>{
                     {o.sample.position(first, axis), o.sample.position(second, axis)}};
             },
         .corners =
-            [flights = Flights(box, context.run(), axis, {first, second})](const FrameInput& o,
-                                                                           std::size_t) mutable {
+            [flights = Flights(box, context.run(), axis, {first, second}), first, second](
+                const FrameInput& o, std::size_t) mutable {
                 std::vector<Point> points;
-                for (const Flights::Corner& corner : flights.see(o))
+                const std::vector<Flights::Corner> corners = flights.see(o);
+                if (!is_present(o.sample, first) || !is_present(o.sample, second)) return points;
+                for (const Flights::Corner& corner : corners)
                     points.push_back({corner.place[0], corner.place[1]});
                 return points;
             },

@@ -13,9 +13,9 @@ namespace {
 
 std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Temperature"});
-    subject.measure = [context, of = members(context, choices(spec))](const FrameInput& o) {
+    subject.measure = [context, of = Members(context, choices(spec))](const FrameInput& o) mutable {
         std::vector<double> now;
-        for (const std::vector<Eigen::Index>& list : of)
+        for (const std::vector<Eigen::Index>& list : of.at(o.sample))
             now.push_back(
                 thermal_motion(context.box(), context.particles, o.sample, list).temperature());
         return now;

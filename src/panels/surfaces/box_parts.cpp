@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "panels/surfaces/surface_words.h"
+#include "physics/membership.h"
 #include "stats/paths/stays.h"
 
 namespace carom {
@@ -41,6 +42,7 @@ std::vector<std::vector<Eigen::Index>> BoxParts::members(const FrameInput& input
     std::vector<std::vector<Eigen::Index>> all(parts.size());
     const Eigen::ArrayXXd& position = input.sample.position;
     for (Eigen::Index i = 0; i < position.rows(); ++i) {
+        if (!is_present(input.sample, i)) continue;
         const Vec place = vec_in(position, i);
         for (std::size_t k = 0; k < parts.size(); ++k)
             if (is_in(box_, parts[k], place)) all[k].push_back(i);

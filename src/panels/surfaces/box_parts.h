@@ -29,7 +29,7 @@ class BoxParts {
     /// moves leaves to it.
     std::vector<Region> regions(std::span<const SurfaceState> states) const;
 
-    /// The particles in each part at present, in ascending order.
+    /// The present particles in each part now, in ascending order.
     std::vector<std::vector<Eigen::Index>> members(const FrameInput& input) const;
 
   private:

@@ -90,7 +90,7 @@ TEST_CASE("a mark leaves an outline where a particle was, until the next mark") 
 TEST_CASE("the words of a mark stay for four seconds and come again at the end") {
     const Shot film(one_particle("{at: 1, mark: here}", false));
     GhostKeeper keeper(film.scene);
-    const Eigen::ArrayXXd places = Eigen::ArrayXXd::Zero(1, 2);
+    const Eigen::ArrayXXf places = Eigen::ArrayXXf::Zero(1, 2);
     const std::size_t first = frame_at(film, 1.0);
     for (std::size_t i = 0; i < film.frames.size(); ++i) {
         const Tick& tick = film.frames[i].tick;
@@ -107,7 +107,7 @@ TEST_CASE("the words of a mark stay for four seconds and come again at the end")
 TEST_CASE("a mark at time 0 is there from the first frame on") {
     const Shot film(one_particle("{at: 0, mark: start}", false));
     GhostKeeper keeper(film.scene);
-    keeper.see(film.frames.front().tick, Eigen::ArrayXXd::Constant(1, 2, 7.0));
+    keeper.see(film.frames.front().tick, Eigen::ArrayXXf::Constant(1, 2, 7.0F));
     REQUIRE(keeper.present());
     CHECK(keeper.present()->words == "start");
     CHECK((keeper.present()->place == 7.0F).all());

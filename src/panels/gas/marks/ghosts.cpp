@@ -12,14 +12,14 @@ constexpr double fade_seconds = 0.5;
 
 }  // namespace
 
-void GhostKeeper::see(const Tick& tick, const Eigen::ArrayXXd& places) {
+void GhostKeeper::see(const Tick& tick, const Eigen::ArrayXXf& places) {
     const std::size_t before = next_;
     while (next_ < scene_.marks.size() && scene_.marks[next_].at <= tick.time) ++next_;
     if (next_ == before) return;
     auto ghosts = std::make_shared<Ghosts>();
     ghosts->words = scene_.marks[next_ - 1].words;
     ghosts->frame = tick.frame;
-    ghosts->place = places.cast<float>();
+    ghosts->place = places;
     present_ = std::move(ghosts);
 }
 

@@ -16,7 +16,7 @@ namespace carom {
 struct Ghosts {
     std::string words;
     int frame = 0;          ///< first frame with the mark
-    Eigen::ArrayXXf place;  ///< of all particles, a column for each axis
+    Eigen::ArrayXXf place;  ///< of all particles, a column for each axis; NaN: absent
     void archive(auto& archive) { archive(words, frame, place); }
 };
 
@@ -26,8 +26,8 @@ class GhostKeeper {
     explicit GhostKeeper(const Scene& scene) : scene_(scene) {}
 
     /// Second pass, every frame in order: a mark records the given positions (a column for each
-    /// axis) in the first frame at or after its time.
-    void see(const Tick& tick, const Eigen::ArrayXXd& places);
+    /// axis; NaN of a particle that is absent) in the first frame at or after its time.
+    void see(const Tick& tick, const Eigen::ArrayXXf& places);
 
     /// The ghosts of the present frame; null before the first mark.
     const std::shared_ptr<const Ghosts>& present() const { return present_; }

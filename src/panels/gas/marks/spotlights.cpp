@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "panels/chosen.h"
 #include "scene/film.h"
 
 namespace carom {
@@ -22,14 +21,12 @@ Spotlights::Spotlights(const PanelContext& context) : context_(context) {
     const Film& film = context.film();
     if (film.spotlights.empty()) return;
     const std::vector<Tick> ticks = timeline(context.scene);
-    for (const Spotlight& spotlight : film.spotlights) {
-        Light& light = lights_.emplace_back(Light{showing(ticks, film, spotlight.time), {}, {}});
-        for (const Chosen& chosen : spotlight.on) {
-            const std::vector<Eigen::Index> its = members(context, chosen);
-            light.on.insert(light.on.end(), its.begin(), its.end());
-            if (its.size() == 1) light.single.push_back(its.front());
-        }
-    }
+    for (const Spotlight& spotlight : film.spotlights)
+        lights_.push_back({showing(ticks, film, spotlight.time), Members(context, spotlight.on)});
+}
+
+void Spotlights::see(const Sample& sample) {
+    for (Light& light : lights_) light.on.see(sample);
 }
 
 double Spotlights::share(const Light& light, const Tick& tick, bool is_still) const {
@@ -44,10 +41,11 @@ std::vector<float> Spotlights::light(const Tick& tick, bool is_still) const {
     std::vector<double> on(static_cast<std::size_t>(context_.particles.count()), 0.0);
     for (const Light& light : lights_) {
         const double its = share(light, tick, is_still);
-        for (const Eigen::Index i : light.on) {
-            double& own = on[static_cast<std::size_t>(i)];
-            own = std::max(own, its);
-        }
+        for (const std::vector<Eigen::Index>& list : light.on.lists())
+            for (const Eigen::Index i : list) {
+                double& own = on[static_cast<std::size_t>(i)];
+                own = std::max(own, its);
+            }
     }
     std::vector<float> kept;
     kept.reserve(on.size());
@@ -61,7 +59,8 @@ std::vector<Spotlights::Ring> Spotlights::rings(const Tick& tick, bool is_still)
     for (const Light& light : lights_) {
         const double its = share(light, tick, is_still);
         if (its <= 0.0) continue;
-        for (const Eigen::Index i : light.single) rings.push_back({i, its});
+        for (const std::vector<Eigen::Index>& list : light.on.lists())
+            if (list.size() == 1) rings.push_back({list.front(), its});
     }
     return rings;
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "panels/chosen.h"
 #include "panels/panel.h"
 #include "scene/time/showing.h"
 
@@ -12,6 +13,9 @@ namespace carom {
 class Spotlights {
   public:
     explicit Spotlights(const PanelContext& context);
+
+    /// Takes the next sample, in order of time: who is in the light from now on.
+    void see(const Sample& sample);
 
     /// The share of its colour that each particle keeps, from 0.35 to 1; empty if none is dimmed.
     std::vector<float> light(const Tick& tick, bool is_still = false) const;
@@ -27,8 +31,7 @@ class Spotlights {
   private:
     struct Light {
         Showing time;
-        std::vector<Eigen::Index> on;      ///< all particles in the light
-        std::vector<Eigen::Index> single;  ///< those of them that are named individually
+        Members on;  ///< the particles in the light; the only one of a choice has a ring
     };
     double share(const Light& light, const Tick& tick, bool is_still) const;
 

@@ -463,7 +463,7 @@ TEST_CASE("averages over time count a particle for what it is at each time") {
         if (k > 0) sample.membership = k < 3 ? moved : gone;
         averages.see(sample, {});
     }
-    const TimeAverages::Means means = averages.means();
+    const TimeAverages::Values means = averages.averages();
     CHECK(means.speed[0] == relative((4.0 * 1.0 + 1.0 * 2.0) / 5.0, 1e-14));
     CHECK(means.energy[0] == relative((4.0 * 0.5 + 1.0 * 2.0) / 5.0, 1e-14));
     CHECK(means.speed[1] == relative(2.0, 1e-14));

@@ -7,7 +7,6 @@
 #include <functional>
 #include <optional>
 
-#include "panels/chosen.h"
 #include "panels/collision/pair_collision.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/registry.h"

@@ -79,10 +79,12 @@ struct Box {
     /// apart, across periodic sides where there are any. Nearest images are computed only here and
     /// in turns(), except in the contact search, which handles several pairs at once
     /// (plane/contact_search.h).
-    Vec nearest(Vec separation) const {
-        for (int axis = 0; axis < dimension; ++axis)
-            separation[axis] -= size[axis] * turns(axis, separation[axis]);
-        return separation;
+    Vec nearest(const Vec& separation) const {
+        const auto along = [&](int axis) {
+            const double apart = separation[axis];
+            return axis < dimension ? apart - size[axis] * turns(axis, apart) : apart;
+        };
+        return {along(0), along(1), along(2)};
     }
 };
 

@@ -10,7 +10,6 @@
 #include "panels/chosen.h"
 #include "panels/plot/window.h"
 #include "physics/sample_times.h"
-#include "stats/mean_error.h"
 #include "util/text.h"
 
 namespace carom {
@@ -20,29 +19,6 @@ constexpr int probes = 40;              // samples that decide the height of the
 constexpr double settled = 0.3;         // share of the run before which probes are not taken
 constexpr double alpha_of_steps = 0.3;  // of the area under steps
 constexpr int depth_of_curves = 2;
-
-MeanError mean_over(const std::vector<const CurveState*>& states, const auto& number) {
-    std::vector<double> all;
-    for (const CurveState* state : states) all.push_back(number(state->runs.front()));
-    return mean_error(all);
-}
-
-// Adds the means over runs of one table of numbers of each line, and their errors.
-using Numbers = std::vector<std::vector<double>>;
-void add_means(const std::vector<const CurveState*>& states, Numbers CurveValues::*table,
-               Numbers& means, Numbers& errors) {
-    const Numbers& first = states.front()->runs.front().*table;
-    for (std::size_t line = 0; line < first.size(); ++line) {
-        means.emplace_back();
-        errors.emplace_back();
-        for (std::size_t k = 0; k < first[line].size(); ++k) {
-            const MeanError one =
-                mean_over(states, [&](const CurveValues& run) { return (run.*table)[line][k]; });
-            means.back().push_back(one.mean);
-            errors.back().push_back(one.error);
-        }
-    }
-}
 
 }  // namespace
 
@@ -55,8 +31,7 @@ double CurveRecord::reach() const {
 }
 
 CurveRecord mean_of(const std::vector<CurveRecord>& records) {
-    CurveRecord mean = records.front();
-    mean.runs_in_mean = static_cast<int>(records.size());
+    CurveRecord mean = begun_mean(records);
     CurveRun& all = mean.runs.front();
     for (const CurveRecord& record : records) {
         const CurveRun& run = record.runs.front();
@@ -67,16 +42,6 @@ CurveRecord mean_of(const std::vector<CurveRecord>& records) {
         all.least_positive = std::min(all.least_positive, run.least_positive);
     }
     return mean;
-}
-
-CurveRecord compare(const std::vector<CurveRecord>& records,
-                    const std::vector<std::string>& names) {
-    CurveRecord all{.runs = {}};
-    for (std::size_t k = 0; k < records.size(); ++k) {
-        all.runs.push_back(records[k].runs.front());
-        all.runs.back().name = names[k];
-    }
-    return all;
 }
 
 void name_curves(CurveSubject& subject, const PanelContext& context, const PanelSpec& spec,
@@ -270,8 +235,13 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
     CurveValues mean;
     mean.start = all.front()->runs.front().start;
     mean.reach = all.front()->runs.front().reach;
-    add_means(all, &CurveValues::curves, mean.curves, both->errors);
-    add_means(all, &CurveValues::numbers, mean.numbers, mean.errors);
+    const auto rows_of = [](NumberRows CurveValues::*rows) {
+        return [rows](const CurveState* state) -> const NumberRows& {
+            return state->runs.front().*rows;
+        };
+    };
+    take_means(all, rows_of(&CurveValues::curves), mean.curves, both->errors);
+    take_means(all, rows_of(&CurveValues::numbers), mean.numbers, mean.errors);
     both->runs = {mean};
     both->readouts = std::make_shared<const CurveValues>(std::move(mean));
     return both;
@@ -349,13 +319,6 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
     add(std::move(curve));
 }
 
-// The remark on means over runs, which is dropped first if there is no room.
-std::string CurvePanel::remark() const {
-    if (record_.runs_in_mean == 1) return "";
-    return counted(context_.language(), record_.runs_in_mean, Phrase{"mean of {} run"},
-                   Phrase{"mean of {} runs"});
-}
-
 std::optional<std::array<double, 2>> CurvePanel::time_shown(double at) const {
     const auto start = start_of_mean(subject_.over, at);
     if (!start) return {};
@@ -369,7 +332,8 @@ plot::Plot CurvePanel::plot(const PanelState* state) const {
     if (!compares && subject_.add) subject_.add(shown ? shown->readouts.get() : nullptr, now);
     if (subject_.names.size() == 1 && !compares)  // less missed than what was added
         now.notes.push_back({.entries = subject_.names, .of_last_titles = 1});
-    if (const std::string words = remark(); !words.empty())
+    if (const std::string words = words_of_mean(context_.language(), record_.runs_in_mean);
+        !words.empty())  // dropped first if there is no room
         now.notes.push_back({.entries = {{.words = {plot::Text(words)}}}});
     if (shown == nullptr) return now;
     for (std::size_t run = 0; run < shown->runs.size(); ++run) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/means/runs_record.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plots/series_panel.h"
 
@@ -99,21 +100,13 @@ struct CurveRun {
     }
 };
 
-struct CurveRecord {
-    std::vector<CurveRun> runs = {{}};
-    int runs_in_mean = 1;
-
-    bool compares() const { return runs.size() > 1; }
+struct CurveRecord : RunsRecord<CurveRun> {
     double start() const;
     double reach() const;
-    void archive(Archive& archive) { archive(runs, runs_in_mean); }
 };
 
 /// The record of the mean of runs that differ only in their seeds.
 CurveRecord mean_of(const std::vector<CurveRecord>& records);
-
-/// The record of several compared runs, with one line for each.
-CurveRecord compare(const std::vector<CurveRecord>& records, const std::vector<std::string>& names);
 
 /// What a frame shows.
 struct CurveState : PanelState {
@@ -154,7 +147,6 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     void take_in(const CurveValues& values);
     plot::Axis axis_up() const;
     void make_plot();
-    std::string remark() const;
     void add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
                    std::size_t line) const;
     CurveValues values_of(const CurveMeter& meter) const;

@@ -264,9 +264,8 @@ double DialPanel::widest_number(const TextStyle& style) const {
 std::string DialPanel::note() const {
     if (record_.runs_in_mean == 1) return subject_.note;
     const Language language = context_.language();
-    const std::string mean = say(language, "{} ± standard error",
-                                 counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
-                                         Phrase{"mean of {} runs"}));
+    const std::string mean =
+        say(language, "{} ± standard error", words_of_mean(language, record_.runs_in_mean));
     return subject_.note.empty() ? mean : mean + "; " + subject_.note;
 }
 

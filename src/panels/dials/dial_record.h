@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/means/runs_record.h"
 #include "util/archive.h"
 
 namespace carom {
@@ -21,19 +22,10 @@ struct DialRun {
     void archive(Archive& archive) { archive(name, lines, errors, sampled, sampled_errors); }
 };
 
-struct DialRecord {
-    std::vector<DialRun> runs = {{}};  ///< one, or the compared runs
-    int runs_in_mean = 1;
-
-    bool compares() const { return runs.size() > 1; }
-    void archive(Archive& archive) { archive(runs, runs_in_mean); }
-};
+using DialRecord = RunsRecord<DialRun>;
 
 /// Returns the mean of runs with the same frames; at each frame, of the runs that have a number
 /// there.
 DialRecord mean_of(const std::vector<DialRecord>& records);
-
-/// Returns the record of several compared runs, with all readings of each under its name.
-DialRecord compare(std::vector<DialRecord> records, const std::vector<std::string>& names);
 
 }  // namespace carom

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "panels/echo/echo_record.h"
+#include "panels/means/runs_record.h"
 #include "panels/plot/plot_panel.h"
 #include "util/text.h"
 
@@ -35,20 +36,7 @@ struct Echo {
     void archive(auto& archive) { archive(name, steps, reversals, radius, all_alike, bits); }
 };
 
-struct EchoRuns {
-    std::vector<Echo> runs;
-    bool compares = false;
-    void archive(auto& archive) { archive(runs, compares); }
-};
-
-EchoRuns compare(std::vector<EchoRuns> records, const std::vector<std::string>& names) {
-    EchoRuns all{.runs = {}, .compares = true};
-    for (std::size_t k = 0; k < records.size(); ++k) {
-        all.runs.push_back(std::move(records[k].runs.front()));
-        all.runs.back().name = names[k];
-    }
-    return all;
-}
+using EchoRuns = RunsRecord<Echo>;
 
 /// What a line shows of each step. Logarithms are -infinity for 0, and finite also where the value
 /// is too small for a double.
@@ -82,7 +70,7 @@ class ReturnDistancePanel : public RecordPanel<EchoRuns> {
     void finish_record() override;
     void make_axes() override;
 
-    bool compares() const { return record_.compares; }
+    bool compares() const { return record_.compares(); }
     // Among the lines of compared runs the law has no colour of its own.
     Stroke stroke_of_law() const {
         return {.role = {compares() ? Role::Of::muted : Role::Of::accent}, .width = law_width};

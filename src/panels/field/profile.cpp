@@ -24,31 +24,21 @@ constexpr int usual_slabs = 20;
 
 // There is a law only if each run has one.
 ProfileRecord mean_of(const std::vector<ProfileRecord>& records) {
-    ProfileRecord mean = records.front();
-    mean.runs_in_mean = static_cast<int>(records.size());
+    ProfileRecord mean = begun_mean(records);
     ProfileRun& all = mean.runs.front();
     for (const ProfileRecord& record : records) {
         all.most = std::max(all.most, record.runs.front().most);
         if (record.runs.front().laws.size() < all.laws.size()) all.laws.clear();
     }
-    for (std::size_t k = 0; k < all.laws.size(); ++k)
-        for (std::size_t slab = 0; slab < all.laws[k].size(); ++slab) {
-            std::vector<double> each;
-            for (const ProfileRecord& record : records)
-                each.push_back(record.runs.front().laws[k][slab]);
-            all.laws[k][slab] = mean_error(each).mean;
-        }
+    NumberRows errors;
+    if (!all.laws.empty())
+        take_means(
+            records,
+            [](const ProfileRecord& record) -> const NumberRows& {
+                return record.runs.front().laws;
+            },
+            all.laws, errors);
     return mean;
-}
-
-ProfileRecord compare(const std::vector<ProfileRecord>& records,
-                      const std::vector<std::string>& names) {
-    ProfileRecord all{.runs = {}};
-    for (std::size_t k = 0; k < records.size(); ++k) {
-        all.runs.push_back(records[k].runs.front());
-        all.runs.back().name = names[k];
-    }
-    return all;
 }
 
 ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)

@@ -12,6 +12,7 @@
 
 #include "panels/chosen.h"
 #include "panels/field/field_layer.h"
+#include "panels/means/runs_record.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "stats/cell_averages.h"
@@ -50,17 +51,11 @@ struct ProfileRun {
     void archive(Archive& archive) { archive(name, length, most, laws, has_errors); }
 };
 
-struct ProfileRecord {
-    std::vector<ProfileRun> runs = {{}};
-    int runs_in_mean = 1;
-    bool compares() const { return runs.size() > 1; }
+struct ProfileRecord : RunsRecord<ProfileRun> {
     bool has_errors() const { return !compares() && (runs_in_mean > 1 || runs.front().has_errors); }
-    void archive(Archive& archive) { archive(runs, runs_in_mean); }
 };
 
 ProfileRecord mean_of(const std::vector<ProfileRecord>& records);
-ProfileRecord compare(const std::vector<ProfileRecord>& records,
-                      const std::vector<std::string>& names);
 
 class ProfilePanel : public RecordPanel<ProfileRecord> {
   public:

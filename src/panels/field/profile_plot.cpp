@@ -94,8 +94,7 @@ plot::Note ProfilePanel::note() const {
         note.entries.push_back({.swatch = stroke_of_law(), .words = {say(language, "ideal gas")}});
     if (record_.runs_in_mean > 1)
         note.entries.push_back(
-            {.words = {plot::Text(counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
-                                          Phrase{"mean of {} runs"}))}});
+            {.words = {plot::Text(words_of_mean(language, record_.runs_in_mean))}});
     if (record_.has_errors()) {  // of one run, not in every frame
         note.entries.push_back({.words = {say(language, "band: one standard error")}});
         note.changes = true;

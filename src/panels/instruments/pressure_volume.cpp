@@ -10,6 +10,7 @@
 #include "draw/axis.h"
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/instruments/surface_pressure.h"
+#include "panels/means/runs_record.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
@@ -87,21 +88,7 @@ struct PressureVolumeRun {
     }
 };
 
-struct PressureVolumeRecord {
-    std::vector<PressureVolumeRun> runs = {{}};
-    bool compares() const { return runs.size() > 1; }
-    void archive(Archive& archive) { archive(runs); }
-};
-
-PressureVolumeRecord compare(std::vector<PressureVolumeRecord> records,
-                             const std::vector<std::string>& names) {
-    PressureVolumeRecord all{.runs = {}};
-    for (std::size_t k = 0; k < records.size(); ++k) {
-        all.runs.push_back(std::move(records[k].runs.front()));
-        all.runs.back().name = names[k];
-    }
-    return all;
-}
+using PressureVolumeRecord = RunsRecord<PressureVolumeRun>;
 
 plot::Polyline curve(const plot::Plot& plot, std::string name, const plot::Stroke& stroke,
                      const std::vector<double>& area, const std::vector<double>& pressure) {

@@ -8,13 +8,13 @@
 #include "panels/field/field_layer.h"
 #include "panels/field/profile.h"
 #include "panels/means/running_mean.h"
+#include "panels/means/runs_record.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/equation_of_state.h"
 #include "stats/histogram.h"
-#include "stats/mean_error.h"
 #include "util/text.h"
 
 namespace carom {
@@ -31,38 +31,16 @@ struct RadialRun {
     void archive(Archive& archive) { archive(name, frames, errors, all, at_rest); }
 };
 
-struct RadialRecord {
-    std::vector<RadialRun> runs = {{}};
-    int runs_in_mean = 1;
-    bool compares() const { return runs.size() > 1; }
-    void archive(Archive& archive) { archive(runs, runs_in_mean); }
-};
+using RadialRecord = RunsRecord<RadialRun>;
 
 RadialRecord mean_of(const std::vector<RadialRecord>& records) {
-    RadialRecord mean = records.front();
-    mean.runs_in_mean = static_cast<int>(records.size());
+    RadialRecord mean = begun_mean(records);
     RadialRun& all = mean.runs.front();
-    all.errors = all.frames;
-    for (std::size_t frame = 0; frame < all.frames.size(); ++frame)
-        for (std::size_t k = 0; k < all.frames[frame].size(); ++k) {
-            std::vector<double> each;
-            for (const RadialRecord& one : records)
-                each.push_back(one.runs.front().frames.at(frame).at(k));
-            const MeanError value = mean_error(each);
-            all.frames[frame][k] = value.mean;
-            all.errors[frame][k] = value.error;
-        }
+    take_means(
+        records,
+        [](const RadialRecord& record) -> const NumberRows& { return record.runs.front().frames; },
+        all.frames, all.errors);
     return mean;
-}
-
-RadialRecord compare(const std::vector<RadialRecord>& records,
-                     const std::vector<std::string>& names) {
-    RadialRecord all{.runs = {}};
-    for (std::size_t k = 0; k < records.size(); ++k) {
-        all.runs.push_back(records[k].runs.front());
-        all.runs.back().name = names[k];
-    }
-    return all;
 }
 
 // Rings of equal width around a point, up to the side of the box that is nearest to it.
@@ -228,8 +206,7 @@ void RadialProfilePanel::make_axes() {
     note.entries.push_back({.words = {plot::Text(words_of_moments(language, spec_, over_))}});
     if (record_.runs_in_mean > 1)
         note.entries.push_back(
-            {.words = {plot::Text(counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
-                                          Phrase{"mean of {} runs"}))}});
+            {.words = {plot::Text(words_of_mean(language, record_.runs_in_mean))}});
     whole_.notes.push_back(std::move(note));
     if (!record_.compares() && spec_.of.empty()) add_rest();
 }

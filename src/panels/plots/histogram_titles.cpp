@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "panels/chosen.h"
+#include "panels/means/runs_record.h"
 #include "panels/plots/histogram_panel.h"
 #include "util/text.h"
 
@@ -75,9 +76,7 @@ plot::Text HistogramPanel::add_titles() {
         for (Text* one : {&words, &quantity}) *one = both(apart, *one, names_of_choices({}));
     Text time = axes_.time;
     if (axes_.runs > 1)
-        time = both(
-            aside, time,
-            counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));
+        time = both(aside, time, words_of_mean(language, static_cast<int>(axes_.runs)));
     else if (count() == 1)
         time = named(axes_.time, {Role::Of::bar});
     const auto at_time = [&](const Text& what) { return both(apart, what, time); };
@@ -127,9 +126,7 @@ std::vector<plot::Text> HistogramPanel::titles_with_asides(const plot::Text& wor
     };
     std::vector<Text> time;
     if (tells_time() || count() > 1) time.emplace_back(axes_.time);
-    if (axes_.runs > 1)
-        time.emplace_back(
-            counted(language, axes_.runs, Phrase{"mean of {} run"}, Phrase{"mean of {} runs"}));
+    if (axes_.runs > 1) time.emplace_back(words_of_mean(language, static_cast<int>(axes_.runs)));
     std::vector<Text> time_and_height = time;
     time_and_height.emplace_back(height_name());
     std::vector<Text> titles{words + aside_of(time_and_height),

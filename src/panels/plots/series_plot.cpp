@@ -142,8 +142,7 @@ std::vector<std::string> SeriesPanel::notes() const {
     };
     if (is_mean()) append({words_of_window(language, *subject_.over, Phrase{"now"})});
     if (record_.runs_in_mean > 1) {
-        const std::string mean = counted(language, record_.runs_in_mean, Phrase{"mean of {} run"},
-                                         Phrase{"mean of {} runs"});
+        const std::string mean = words_of_mean(language, record_.runs_in_mean);
         append({say(language, "{} \u00B1 standard error", mean), mean});
     }
     const ReferenceLevels& levels = record_.runs.front().levels;

@@ -41,8 +41,7 @@ std::vector<double> SeriesRecord::common_turns() const {
 }
 
 SeriesRecord mean_of(std::vector<SeriesRecord> records) {
-    SeriesRecord mean = records.front();
-    mean.runs_in_mean = static_cast<int>(records.size());
+    SeriesRecord mean = begun_mean(records);
     SeriesRun& run = mean.runs.front();
     run.laws.clear();
     const auto over_runs = [&](const auto& number) {
@@ -51,14 +50,12 @@ SeriesRecord mean_of(std::vector<SeriesRecord> records) {
         return mean_error(values);
     };
     const auto average = [&](SeriesPoints& points, const auto& of_run) {
-        points.errors = points.lines;
-        for (std::size_t k = 0; k < points.lines.size(); ++k)
-            for (std::size_t i = 0; i < points.time.size(); ++i) {
-                const MeanError one =
-                    over_runs([&](const SeriesRun& of) { return of_run(of).lines[k][i]; });
-                points.lines[k][i] = one.mean;
-                points.errors[k][i] = one.error;
-            }
+        take_means(
+            records,
+            [&](const SeriesRecord& record) -> const NumberRows& {
+                return of_run(record.runs.front()).lines;
+            },
+            points.lines, points.errors);
     };
     average(run, [](const SeriesRun& of) -> const SeriesPoints& { return of; });
     average(run.frames, [](const SeriesRun& of) -> const SeriesPoints& { return of.frames; });
@@ -81,14 +78,12 @@ SeriesRecord mean_of(std::vector<SeriesRecord> records) {
 }
 
 SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::string>& names) {
-    SeriesRecord all{.runs = {}, .compared = records.front().compared};
-    for (std::size_t k = 0; k < records.size(); ++k) {
-        SeriesRun& run = all.runs.emplace_back(std::move(records[k].runs.front()));
+    SeriesRecord all = compare<SeriesRecord>(std::move(records), names);
+    for (SeriesRun& run : all.runs) {
         for (SeriesPoints* points : {static_cast<SeriesPoints*>(&run), &run.frames})
             if (!points->lines.empty()) points->lines = {std::move(points->lines[all.compared])};
         if (!run.numbers.empty()) run.numbers = {std::move(run.numbers[all.compared])};
         if (!run.laws.empty()) run.laws = {std::move(run.laws[all.compared])};
-        run.name = names[k];
         std::erase_if(run.levels, [&](const ReferenceLevel& level) {
             return level.line.value_or(all.compared) != all.compared;
         });

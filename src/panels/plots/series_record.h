@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/means/runs_record.h"
 #include "stats/mean_error.h"
 #include "util/archive.h"
 
@@ -58,12 +59,8 @@ struct SeriesRun : SeriesPoints {  ///< at its samples
     }
 };
 
-struct SeriesRecord {
-    std::vector<SeriesRun> runs = {{}};  ///< one, or the compared runs with one line each
-    int runs_in_mean = 1;
+struct SeriesRecord : RunsRecord<SeriesRun> {  ///< compared runs have one line each
     std::size_t compared = 0;  ///< index of the line that represents a run in a comparison
-
-    bool compares() const { return runs.size() > 1; }
 
     /// The common levels of all runs; empty if these differ visibly.
     ReferenceLevels common_levels() const;

@@ -26,7 +26,7 @@ double bytes_of(FilmSegment& segment) {
 class FrameSampler {
   public:
     FrameSampler(const FilmPlan& plan, FilmWriter& writer, Progress& progress)
-        : plan_(plan), writer_(writer), progress_(progress), panels_(plan.panels()) {
+        : plan_(plan), writer_(writer), progress_(progress), frames_(plan) {
         const int frames = plan.frames();
         row_ = std::min(in_a_row, frames);
         const int rows = std::clamp(frames / row_, 1, places);
@@ -38,15 +38,13 @@ class FrameSampler {
     FilmCost measure() {
         const auto end =
             static_cast<std::size_t>(firsts_.back() + row_ - plan_.run.ticks().front().frame);
-        FramePainter painter(*panels_);
+        FramePainter painter(frames_.panels());
         progress_.begin("measuring", static_cast<double>(end));
         const Stopwatch watch;
-        plan_.run.play(end,
-                       [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                           const FrameData frame = panels_->frame_data(tick, sample, advanced);
-                           encode(tick.frame, frame, painter);
-                           progress_.advance();
-                       });
+        frames_.go_to(end, [&](const FrameData& frame, const AdvanceResult&) {
+            encode(frame, painter);
+            progress_.advance();
+        });
         progress_.finish();
         const auto rows = static_cast<double>(firsts_.size());
         const double segments = static_cast<double>(plan_.segments.size()) - 1.0;
@@ -61,7 +59,8 @@ class FrameSampler {
     double played_seconds() const { return played_seconds_; }
 
   private:
-    void encode(int number, const FrameData& frame, FramePainter& painter) {
+    void encode(const FrameData& frame, FramePainter& painter) {
+        const int number = frame.tick.frame;
         const auto next = std::ranges::upper_bound(firsts_, number);
         if (next == firsts_.begin() || number >= *std::prev(next) + row_) return;
         throw_if_interrupted();
@@ -86,7 +85,7 @@ class FrameSampler {
     const FilmPlan& plan_;
     FilmWriter& writer_;
     Progress& progress_;
-    std::unique_ptr<PanelSet> panels_;
+    FilmFrames frames_;
     int row_ = 1;
     std::vector<int> firsts_;
     std::unique_ptr<FilmSegment> row_segment_;

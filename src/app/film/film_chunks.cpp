@@ -121,40 +121,26 @@ class StartWriter {
           quality_(quality),
           writer_(writer),
           progress_(progress),
-          panels_(plan.panels()),
-          player_(plan.run) {}
+          frames_(plan) {}
 
     /// Writes the starts of all chunks in order; sets their file names and memory.
     void write(std::vector<PlannedChunk>& chunks) {
         progress_.begin("writing the starts of chunks", static_cast<double>(plan_.span.end));
         for (PlannedChunk& chunk : chunks) {
-            play_to(static_cast<std::size_t>(chunk.first));
+            frames_.go_to(static_cast<std::size_t>(chunk.first),
+                          [&](const FrameData&, const AdvanceResult&) { progress_.advance(); });
             write_start(chunk);
         }
         progress_.finish();
     }
 
     std::vector<std::string> cut_words() const {
-        return words_without_room(*panels_, plan_.run.ticks());
+        return words_without_room(frames_.panels(), plan_.run.ticks());
     }
 
   private:
-    void play_to(std::size_t frame) {
-        while (player_.shown() < frame) {
-            player_.next();
-            panels_->frame_data(player_.tick(), player_.sample(), player_.advanced());
-            progress_.advance();
-        }
-    }
-
     void write_start(PlannedChunk& chunk) {
-        const auto end = static_cast<std::size_t>(chunk.end);
-        FilmPlan part = without_run(plan_);
-        Archive progress;
-        panels_->archive_progress(progress);
-        part.progress = progress.finished();
-        part.run = player_.rest(end);
-        if (part.beside) part.beside->run = *panels_->rest_beside(end);
+        FilmPlan part = frames_.rest(without_run(plan_), static_cast<std::size_t>(chunk.end));
         const std::string bytes = run_bytes(part);
         chunk.start = name_of_start(chunk.number);
         const Memory memory = memory_of_chunk(plan_, chunk, cost_, quality_, bytes.size());
@@ -168,8 +154,7 @@ class StartWriter {
     Quality quality_;
     PlanWriter& writer_;
     Progress& progress_;
-    std::unique_ptr<PanelSet> panels_;
-    Recording::Player player_;
+    FilmFrames frames_;
 };
 
 std::vector<PlannedChunk> chunks_of(const FilmPlan& plan, int wanted, double seconds_of_one) {

@@ -28,22 +28,20 @@ namespace fs = std::filesystem;
 // The palette of a film, chosen from `previews` of its frames, evenly spread.
 std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Progress& progress) {
     progress.begin("choosing colours", static_cast<double>(plan.span.end));
-    const std::unique_ptr<PanelSet> panels = plan.panels();
-    FramePainter painter(*panels);
+    FilmFrames frames(plan);
+    FramePainter painter(frames.panels());
     PaletteMaker maker(plan.scene.film.size.width, plan.scene.film.size.height);
     const int wanted = std::min(previews, plan.frames());
     int shown = 0;
-    plan.run.play(static_cast<std::size_t>(plan.span.end),
-                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                      const FrameData frame = panels->frame_data(tick, sample, advanced);
-                      const int next =
-                          plan.span.first + (plan.frames() - 1) * shown / std::max(1, wanted - 1);
-                      if (tick.frame == next && shown < wanted) {
-                          maker.add(painter.paint(frame).pixels());
-                          ++shown;
-                      }
-                      progress.advance();
-                  });
+    frames.go_to(static_cast<std::size_t>(plan.span.end), [&](const FrameData& frame,
+                                                              const AdvanceResult&) {
+        const int next = plan.span.first + (plan.frames() - 1) * shown / std::max(1, wanted - 1);
+        if (frame.tick.frame == next && shown < wanted) {
+            maker.add(painter.paint(frame).pixels());
+            ++shown;
+        }
+        progress.advance();
+    });
     const GifPalette palette = maker.finish();
     return {palette.begin(), palette.end()};
 }
@@ -196,6 +194,27 @@ std::unique_ptr<PanelSet> FilmPlan::panels() const {
     }
     if (beside) set->play_beside(beside->run);
     return set;
+}
+
+FilmFrames::FilmFrames(const FilmPlan& plan) : panels_(plan.panels()), player_(plan.run) {}
+
+void FilmFrames::go_to(std::size_t end, const Taker& take, bool ends_still) {
+    while (player_.shown() < end) {
+        player_.next();
+        const bool is_still = ends_still && player_.shown() == end;
+        take(panels_->frame_data(player_.tick(), player_.sample(), player_.advanced(), is_still),
+             player_.advanced());
+    }
+}
+
+FilmPlan FilmFrames::rest(FilmPlan without_run, std::size_t end) const {
+    FilmPlan part = std::move(without_run);
+    Archive progress;
+    panels_->archive_progress(progress);
+    part.progress = progress.finished();
+    part.run = player_.rest(end);
+    if (part.beside) part.beside->run = *panels_->rest_beside(end);
+    return part;
 }
 
 std::string fixed_axes(PanelSet& panels) {

@@ -55,6 +55,30 @@ struct FilmPlan {
     std::unique_ptr<PanelSet> panels() const;
 };
 
+/// The second pass of a film: its frames in order. The plan must outlive it.
+class FilmFrames {
+  public:
+    explicit FilmFrames(const FilmPlan& plan);
+
+    /// What is done with a frame.
+    using Taker = std::function<void(FrameData frame, const AdvanceResult& advanced)>;
+
+    /// Goes on to all frames before number `end`, counted from the first one of the plan's
+    /// recording. With `ends_still` the last of them is that of a still. Throws as
+    /// Recording::Player::next().
+    void go_to(std::size_t end, const Taker& take, bool ends_still = false);
+
+    PanelSet& panels() const { return *panels_; }
+
+    /// The frames from the next one up to but excluding number `end`, as a plan that continues this
+    /// one in another process.
+    FilmPlan rest(FilmPlan without_run, std::size_t end) const;
+
+  private:
+    std::unique_ptr<PanelSet> panels_;
+    Recording::Player player_;
+};
+
 /// The first pass: simulates the run of a scene and fixes everything that holds for the whole film.
 /// `when_placed` is called once the particles are placed, with a plan that contains what is known
 /// then: the scene, the span and the particles. Throws SceneError (the gas cannot be placed, or

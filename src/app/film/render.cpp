@@ -166,29 +166,28 @@ bool fit(const std::vector<Tick>& ticks, int still, const Box& box, Eigen::Index
 
 void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress& progress,
                  RenderReport& report) {
-    const std::unique_ptr<PanelSet> panels = plan.panels();
+    FilmFrames frames(plan);
+    const PanelSet& panels = frames.panels();
     progress.begin("rendering", static_cast<double>(plan.frames()));
     CollisionCounts collisions;
-    PlotCallouts callouts(*panels);
+    PlotCallouts callouts(panels);
     const auto play = [&](const auto& take) {
-        plan.run.play(plan.frames_to_play(),
-                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                          collisions = advanced.counts;
-                          FrameData frame = panels->frame_data(tick, sample, advanced);
-                          if (tick.frame < plan.span.first) return;
-                          callouts.see(frame);
-                          take(std::move(frame));
-                      });
+        frames.go_to(plan.frames_to_play(), [&](FrameData frame, const AdvanceResult& advanced) {
+            collisions = advanced.counts;
+            if (frame.tick.frame < plan.span.first) return;
+            callouts.see(frame);
+            take(std::move(frame));
+        });
     };
     WorkerSeconds seconds;
     if (writer.document() != nullptr) {
-        seconds = draw_pages(*panels, play, *writer.document(), progress);
+        seconds = draw_pages(panels, play, *writer.document(), progress);
     } else {
-        SegmentWorkers workers(*panels, plan.segments, threads, writer, progress);
+        SegmentWorkers workers(panels, plan.segments, threads, writer, progress);
         play([&](FrameData frame) { workers.frame(std::move(frame)); });
         seconds = workers.finish();
     }
-    const std::vector<std::string> cut = words_without_room(*panels, plan.run.ticks());
+    const std::vector<std::string> cut = words_without_room(panels, plan.run.ticks());
     report.cut.insert(report.cut.end(), cut.begin(), cut.end());
     const std::vector<std::string> never = callouts.never_shown();
     report.never_shown.insert(report.never_shown.end(), never.begin(), never.end());
@@ -272,17 +271,19 @@ Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputF
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
     const auto end =
         static_cast<std::size_t>(frame_nearest_to(plan.scene.film, plan.run.ticks(), at)) + 1;
-    const std::unique_ptr<PanelSet> panels = plan.panels();
+    FilmFrames frames(plan);
     progress.begin("preparing the frame", static_cast<double>(end));
-    FrameData frame;
-    std::size_t played = 0;
-    plan.run.play(end, [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-        const bool is_last = ++played == end;
-        frame = panels->frame_data(tick, sample, advanced, is_last);
-        progress.advance();
-    });
+    FrameData still;
+    constexpr bool ends_still = true;
+    frames.go_to(
+        end,
+        [&](FrameData frame, const AdvanceResult&) {
+            still = std::move(frame);
+            progress.advance();
+        },
+        ends_still);
     progress.finish();
-    return paint_still(*panels, frame, format);
+    return paint_still(frames.panels(), still, format);
 }
 
 Still draw_still_alone(const Scene& asked, double at, bool is_quick,

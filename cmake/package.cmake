@@ -7,7 +7,7 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/carom)
 set(public_headers_of_util archive.h diagnostics.h interrupt.h overloaded.h)
 set(public_headers_of_physics
     advance_result.h box.h collision/velocity_changes.h exact_positions.h gas.h particles.h placement/placement.h placement/problem.h reversal/precision.h run.h simulation.h surface.h surfaces/behaviours.h
-    surfaces/surface_problem.h temperature.h theory/theory.h vec.h ways_back.h)
+    surfaces/surface_problem.h temperature.h theory/theory.h value_rule.h vec.h ways_back.h)
 foreach(module util physics)
     list(TRANSFORM public_headers_of_${module} PREPEND ${PROJECT_SOURCE_DIR}/src/${module}/)
     target_sources(carom_${module} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/src FILES ${public_headers_of_${module}})

@@ -380,8 +380,9 @@ template <typename Body>
 inline void PairSearch<Body>::fetch_cells_ahead(const Bodies& bodies, std::int32_t i,
                                                 double time) const {
     const Body& a = at(bodies, i);
-    const Cell next = grid_.next_cell(a.cell, cell_side(a.prediction));
-    const unsigned crosses = crosses_cells(a.prediction, time) ? ~0U : 0U;
+    const bool is_crossing = crosses_cells(a.prediction, time);
+    const Cell next = grid_.next_cell(a.cell, is_crossing ? cell_side(a.prediction) : 0);
+    const unsigned crosses = is_crossing ? ~0U : 0U;
     Cell about;
     for (std::size_t k = 0; k < 2; ++k)
         about[k] = static_cast<std::uint16_t>(a.cell[k] ^ ((a.cell[k] ^ next[k]) & crosses));

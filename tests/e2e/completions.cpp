@@ -2,6 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <set>
 #include <sstream>
@@ -58,7 +60,10 @@ class Completions {
     }
 
   private:
-    Words asked(const std::vector<std::string>& command) const {
+    // The scripts call the program by the name that is typed.
+    Words asked(std::vector<std::string> command) const {
+        const std::string folder = std::filesystem::path(program).parent_path().string();
+        command.insert(command.begin(), {"env", "PATH=" + folder + ":" + std::getenv("PATH")});
         const Outcome outcome = run(command, folder_.path() / "work");
         CHECK(outcome.err == "");
         return lines_of(outcome.out);
@@ -125,4 +130,38 @@ TEST_CASE("zsh completes commands, options, words, keys and files") {
     CHECK(complete("carom check ") == Words{"gas.yaml", "plan"});
     CHECK(complete("carom join ") == Words{"plan"});
     CHECK(holds(complete("carom render -o "), {"words.txt"}));
+}
+
+TEST_CASE("where nothing is known, nothing is said") {
+    const std::vector<std::vector<std::string>> calls{{},
+                                                      {"bash"},
+                                                      {"zsh", "explode", ""},
+                                                      {"fish", "render", "--fps", ""},
+                                                      {"bash", "run", "--loud="}};
+    for (const std::vector<std::string>& words : calls) {
+        std::vector<std::string> command{program, "__complete"};
+        command.insert(command.end(), words.begin(), words.end());
+        const Outcome outcome = run(command);
+        CHECK(outcome.exit_code == 0);
+        CHECK(outcome.err == "");
+        CHECK(outcome.out == "");
+    }
+    CHECK_FALSE(has(run({program, "--help"}).out + run({program, "help"}).out, "__complete"));
+}
+
+TEST_CASE("an option is offered once, unless it may be repeated") {
+    const Outcome outcome =
+        run({program, "__complete", "bash", "run", "--quiet", "--set", "seed=1", "a.yaml", "--"});
+    const Words flags = lines_of(outcome.out);
+    CHECK(holds(flags, {"--help", "--json", "--seed", "--set"}));
+    CHECK_FALSE(flags.contains("--quiet"));
+}
+
+TEST_CASE("zsh and fish are given the meaning of each candidate") {
+    const auto says = [](const std::string& shell, const std::string& word) {
+        return lines_of(run({program, "__complete", shell, word}).out);
+    };
+    CHECK(says("fish", "").contains("join\tput together what the chunks of a plan have made"));
+    CHECK(says("zsh", "--ver").contains("--version:print the version"));
+    CHECK(says("bash", "--ver") == Words{"--version"});
 }

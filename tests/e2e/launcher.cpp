@@ -59,6 +59,18 @@ TEST_CASE("what is built runs where nothing may be written") {
     CHECK(outcome.exit_code == 0);
 }
 
+TEST_CASE("a shell that completes a command line asks for no build") {
+    const Checkout checkout;
+    checkout.make_program("dev", "echo asked");
+    const auto said = [&](const std::string& call) {
+        return shell("./carom " + call, checkout.folder.path());
+    };
+    CHECK(has(said("check scene.yaml").err, "asked"));
+    const Outcome outcome = said("__complete bash che");
+    CHECK(outcome.err.empty());
+    CHECK(outcome.out == "ran __complete bash che\n");
+}
+
 TEST_CASE("what was built after its last change runs without asking for a build") {
     const Checkout checkout;
     checkout.make_program("dev", "echo \"asked $*\"");

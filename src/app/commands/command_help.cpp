@@ -1,5 +1,5 @@
-// carom help: the manual; carom completions: what a shell completes. Both are made from the table
-// of commands, and written for installation too.
+// carom help: the manual, made from the table of commands; carom completions: the scripts by which
+// shells complete. Both are written for installation too.
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -39,10 +39,9 @@ void write_manual(const fs::path& share) {
     };
     write_page(page_of(commands));
     for (const Command& command : commands) write_page(page_of(command));
-    const CompletionTable table = completion_table(commands);
-    write_whole(share / "bash-completion/completions/carom", bash_completions(table));
-    write_whole(share / "zsh/site-functions/_carom", zsh_completions(table));
-    write_whole(share / "fish/vendor_completions.d/carom.fish", fish_completions(table));
+    write_whole(share / "bash-completion/completions/carom", completion_script("bash"));
+    write_whole(share / "zsh/site-functions/_carom", completion_script("zsh"));
+    write_whole(share / "fish/vendor_completions.d/carom.fish", completion_script("fish"));
 }
 
 void help(const HelpArguments& arguments) {
@@ -55,13 +54,6 @@ void help(const HelpArguments& arguments) {
     for (const Command& command : commands) names.push_back(command.name);
     throw UsageError("there is no command `" + arguments.command + "`; " +
                      spelling_hint(arguments.command, names, "the commands are " + listed(names)));
-}
-
-void print_completions(const std::string& shell) {
-    const CompletionTable table = completion_table(all_commands());
-    Output("-").write(shell == "bash"  ? bash_completions(table)
-                      : shell == "zsh" ? zsh_completions(table)
-                                       : fish_completions(table));
 }
 
 CommandText help_text() {
@@ -106,7 +98,7 @@ Command completions_command() {
     return {"completions",
             "print completions for a shell",
             {{"shell", "bash, zsh or fish", shell.get(), {"bash", "zsh", "fish"}}},
-            [shell] { print_completions(*shell); },
+            [shell] { Output("-").write(completion_script(*shell)); },
             completions_text()};
 }
 

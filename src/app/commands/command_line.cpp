@@ -24,6 +24,7 @@
 #include "app/commands/suggestions.h"
 #include "app/film/film_request.h"
 #include "app/manual/page_text.h"
+#include "app/manual/shell_completions.h"
 #include "app/output.h"
 #include "app/progress.h"
 #include "scene/yaml/scalar.h"
@@ -419,6 +420,10 @@ void say_when_memory_runs_out() { std::set_terminate(end_without_memory); }
 
 int run_command_line(int argc, const char* const* argv) {
     say_when_memory_runs_out();
+    if (argc > 1 && argv[1] == std::string_view(completing)) {
+        print_candidates({argv + 2, argv + argc});
+        return 0;
+    }
     try {
         return run_and_complain(argc, argv);
     } catch (const std::bad_alloc&) {

@@ -95,19 +95,6 @@ std::string run_words(const Run& run) {
     return text;
 }
 
-Facts distribution_rows(const Gas& gas) {
-    std::vector<std::string> lines;
-    Json list = Json::array();
-    for (CutDistribution& cut : cut_distributions(gas)) {
-        lines.push_back(std::move(cut.words));
-        list.push_back(std::move(cut.value));
-    }
-    Facts rows = rows_of("cut_distributions", lines);
-    rows.front().value = std::move(list);
-    if (!lines.empty()) rows.front().label = "drawn";
-    return rows;
-}
-
 // Whether nothing ever moves, which is hardly meant.
 Facts rest_rows(const BoxedGas& gas) {
     const Law motion = law(gas, LawOf::displacement);
@@ -116,30 +103,18 @@ Facts rest_rows(const BoxedGas& gas) {
              "all particles are at rest, and nothing moves them: give `temperature` or `speed`"}};
 }
 
-Facts theory_rows(const Scene& scene, const BoxedGas& gas) {
-    Facts rows = rows_of("no_theory", missing_theory(scene, gas));
-    if (!rows.front().label.empty()) rows.front().label = "no theory";
-    return rows;
-}
-
 Facts event_rows(const Scene& scene) {
     std::vector<std::string> lines;
     for (const Happening& one : happenings(Language::english, scene.run, scene.gas))
         lines.push_back(one.when + ": " + one.words);
-    return rows_of("events", lines);
+    return rows_of("events", "events", lines);
 }
 
 Facts note_rows(const Scene& scene) {
-    std::vector<std::string> lines;
-    Json values = Json::array();
-    for (const Diagnostic& note : scene.notes) {
-        lines.push_back(note_text(note));
-        values.push_back(error_value(note));
-    }
-    Facts rows = rows_of("note", lines);
-    rows.front().name = "notes";
-    rows.front().value = std::move(values);
-    return rows;
+    std::vector<ListItem> notes;
+    for (const Diagnostic& note : scene.notes)
+        notes.push_back({note_text(note), error_value(note)});
+    return rows_of("notes", "note", std::move(notes));
 }
 
 Fact name_of(const CheckedFile& checked) {
@@ -207,9 +182,9 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
           {"seed", scene.seed},
           {"dimension", box.dimension},
           box_fact(box)},
-         rows_of("surfaces", words_of_surfaces(Language::english, scene.gas)),
+         rows_of("surfaces", "surfaces", words_of_surfaces(Language::english, scene.gas)),
          {{"particles", particles}, species(scene.gas, particles)},
-         distribution_rows(scene.gas),
+         rows_of("cut_distributions", "drawn", cut_distributions(scene.gas)),
          {{"packing_fraction", packing, "packing",
            fmt::format("{:.4g} of the {}", packing, box.dimension == 1 ? "length" : "area")},
           {"time", run.until, "run", run_words(run)}},
@@ -218,7 +193,7 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
           collisions(scene, of_each, rate * run.until, particles),
           ties_fact(counts.ties, counts.is_cut)},
          rest_rows(boxed),
-         theory_rows(scene, boxed),
+         rows_of("no_theory", "no theory", missing_theory(scene, boxed)),
          film ? film_facts(scene, *film, drawn, sample, rate * run.until)
               : Facts{{"film", nullptr, "film", "none: for `carom run` and figures only"}},
          note_rows(scene),

@@ -41,22 +41,19 @@ std::vector<std::pair<std::string, const WorkPart*>> slow_parts(const NamedWork&
 // "figures: about 26 seconds of CPU time for the figure `flights` (line 12); to reduce it, change
 // `lags` ...".
 Facts slow_rows(const NamedWork& works) {
-    Json list = Json::array();
-    std::vector<std::string> lines;
+    std::vector<ListItem> parts;
     for (const auto& [command, part] : slow_parts(works)) {
         const int line = part->place.span.line;
-        list.push_back({{"command", command},
-                        {"part", part->what},
-                        {"line", line > 0 ? Json(line) : Json()},
-                        {"cpu_seconds", part->seconds},
-                        {"reduce", part->reduce}});
-        lines.push_back(fmt::format("{}: about {} seconds of CPU time for {}{}; to reduce it: {}",
-                                    command, about(part->seconds), part->what,
-                                    line > 0 ? fmt::format(" (line {})", line) : "", part->reduce));
+        parts.push_back({fmt::format("{}: about {} seconds of CPU time for {}{}; to reduce it: {}",
+                                     command, about(part->seconds), part->what,
+                                     line > 0 ? fmt::format(" (line {})", line) : "", part->reduce),
+                         Json{{"command", command},
+                              {"part", part->what},
+                              {"line", line > 0 ? Json(line) : Json()},
+                              {"cpu_seconds", part->seconds},
+                              {"reduce", part->reduce}}});
     }
-    Facts rows = rows_of("slow", lines);
-    rows.front().value = std::move(list);
-    return rows;
+    return rows_of("slow", "slow", std::move(parts));
 }
 
 // "render, still and plan: a film of 60000 seconds has ...; the limit is ...".
@@ -85,16 +82,13 @@ Facts work_rows(const NamedWork& works) {
 }
 
 Facts refused_rows(const std::vector<CommandsRefused>& all) {
-    Json list = Json::array();
-    std::vector<std::string> lines;
+    std::vector<ListItem> items;
     for (const CommandsRefused& one : all) {
-        lines.push_back(words_of(one));
-        Json& value = list.emplace_back(Json{{"commands", one.commands}});
+        Json value{{"commands", one.commands}};
         for (const Diagnostic& reason : one.reasons) value["errors"].push_back(error_value(reason));
+        items.push_back({words_of(one), std::move(value)});
     }
-    Facts rows = rows_of("refused", lines);
-    rows.front().value = std::move(list);
-    return rows;
+    return rows_of("refused", "refused", std::move(items));
 }
 
 }  // namespace carom

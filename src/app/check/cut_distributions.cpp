@@ -12,8 +12,8 @@ namespace {
 
 constexpr double least_share = 0.01;
 
-void add(std::vector<CutDistribution>& all, const Species& species, const char* key,
-         const ValueRule& rule, bool is_folded) {
+void add(std::vector<ListItem>& all, const Species& species, const char* key, const ValueRule& rule,
+         bool is_folded) {
     const auto* normal = std::get_if<NormalDistribution>(&rule);
     if (normal == nullptr) return;
     const CutNormal cut = is_folded ? folded_at_zero(*normal) : truncated_at_zero(*normal);
@@ -34,8 +34,8 @@ void add(std::vector<CutDistribution>& all, const Species& species, const char* 
 
 }  // namespace
 
-std::vector<CutDistribution> cut_distributions(const Gas& gas) {
-    std::vector<CutDistribution> all;
+std::vector<ListItem> cut_distributions(const Gas& gas) {
+    std::vector<ListItem> all;
     for (const Species& species : gas.species) {
         add(all, species, "radius", species.radius, false);
         if (const auto* mass = std::get_if<ValueRule>(&species.mass))

@@ -2,22 +2,16 @@
 // distributions of quantities that are never negative.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "runs/json.h"
+#include "app/report/facts.h"
 
 namespace carom {
 
 struct Gas;
 
-/// A normal distribution of which more than 1 % is below 0.
-struct CutDistribution {
-    std::string words;  ///< of whom, and what is drawn instead
-    Json value;         ///< the same for programs
-};
-
-/// Those of a gas, in order of its species.
-std::vector<CutDistribution> cut_distributions(const Gas& gas);
+/// The normal distributions of a gas of which more than 1 % is below 0, in order of its species: of
+/// whom, and what is drawn instead.
+std::vector<ListItem> cut_distributions(const Gas& gas);
 
 }  // namespace carom

@@ -203,8 +203,8 @@ Facts film_facts(const Scene& scene, const CheckedFilm& checked, const Particles
     cut.insert(cut.end(), checked.cut.begin(), checked.cut.end());
     const std::vector<DiskMotion> disks = disks_of(scene, checked, panels, drawn, beside);
     return joined<Fact>({rows_of_film(scene, checked, particles, collisions, disks),
-                         field_rows(scene, particles), rows_of("cut", cut),
-                         rows_of("keys", checked.in_keys)});
+                         field_rows(scene, particles), rows_of("cut", "cut", cut),
+                         rows_of("keys", "keys", checked.in_keys)});
 }
 
 }  // namespace carom

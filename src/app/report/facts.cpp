@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "util/text.h"
 
@@ -24,12 +25,24 @@ std::string printable_lines(std::string_view text) {
 
 Fact for_people(const char* label, const std::string& words) { return {"", nullptr, label, words}; }
 
-Facts rows_of(const char* label, const std::vector<std::string>& lines) {
-    Facts rows;
-    if (lines.empty()) return {{label, Json::array()}};
-    rows.push_back({label, Json(lines), label, lines.front()});
-    for (std::size_t k = 1; k < lines.size(); ++k) rows.push_back({"", nullptr, " ", lines[k]});
+Facts rows_of(const char* name, const char* label, std::vector<ListItem> items) {
+    Facts rows{{name, Json::array()}};
+    for (ListItem& item : items) {
+        rows.front().value.push_back(std::move(item.value));
+        if (rows.front().label.empty()) {
+            rows.front().label = label;
+            rows.front().words = std::move(item.words);
+        } else {
+            rows.push_back(for_people(" ", item.words));
+        }
+    }
     return rows;
+}
+
+Facts rows_of(const char* name, const char* label, const std::vector<std::string>& lines) {
+    std::vector<ListItem> items;
+    for (const std::string& line : lines) items.push_back({line, line});
+    return rows_of(name, label, std::move(items));
 }
 
 Fact ties_fact(const std::optional<Ties>& ties, bool is_cut) {

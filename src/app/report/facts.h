@@ -23,8 +23,17 @@ using Facts = std::vector<Fact>;
 /// A row for people only.
 Fact for_people(const char* label, const std::string& words);
 
-/// A row for each line, the first with a label; for programs a list.
-Facts rows_of(const char* label, const std::vector<std::string>& lines);
+/// An item of a list, for people and for programs.
+struct ListItem {
+    std::string words;
+    Json value;
+};
+
+/// A list: a row for each item, the first of them with the label; none if the list is empty.
+Facts rows_of(const char* name, const char* label, std::vector<ListItem> items);
+
+/// The same, of words for both.
+Facts rows_of(const char* name, const char* label, const std::vector<std::string>& lines);
 
 /// What contacts coincided in a run; none: not known. `is_cut`: in its beginning only.
 Fact ties_fact(const std::optional<Ties>& ties, bool is_cut = false);

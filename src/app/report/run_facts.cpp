@@ -41,6 +41,34 @@ Json vector_value(const std::vector<std::optional<double>>& components, const Qu
     return list;
 }
 
+Fact number_fact(const char* name, const char* label, const Amount& amount) {
+    return {name, amount, label, number(amount)};
+}
+
+// A table of things with the same facts, of which the first is the name: for programs a list, for
+// people a column below each label, with this least width.
+Fact table(const char* name, const std::vector<Facts>& rows, const std::vector<int>& widths) {
+    Fact fact{name, Json::array()};
+    if (rows.empty()) return fact;
+    int width = code_points(rows.front().front().label);
+    for (const Facts& row : rows) width = std::max(width, code_points(row.front().words));
+    const auto add_line = [&](const Facts& row, std::string Fact::*cell) {
+        const std::string& first = row.front().*cell;
+        fact.words +=
+            "  " + first + std::string(static_cast<std::size_t>(width - code_points(first)), ' ');
+        for (std::size_t k = 1; k < row.size(); ++k)
+            fact.words += fmt::format("  {:>{}}", row[k].*cell, widths[k - 1]);
+        fact.words += "\n";
+    };
+    add_line(rows.front(), &Fact::label);
+    for (const Facts& row : rows) {
+        add_line(row, &Fact::words);
+        fact.value.push_back(json_of(row));
+    }
+    fact.words += "\n";
+    return fact;
+}
+
 Fact collisions(const RunReport& report) {
     const CollisionCounts& counts = report.collisions;
     const double of_each =
@@ -56,27 +84,29 @@ Fact collisions(const RunReport& report) {
 
 constexpr const char* no_error = "not conserved: an infinite mass moves";
 
-// The terms of the energy balance in words, for runs in which surfaces act.
-std::string account_words(const EnergyAccount& account) {
-    std::vector<std::string> parts{"kinetic " + number(account.kinetic)};
+// The terms of the energy balance, for runs in which surfaces act; in words only those that are
+// there.
+Facts account_terms(const EnergyAccount& account) {
+    Facts terms{number_fact("kinetic", "kinetic", energy(account.kinetic))};
     const auto add = [&](const char* name, double value) {
-        if (value != 0.0) parts.push_back(fmt::format("{} {}", name, number(value)));
+        terms.push_back(number_fact(name, value == 0.0 ? "" : name, energy(value)));
     };
     add("potential", account.potential);
     add("pistons", account.pistons);
     add("work", account.work);
     add("heat", account.heat);
-    const std::string error = account.relative_error
-                                  ? fmt::format(", relative error {:.1e}", *account.relative_error)
-                                  : fmt::format("; {}", no_error);
-    return fmt::format("{} at the end{}", fmt::join(parts, ", "), error);
+    terms.push_back({"relative_error", relative(account.relative_error)});
+    return terms;
 }
 
-Json account_value(const EnergyAccount& account) {
-    return Json{
-        {"kinetic", energy(account.kinetic)}, {"potential", energy(account.potential)},
-        {"pistons", energy(account.pistons)}, {"work", energy(account.work)},
-        {"heat", energy(account.heat)},       {"relative_error", relative(account.relative_error)}};
+std::string account_words(const Facts& terms, std::optional<double> relative_error) {
+    std::vector<std::string> parts;
+    for (const Fact& term : terms)
+        if (!term.label.empty()) parts.push_back(term.label + " " + term.words);
+    const std::string error = relative_error
+                                  ? fmt::format(", relative error {:.1e}", *relative_error)
+                                  : fmt::format("; {}", no_error);
+    return fmt::format("{} at the end{}", fmt::join(parts, ", "), error);
 }
 
 std::string energy_words(const RunSummary& summary) {
@@ -95,8 +125,9 @@ Fact energies(const RunReport& report) {
                    {"largest_relative_error", relative(summary.largest_energy_error)}},
               "energy", ""};
     if (report.account) {
-        fact.value["account"] = account_value(*report.account);
-        fact.words = account_words(*report.account);
+        const Facts terms = account_terms(*report.account);
+        fact.value["account"] = json_of(terms);
+        fact.words = account_words(terms, report.account->relative_error);
     } else {
         fact.words = energy_words(summary);
     }
@@ -109,48 +140,34 @@ std::vector<std::optional<double>> impulse_of(const SurfaceTotals& its, int dime
     return {its.impulse[0], its.impulse[1]};
 }
 
-std::string surface_rows(const std::vector<SurfaceReport>& surfaces, int dimension) {
-    std::size_t width = 7;
-    for (const SurfaceReport& surface : surfaces)
-        width = std::max(width, static_cast<std::size_t>(code_points(surface.name)));
-    std::string text = fmt::format("  {:<{}}  {:>9}  {:>23}  {:>10}  {:>10}  {}\n", "surface",
-                                   width, "hits", "impulse", "work", "heat", "position");
-    for (const SurfaceReport& surface : surfaces) {
-        const SurfaceTotals& its = surface.totals;
-        const std::string padding(width - static_cast<std::size_t>(code_points(surface.name)), ' ');
-        const std::string position =
-            surface.position
-                ? fmt::format("{} ± {}, {} at the end", number(surface.position->mean),
-                              number(surface.position->deviation), number(surface.position->last))
-                : "—";
-        text += fmt::format("  {}{}  {:>9}  {:>23}  {:>10}  {:>10}  {}\n", surface.name, padding,
-                            its.hits, vector(impulse_of(its, dimension)), number(its.work),
-                            number(its.heat), position);
-    }
-    return text;
+Fact position_fact(const std::optional<SurfaceReport::Position>& position) {
+    if (!position) return {"position", nullptr, "position", "—"};
+    const auto value_of = [](double value) { return Amount{value, quantities::position}; };
+    return {"position",
+            Json{{"mean", value_of(position->mean)},
+                 {"deviation", value_of(position->deviation)},
+                 {"last", value_of(position->last)}},
+            "position",
+            fmt::format("{} ± {}, {} at the end", number(position->mean),
+                        number(position->deviation), number(position->last))};
 }
 
 // In a box with surfaces that act, obstacles or gravity.
 Facts surfaces(const RunReport& report, int dimension) {
     if (report.surfaces.empty()) return {};
-    Json list = Json::array();
+    std::vector<Facts> rows;
     for (const SurfaceReport& surface : report.surfaces) {
         const SurfaceTotals& its = surface.totals;
-        const auto position_of = [](double value) { return Amount{value, quantities::position}; };
-        Json position = nullptr;
-        if (surface.position)
-            position = Json{{"mean", position_of(surface.position->mean)},
-                            {"deviation", position_of(surface.position->deviation)},
-                            {"last", position_of(surface.position->last)}};
-        list.push_back(
-            Json{{"name", surface.name},
-                 {"hits", its.hits},
-                 {"impulse", vector_value(impulse_of(its, dimension), quantities::momentum)},
-                 {"work", energy(its.work)},
-                 {"heat", energy(its.heat)},
-                 {"position", std::move(position)}});
+        const std::vector<std::optional<double>> impulse = impulse_of(its, dimension);
+        rows.push_back(
+            {{"name", surface.name, "surface", surface.name},
+             {"hits", its.hits, "hits", fmt::format("{}", its.hits)},
+             {"impulse", vector_value(impulse, quantities::momentum), "impulse", vector(impulse)},
+             number_fact("work", "work", energy(its.work)),
+             number_fact("heat", "heat", energy(its.heat)),
+             position_fact(surface.position)});
     }
-    return {{"surfaces", std::move(list), "", surface_rows(report.surfaces, dimension) + "\n"}};
+    return {table("surfaces", rows, {9, 23, 10, 10, 0})};
 }
 
 Fact momentum(const RunSummary& summary) {
@@ -253,30 +270,19 @@ Facts reversals(const RunReport& report) {
     return facts;
 }
 
-std::string species_rows(const Scene& scene, const RunSummary& summary) {
-    std::size_t width = 7;
-    for (const Species& species : scene.gas.species)
-        width = std::max(width, static_cast<std::size_t>(code_points(species.name)));
-    std::string text = fmt::format("  {:<{}}  {:>10}  {:>12}  {:>12}\n", "species", width,
-                                   "particles", "mean energy", "mean speed");
+Fact species(const Scene& scene, const RunSummary& summary) {
+    std::vector<Facts> rows;
     for (std::size_t s = 0; s < summary.species.size(); ++s) {
         const std::string& name = scene.gas.species[s].name;
-        const std::string padding(width - static_cast<std::size_t>(code_points(name)), ' ');
         const SpeciesMeans& means = summary.species[s];
-        text += fmt::format("  {}{}  {:>10}  {:>12}  {:>12}\n", name, padding, means.count,
-                            number(means.energy), number(means.speed));
+        rows.push_back({{"name", name, "species", name},
+                        {"count", means.count, "particles", fmt::format("{}", means.count)},
+                        number_fact("mean_energy", "mean energy", energy(means.energy)),
+                        number_fact("mean_speed", "mean speed", {means.speed, quantities::speed})});
     }
-    return text;
-}
-
-Fact species(const Scene& scene, const RunSummary& summary) {
-    Json list = Json::array();
-    for (std::size_t s = 0; s < summary.species.size(); ++s)
-        list.push_back(Json{{"name", scene.gas.species[s].name},
-                            {"count", summary.species[s].count},
-                            {"mean_energy", energy(summary.species[s].energy)},
-                            {"mean_speed", Amount{summary.species[s].speed, quantities::speed}}});
-    return {"species", std::move(list), "", "\n" + species_rows(scene, summary) + "\n"};
+    Fact fact = table("species", rows, {10, 12, 12});
+    fact.words.insert(0, "\n");
+    return fact;
 }
 
 // The number of bins that contain all but 0.5 % of the counts.
@@ -332,7 +338,6 @@ std::string heading(const Scene& scene, const RunReport& report) {
 Facts facts_of(const Scene& scene, const RunReport& report) {
     const RunSummary& summary = report.summary;
     const auto events = static_cast<double>(events_of(report.collisions));
-    const Amount temperature{summary.temperature, quantities::temperature};
     return joined<Fact>(
         {{{"carom", CAROM_VERSION, "", heading(scene, report)},
           {"scene", scene.source.path},
@@ -344,7 +349,7 @@ Facts facts_of(const Scene& scene, const RunReport& report) {
           ties_fact(report.collisions.ties),
           energies(report),
           momentum(summary),
-          {"temperature", temperature, "temperature", number(temperature)},
+          number_fact("temperature", "temperature", {summary.temperature, quantities::temperature}),
           pressure(report, scene.gas.box.dimension),
           overlap(summary.largest_overlap),
           precision(scene, report.bits),

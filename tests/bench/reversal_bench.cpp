@@ -14,6 +14,7 @@
 #include "app/film/render.h"
 #include "app/own_files.h"
 #include "scene/load.h"
+#include "scene/scene.h"
 
 using namespace carom;
 

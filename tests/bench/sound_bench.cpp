@@ -13,6 +13,7 @@
 #include "app/progress.h"
 #include "bench/measured.h"
 #include "scene/load.h"
+#include "scene/scene.h"
 #include "support/files.h"
 
 using namespace carom;

@@ -14,6 +14,7 @@
 #include "bench/process_cost.h"
 #include "runs/run.h"
 #include "scene/load.h"
+#include "scene/scene.h"
 
 using namespace carom;
 

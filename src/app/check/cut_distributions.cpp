@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "physics/gas.h"
 #include "physics/sampling/cut_normal.h"
 #include "util/text.h"
 

@@ -16,6 +16,7 @@
 #include "app/machine_resources.h"
 #include "app/output.h"
 #include "app/own_files.h"
+#include "scene/scene.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/interrupt.h"

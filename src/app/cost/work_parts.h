@@ -6,6 +6,7 @@
 
 #include "app/cost/work.h"
 #include "physics/placement/draws.h"
+#include "scene/scene.h"
 
 namespace carom {
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <numeric>
 
+#include "physics/gas.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/laws/laws.h"
 

@@ -104,9 +104,9 @@ struct Obstacles {
         }
     }
 
-    void operator()(const Arrow& arrow) const {
-        frame.placer.keep_clear({frame.x(arrow.from.x), frame.y(arrow.from.y)},
-                                {frame.x(arrow.to.x), frame.y(arrow.to.y)}, frame.pixels(0.65));
+    void operator()(const Arrow& shaft) const {
+        frame.placer.keep_clear({frame.x(shaft.from.x), frame.y(shaft.from.y)},
+                                {frame.x(shaft.to.x), frame.y(shaft.to.y)}, frame.pixels(0.65));
     }
 
     void operator()(const Label&) const {}

@@ -21,10 +21,10 @@ namespace {
 // `membership`: null for that of the start.
 std::vector<Eigen::Index> members_in(const Particles& particles, const Membership* membership,
                                      const Chosen& chosen) {
-    const Eigen::ArrayXi& species = membership ? membership->species : particles.species;
+    const Eigen::ArrayXi& species = species_in(membership, particles);
     std::vector<Eigen::Index> found;
     const auto add = [&](Eigen::Index i) {
-        if (!membership || membership->is_present[i]) found.push_back(i);
+        if (is_present(membership, i)) found.push_back(i);
     };
     if (chosen.particle) {
         add(static_cast<Eigen::Index>(*chosen.particle));

@@ -9,15 +9,23 @@
 
 namespace carom {
 
-/// The species of all particles at the time of a sample, N: index into Gas::species. `particles`
-/// and the sample must outlive the reference.
-inline const Eigen::ArrayXi& species_at(const Sample& sample, const Particles& particles) {
-    return sample.membership ? sample.membership->species : particles.species;
+/// The species of all particles of a membership, N: index into Gas::species; null: the membership
+/// at the start. `particles` and the membership must outlive the reference.
+inline const Eigen::ArrayXi& species_in(const Membership* membership, const Particles& particles) {
+    return membership ? membership->species : particles.species;
 }
 
-/// Whether a particle is present at the time of a sample.
+/// The same at the time of a sample, which must outlive the reference, too.
+inline const Eigen::ArrayXi& species_at(const Sample& sample, const Particles& particles) {
+    return species_in(sample.membership.get(), particles);
+}
+
+/// Whether a particle is present in a membership, null: that of the start; or in a sample.
+inline bool is_present(const Membership* membership, Eigen::Index particle) {
+    return !membership || membership->is_present[particle];
+}
 inline bool is_present(const Sample& sample, Eigen::Index particle) {
-    return !sample.membership || sample.membership->is_present[particle];
+    return is_present(sample.membership.get(), particle);
 }
 
 /// Follows the membership through the samples of a run.
@@ -52,9 +60,7 @@ class MembershipWatch {
   private:
     /// Null: that of the start.
     static bool are_same(const Membership* a, const Membership* b, const Particles& particles) {
-        const Eigen::ArrayXi &of_a = a ? a->species : particles.species,
-                             &of_b = b ? b->species : particles.species;
-        if ((of_a != of_b).any()) return false;
+        if ((species_in(a, particles) != species_in(b, particles)).any()) return false;
         if (a != nullptr && b != nullptr) return (a->is_present == b->is_present).all();
         return (a == nullptr || a->is_present.all()) && (b == nullptr || b->is_present.all());
     }

@@ -162,8 +162,7 @@ void GasColors::archive(Archive& archive) {
 
 std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion,
                                const Membership* membership) const {
-    const Eigen::ArrayXi& of_all = membership ? membership->species : context_.particles.species;
-    const auto species = static_cast<std::size_t>(of_all[i]);
+    const auto species = static_cast<std::size_t>(species_in(membership, context_.particles)[i]);
     if (context_.film().color_by == ColorBy::species || has_own_color(species))
         return static_cast<std::uint16_t>(first_species + species);
     const auto on_scale = [](double share) {

@@ -92,9 +92,8 @@ void ParticlePanel::archive_progress(Archive& archive) {
 }
 
 std::size_t ParticlePanel::species_of(Eigen::Index particle, const ParticleState& state) const {
-    const Eigen::ArrayXi& all =
-        state.membership ? state.membership->species : context_.particles.species;
-    return static_cast<std::size_t>(all[particle]);
+    return static_cast<std::size_t>(
+        species_in(state.membership.get(), context_.particles)[particle]);
 }
 
 bool ParticlePanel::is_filled(Eigen::Index particle, const ParticleState& state) const {

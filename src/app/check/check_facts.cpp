@@ -38,9 +38,10 @@ std::string_view side_word(const Box& box, std::size_t side) {
 
 Fact box_fact(const Box& box) {
     const bool across = box.is_periodic(0), up = box.is_periodic(1);
+    const auto length = [&](int axis) { return Amount{box.size[axis], quantities::length}; };
     Json walls{{"left", side_word(box, 0)}, {"right", side_word(box, 1)}};
     if (box.dimension == 1)
-        return {"box", Json{{"length", box.size[0]}, {"walls", walls}}, "box",
+        return {"box", Json{{"length", length(0)}, {"walls", walls}}, "box",
                 fmt::format("one dimension, length {}, {}", box.size[0],
                             across ? "ends joined" : "between walls")};
     walls["bottom"] = side_word(box, 2);
@@ -50,7 +51,7 @@ Fact box_fact(const Box& box) {
     if (across != up)
         words = across ? "periodic across, solid below and above"
                        : "periodic up and down, solid left and right";
-    return {"box", Json{{"size", Json::array({box.size[0], box.size[1]})}, {"walls", walls}}, "box",
+    return {"box", Json{{"size", Json::array({length(0), length(1)})}, {"walls", walls}}, "box",
             fmt::format("two dimensions, {} by {}, {}", box.size[0], box.size[1], words)};
 }
 
@@ -185,11 +186,11 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
          rows_of("surfaces", "surfaces", words_of_surfaces(Language::english, scene.gas)),
          {{"particles", particles}, species(scene.gas, particles)},
          rows_of("cut_distributions", "drawn", cut_distributions(scene.gas)),
-         {{"packing_fraction", packing, "packing",
+         {{"packing_fraction", Amount{packing, quantities::share}, "packing",
            fmt::format("{:.4g} of the {}", packing, box.dimension == 1 ? "length" : "area")},
-          {"time", run.until, "run", run_words(run)}},
+          {"time", Amount{run.until, quantities::time}, "run", run_words(run)}},
          event_rows(scene),
-         {{"equilibrate", run.equilibrate},
+         {{"equilibrate", Amount{run.equilibrate, quantities::time}},
           collisions(scene, of_each, rate * run.until, particles),
           ties_fact(counts.ties, counts.is_cut)},
          rest_rows(boxed),

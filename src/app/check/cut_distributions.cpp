@@ -6,6 +6,7 @@
 
 #include "physics/gas.h"
 #include "physics/sampling/cut_normal.h"
+#include "runs/number_json.h"
 #include "util/text.h"
 
 namespace carom {
@@ -13,8 +14,8 @@ namespace {
 
 constexpr double least_share = 0.01;
 
-void add(std::vector<ListItem>& all, const Species& species, const char* key, const ValueRule& rule,
-         bool is_folded) {
+void add(std::vector<ListItem>& all, const Species& species, const char* key,
+         const Quantity& quantity, const ValueRule& rule, bool is_folded) {
     const auto* normal = std::get_if<NormalDistribution>(&rule);
     if (normal == nullptr) return;
     const CutNormal cut = is_folded ? folded_at_zero(*normal) : truncated_at_zero(*normal);
@@ -27,10 +28,10 @@ void add(std::vector<ListItem>& all, const Species& species, const char* key, co
                                three_digits(cut.deviation), three_digits(normal->deviation)),
                    Json{{"species", species.name},
                         {"key", key},
-                        {"below_zero", cut.share},
+                        {"below_zero", Amount{cut.share, quantities::share}},
                         {"instead", is_folded ? "sign removed" : "drawn again"},
-                        {"mean", cut.mean},
-                        {"deviation", cut.deviation}}});
+                        {"mean", Amount{cut.mean, quantity}},
+                        {"deviation", Amount{cut.deviation, quantity}}}});
 }
 
 }  // namespace
@@ -38,13 +39,14 @@ void add(std::vector<ListItem>& all, const Species& species, const char* key, co
 std::vector<ListItem> cut_distributions(const Gas& gas) {
     std::vector<ListItem> all;
     for (const Species& species : gas.species) {
-        add(all, species, "radius", species.radius, false);
+        add(all, species, "radius", quantities::length, species.radius, false);
         if (const auto* mass = std::get_if<ValueRule>(&species.mass))
-            add(all, species, "mass", *mass, false);
+            add(all, species, "mass", quantities::mass, *mass, false);
         if (const auto* density = std::get_if<Density>(&species.mass))
-            add(all, species, "density", density->value, false);
+            add(all, species, "density", quantities::mass / quantities::content(gas.box.dimension),
+                density->value, false);
         if (const auto* speed = std::get_if<Speed>(&species.velocity))
-            add(all, species, "speed", speed->value, true);
+            add(all, species, "speed", quantities::speed, speed->value, true);
     }
     return all;
 }

@@ -5,6 +5,7 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "panels/registry.h"
+#include "runs/number_json.h"
 #include "scene/panel_kind.h"
 #include "util/text.h"
 
@@ -32,9 +33,11 @@ std::string figure_words(const Scene& scene, const FigureSpec& spec) {
 
 Json figure_value(const Scene& scene, const FigureSpec& spec) {
     const auto [width, height] = figure_size(scene, spec);
+    Json times = Json::array();
+    for (const double time : spec.times) times.push_back(Amount{time, quantities::time});
     Json fields{{"name", spec.name},
                 {"kind", spec.panel.kind},
-                {"times", spec.times},
+                {"times", std::move(times)},
                 {"size_cm", Json::array({width, height})}};
     Json runs = Json::array();
     for (const ComparedRun& run : spec.compare) runs.push_back(run.label);

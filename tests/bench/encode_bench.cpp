@@ -144,16 +144,16 @@ struct ConvertedFrames {
         const FilmPlan plan = prepare(load_scene(scene, scene_resources(), {"film.size=1080p"}),
                                       {.output = "film.mp4"}, silent);
         motion = motion_of(plan.scene, plan.particles, plan.start);
-        const std::unique_ptr<PanelSet> panels = plan.panels();
-        FramePainter painter(*panels);
+        FilmFrames film(plan);
+        FramePainter painter(film.panels());
         const int first = std::max(0, (plan.frames() - count) / 2),
                   end = std::min(plan.frames(), first + count);
-        plan.run.play(static_cast<std::size_t>(end),
-                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                          const FrameData frame = panels->frame_data(tick, sample, advanced);
-                          if (tick.frame >= first)
-                              planes.push_back(converted(painter.paint(frame), tick.frame - first));
-                      });
+        film.go_to(static_cast<std::size_t>(end),
+                   [&](const FrameData& frame, const AdvanceResult&) {
+                       const int number = frame.tick.frame;
+                       if (number >= first)
+                           planes.push_back(converted(painter.paint(frame), number - first));
+                   });
     }
     ConvertedFrames(const ConvertedFrames&) = delete;
     ConvertedFrames& operator=(const ConvertedFrames&) = delete;

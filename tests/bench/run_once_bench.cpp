@@ -72,11 +72,8 @@ int main(int argc, char** argv) {
         first.push_back(seconds_of(
             [&] { plan = prepare(scene, {.output = "film.mp4", .threads = 2}, silent); }));
         again.push_back(seconds_of([&] {
-            const std::unique_ptr<PanelSet> panels = plan.panels();
-            plan.run.play(plan.frames_to_play(), [&](const Tick& tick, const Sample& sample,
-                                                     const AdvanceResult& advanced) {
-                panels->frame_data(tick, sample, advanced);
-            });
+            FilmFrames(plan).go_to(plan.frames_to_play(),
+                                   [](const FrameData&, const AdvanceResult&) {});
         }));
         good &= plan.passes.size() == 1;
     }

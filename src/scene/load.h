@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scene/file_texts.h"
 #include "scene/panel_kind.h"
 
 namespace carom {
@@ -32,9 +32,8 @@ enum class Wanted { film, figures, physics };
 /// What loading a scene needs besides its file.
 struct SceneResources {
     std::filesystem::path templates;  ///< the folder that holds films/
-    PanelKinds panels;  ///< all kinds of panel (panels/registry.h); must stay valid from then on
-    std::map<std::string, std::string> files =
-        {};                     ///< texts to use instead of the files at these paths
+    PanelKinds panels;     ///< all kinds of panel (panels/registry.h); must stay valid from then on
+    FileTexts files = {};  ///< texts to use instead of the files at these paths
     bool is_classroom = false;  ///< whether the narrower limits of classroom.h apply
 };
 

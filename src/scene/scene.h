@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "physics/gas.h"
 #include "physics/run.h"
 #include "scene/figure_spec.h"
+#include "scene/file_texts.h"
 #include "scene/film.h"
 #include "scene/looks.h"
 #include "scene/panel_spec.h"
@@ -33,9 +33,6 @@ struct Caption {
     std::string words;                   ///< empty: no caption from then on
     std::optional<double> seconds = {};  ///< of film, at most; none: until the next
 };
-
-/// Texts of files by their paths.
-using FileTexts = std::map<std::string, std::string>;
 
 /// Where a scene came from.
 struct SceneSource {

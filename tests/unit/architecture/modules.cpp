@@ -56,8 +56,8 @@ const std::map<std::string, Parts> parts_of_module{
     {"scene",
      {{"yaml", "time", "keys", "lettering", "reading", "sets", "instruments", "feasibility",
        "scene", "manual"},
-      {"figure_spec.h", "film.h", "layout.h", "limits.h", "looks.h", "panel_kind.h", "panel_spec.h",
-       "scene.h", "sweep.h", "words.h"}}},
+      {"figure_spec.h", "file_texts.h", "film.h", "layout.h", "limits.h", "looks.h", "panel_kind.h",
+       "panel_spec.h", "scene.h", "sweep.h", "words.h"}}},
     {"panels",
      {{"means", "callouts", "plot", "surfaces", "field", "gas", "line", "plots", "correlations",
        "instruments", "dials", "sweep", "echo", "collision", "words", "panels"},
@@ -220,6 +220,7 @@ TEST_CASE("a change of scene.h or gas.h compiles few files again") {
         }
         return std::ranges::count_if(all, [](const auto& file) { return file.ends_with(".cpp"); });
     };
+    // Of 430 files; a tenth above what it was when this was written.
     CHECK(compiled_after("scene/scene.h") <= 95);
     CHECK(compiled_after("physics/gas.h") <= 150);
     CHECK(compiled_after("physics/vec.h") > 200);  // it does count

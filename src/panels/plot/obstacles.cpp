@@ -9,7 +9,7 @@
 namespace carom::plot {
 namespace {
 
-constexpr double arrow = 0.9;  // units, around where a line leaves the plot
+constexpr double arrow_reach = 0.9;  // units, around where a line leaves the plot
 
 // The whole course of lines and bands, not only the part that a frame shows.
 struct Obstacles {
@@ -24,8 +24,8 @@ struct Obstacles {
         };
         const Point first = at(part->first), last = at(part->second);
         frame.placer.keep_clear(first, last, width);
-        if (part->first > 0.0) frame.placer.keep_clear(first, first, frame.pixels(arrow));
-        if (part->second < 1.0) frame.placer.keep_clear(last, last, frame.pixels(arrow));
+        if (part->first > 0.0) frame.placer.keep_clear(first, first, frame.pixels(arrow_reach));
+        if (part->second < 1.0) frame.placer.keep_clear(last, last, frame.pixels(arrow_reach));
     }
 
     void operator()(const Polyline& line) const {
@@ -78,7 +78,7 @@ struct Obstacles {
     void operator()(const Level& level) const {
         const double y = frame.y(level.value);
         if (const auto exit = exit_of(frame, level))
-            return frame.placer.keep_clear(exit->at, exit->at, frame.pixels(arrow));
+            return frame.placer.keep_clear(exit->at, exit->at, frame.pixels(arrow_reach));
         frame.placer.add_level(y);
         frame.placer.keep_clear({frame.area.x, y}, {frame.area.right(), y},
                                 frame.pixels(level.stroke.width));
@@ -104,9 +104,9 @@ struct Obstacles {
         }
     }
 
-    void operator()(const Arrow& shaft) const {
-        frame.placer.keep_clear({frame.x(shaft.from.x), frame.y(shaft.from.y)},
-                                {frame.x(shaft.to.x), frame.y(shaft.to.y)}, frame.pixels(0.65));
+    void operator()(const Arrow& arrow) const {
+        frame.placer.keep_clear({frame.x(arrow.from.x), frame.y(arrow.from.y)},
+                                {frame.x(arrow.to.x), frame.y(arrow.to.y)}, frame.pixels(0.65));
     }
 
     void operator()(const Label&) const {}

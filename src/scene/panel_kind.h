@@ -28,6 +28,7 @@ namespace carom {
 class Panel;
 struct Gas;
 struct PanelContext;
+struct Meter;
 enum class LawOf;
 
 /// The abilities of a kind of panel. Each gives it the keys named here.
@@ -77,6 +78,9 @@ struct PanelKind {
     Phrase words;       ///< as in captions and transcripts
     std::string shows;  ///< a sentence for the reference page, in Markdown
     std::unique_ptr<Panel> (*make)(const PanelContext&, const PanelSpec&) = nullptr;
+    /// What it reads of a run at each moment (panels/meters/meter.h), which may read nothing for
+    /// the options given; null if it reads nothing.
+    Meter (*meter)(const PanelContext&, const PanelSpec&) = nullptr;
     std::set<Ability> abilities = {};
 
     /// Other names that users are likely to try: the hint for them is this kind.

@@ -58,7 +58,7 @@ struct SeenPanel {
         return last;
     }
 
-    const SeriesRun& series() const {
+    const History& series() const {
         return dynamic_cast<const SeriesPanel&>(*panel).record().runs.front();
     }
     plot::Plot plot(const PanelState* state = nullptr) const {

@@ -49,7 +49,7 @@ void name_curves(CurveSubject& subject, const PanelContext& context, const Panel
     const std::vector<Chosen> chosen = choices(spec);
     for (std::size_t k = 0; k < chosen.size(); ++k)
         subject.lines.push_back(
-            {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
+            {column_name_of(context.scene, chosen[k]), "", role_among(context, chosen, k)});
     const plot::Text base = spec.title ? escape_markup(*spec.title) : what;
     const bool has_names = !spec.of.empty() && !spec.title;
     const plot::Text named = has_names ? shown_of(context, base, chosen, plot::Swatch::line) : base;
@@ -70,8 +70,7 @@ void name_curves(CurveSubject& subject, const PanelContext& context, const Panel
 
 std::size_t CurveState::bytes() const {
     std::size_t sum = 0;
-    for (const CurveValues& run : runs)
-        for (const std::vector<double>& curve : run.curves) sum += curve.size() * sizeof(double);
+    for (const CurveValues& run : runs) sum += run.bytes();
     return 2 * sum;  // with the readouts
 }
 
@@ -85,16 +84,15 @@ CurvePanel::CurvePanel(const PanelContext& context, CurveSubject subject)
 }
 
 CurveValues CurvePanel::values_of(const CurveMeter& meter) const {
-    CurveValues values = meter.values();
-    values.start = shown_start_;
-    values.reach = shown_reach_;
+    CurveValues values{meter.measured()};
+    values.x = places();
     if (subject_.laws) values.laws = subject_.laws(values);
     return values;
 }
 
-void CurvePanel::take_in(const CurveValues& values) {
+void CurvePanel::take_in(const Measured& values) {
     CurveRun& run = record_.runs.front();
-    for (const std::vector<double>& curve : values.curves)
+    for (const std::vector<double>& curve : values.y)
         for (const double value : curve) {
             if (!std::isfinite(value)) continue;
             run.least = std::min(run.least, value);
@@ -108,7 +106,7 @@ void CurvePanel::survey(const FrameInput& input) {
     const auto samples = static_cast<int>(sample_count(context_.run()));
     const bool is_probe =
         samples_seen_ >= settled * samples && samples_seen_ % std::max(1, samples / probes) == 0;
-    if (is_probe && subject_.reach) take_in(surveyed_->values());
+    if (is_probe && subject_.reach) take_in(surveyed_->measured());
     ++samples_seen_;
 }
 
@@ -119,7 +117,7 @@ void CurvePanel::finish_record() {
     run.points = subject_.points;
     run.is_reach_its_own = subject_.reach.has_value();
     if (!subject_.reach) surveyed_->fix_axis(run.start, run.reach, subject_.points);
-    take_in(surveyed_->values());
+    take_in(surveyed_->measured());
     surveyed_ = nullptr;
 }
 
@@ -166,8 +164,8 @@ void CurvePanel::make_axes() {
     shown_ = subject_.meter();
     shown_start_ = is_own ? 0.0 : record_.start();
     shown_reach_ = is_own ? *subject_.reach : record_.reach();
-    shown_->fix_axis(shown_start_, shown_reach_,
-                     is_own ? subject_.points : record_.runs.front().points);
+    shown_points_ = is_own ? subject_.points : record_.runs.front().points;
+    shown_->fix_axis(shown_start_, shown_reach_, shown_points_);
     make_plot();
 }
 
@@ -232,35 +230,26 @@ std::shared_ptr<const PanelState> CurvePanel::state_of_runs(
         for (const CurveState* state : all) both->runs.push_back(state->runs.front());
         return both;
     }
-    CurveValues mean;
-    mean.start = all.front()->runs.front().start;
-    mean.reach = all.front()->runs.front().reach;
-    const auto rows_of = [](NumberRows CurveValues::*rows) {
-        return [rows](const CurveState* state) -> const NumberRows& {
-            return state->runs.front().*rows;
-        };
-    };
-    take_means(all, rows_of(&CurveValues::curves), mean.curves, both->errors);
-    take_means(all, rows_of(&CurveValues::numbers), mean.numbers, mean.errors);
+    std::vector<const Measured*> measured;
+    for (const CurveState* state : all) measured.push_back(&state->runs.front());
+    CurveValues mean{mean_of(measured)};
     both->runs = {mean};
     both->readouts = std::make_shared<const CurveValues>(std::move(mean));
     return both;
 }
 
-// The horizontal positions of the points, or of the edges of the bins, of a run.
-std::vector<double> CurvePanel::places(const CurveValues& run, std::size_t line) const {
+// The horizontal positions of the points, or of the edges of the bins, of this panel's own run.
+std::vector<double> CurvePanel::places() const {
     const bool is_steps = subject_.shape == CurveSubject::Shape::steps;
-    const std::size_t count = run.curves[line].size(), steps = is_steps ? count : count - 1;
+    const int steps = is_steps ? shown_points_ : shown_points_ - 1;
     std::vector<double> at;
-    for (std::size_t k = 0; k <= steps; ++k)
-        at.push_back(run.start +
-                     (run.reach - run.start) * static_cast<double>(k) / static_cast<double>(steps));
+    for (int k = 0; k <= steps; ++k)
+        at.push_back(shown_start_ + (shown_reach_ - shown_start_) * k / steps);
     return at;
 }
 
 plot::Bars CurvePanel::bars_of(const CurveValues& run, std::size_t line) const {
-    const std::vector<double> at = places(run, line);
-    const std::vector<double>& values = run.curves[line];
+    const std::vector<double>&at = run.x, &values = run.y[line];
     plot::Bars bars;
     bars.part = "bar";
     bars.from = plot::column(whole_.columns[0], {at.begin(), at.end() - 1});
@@ -274,8 +263,8 @@ plot::Bars CurvePanel::bars_of(const CurveValues& run, std::size_t line) const {
 plot::Polyline CurvePanel::line_of(const CurveValues& run, std::size_t index) const {
     plot::Polyline line;
     line.part = "curve";
-    line.x = plot::column(whole_.columns[0], places(run, index));
-    line.y = plot::column(whole_.columns[1], run.curves[index]);
+    line.x = plot::column(whole_.columns[0], run.x);
+    line.y = plot::column(whole_.columns[1], run.y[index]);
     line.is_thinned = false;
     return line;
 }
@@ -283,14 +272,15 @@ plot::Polyline CurvePanel::line_of(const CurveValues& run, std::size_t index) co
 void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
                            std::size_t line) const {
     const bool compares = record_.compares();
-    const std::size_t count = compares ? state.runs.size() : state.runs[run].curves.size();
+    const std::size_t count = compares ? state.runs.size() : state.runs[run].y.size();
     const plot::Role role = subject_.lines[line].role;
+    const NumberRows& errors = state.runs[run].error;
     plot::Stroke stroke = {.role = role,
                            .print_dashes = plot::dashes_in_print(line, count),
                            .shade = plot::Shade::legible};
     if (compares) stroke = plot::stroke_of_run(run);
     const auto add = [&](auto layer) {
-        layer.of = subject_.lines[line].name;
+        layer.of = subject_.lines[line].column;
         if (compares) layer.run = run;
         layer.depth = depth_of_curves + static_cast<int>(compares ? run : line);
         plot.layers.emplace_back(std::move(layer));
@@ -300,18 +290,18 @@ void CurvePanel::add_curve(plot::Plot& plot, const CurveState& state, std::size_
         bars.role = stroke.role;
         bars.alpha = count > 1 ? 0.0 : alpha_of_steps;
         bars.edge = stroke;
-        if (!state.errors.empty()) bars.error = plot::column(whole_.columns[3], state.errors[line]);
+        if (!errors.empty()) bars.error = plot::column(whole_.columns[3], errors[line]);
         bars.error_stroke.role = {.of = plot::Role::Of::ink};
         add(std::move(bars));
         return;
     }
     plot::Polyline curve = line_of(state.runs[run], line);
     curve.stroke = stroke;
-    if (!state.errors.empty()) {
+    if (!errors.empty()) {
         plot::Band band;
         band.x = curve.x;
         band.y = curve.y;
-        band.error = plot::column(whole_.columns[2], state.errors[line]);
+        band.error = plot::column(whole_.columns[2], errors[line]);
         band.role = role;
         curve.more = {band.error};
         add(std::move(band));
@@ -337,7 +327,7 @@ plot::Plot CurvePanel::plot(const PanelState* state) const {
         now.notes.push_back({.entries = {{.words = {plot::Text(words)}}}});
     if (shown == nullptr) return now;
     for (std::size_t run = 0; run < shown->runs.size(); ++run) {
-        const std::size_t lines = compares ? 1 : shown->runs[run].curves.size();
+        const std::size_t lines = compares ? 1 : shown->runs[run].y.size();
         std::vector<std::string> accounts;
         for (std::size_t line = 0; line < lines; ++line) {
             add_curve(now, *shown, run, line);

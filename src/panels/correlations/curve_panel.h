@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "panels/means/runs_record.h"
+#include "panels/meters/meter.h"
 #include "panels/plot/plot_panel.h"
-#include "panels/plots/series_panel.h"
 
 namespace carom {
 
@@ -21,14 +21,16 @@ std::string percent_per(Language language, double width);
 /// The longest number; a note reserves its room while the number changes.
 inline const std::string longest_number = "\u22120.0000";
 
-/// What has been measured up to a frame.
-struct CurveValues {
-    std::vector<std::vector<double>> curves;        ///< of each line at each point; NaN: none
-    std::vector<std::vector<double>> numbers = {};  ///< of each line, for words and theory
-    std::vector<std::vector<double>> errors = {};   ///< of `numbers`, if these are means of runs
-    std::vector<LineLaw> laws = {};                 ///< of each line; none of a mean of runs
-    double start = 0.0, reach = 0.0;                ///< ends of the horizontal axis
-    void archive(auto& archive) { archive(curves, numbers, errors, laws, start, reach); }
+/// What has been measured up to a frame; the numbers of each line are for words and theory. The
+/// errors of a mean over runs are in it, too.
+struct CurveValues : Measured {
+    std::vector<LineLaw> laws = {};  ///< of each line; none of a mean of runs
+    double start() const { return x.front(); }
+    double reach() const { return x.back(); }
+    void archive(auto& archive) {
+        Measured::archive(archive);
+        archive(laws);
+    }
 };
 
 /// Measures the curves of a run.
@@ -48,8 +50,8 @@ class CurveMeter {
     /// called before values(); holds for frames that were seen and for those to come.
     virtual void fix_axis(double start, double reach, int points) = 0;
 
-    /// The curves on the axis of fix_axis(). Laws and ends are filled in by the caller.
-    virtual CurveValues values() const = 0;
+    /// The curves on the axis of fix_axis(). The places are filled in by the caller.
+    virtual Measured measured() const = 0;
 
     /// Writes or reads all that see() has accumulated; to be called after fix_axis().
     virtual void archive(Archive& archive) = 0;
@@ -64,7 +66,7 @@ struct CurveSubject {
     Shape shape = Shape::line;
     int points = 0;  ///< or bins
     std::function<std::unique_ptr<CurveMeter>()> meter = {};
-    std::vector<SeriesSubject::Line> lines = {};
+    std::vector<MeterLine> lines = {};
     std::vector<plot::Text> titles = {};     ///< from longest to shortest
     std::vector<plot::KeyEntry> names = {};  ///< key of what the last title leaves out
     bool names_axis = false;       ///< the vertical one; else the title names the quantity
@@ -111,7 +113,6 @@ CurveRecord mean_of(const std::vector<CurveRecord>& records);
 /// What a frame shows.
 struct CurveState : PanelState {
     std::vector<CurveValues> runs;                     ///< one, or the compared runs
-    std::vector<std::vector<double>> errors = {};      ///< of means: of each line at each point
     std::shared_ptr<const CurveValues> readouts = {};  ///< values written as text: of one run
     std::size_t bytes() const override;
 };
@@ -144,13 +145,13 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     void take_axes(const RecordPanel& of) override;
 
   private:
-    void take_in(const CurveValues& values);
+    void take_in(const Measured& values);
     plot::Axis axis_up() const;
     void make_plot();
     void add_curve(plot::Plot& plot, const CurveState& state, std::size_t run,
                    std::size_t line) const;
     CurveValues values_of(const CurveMeter& meter) const;
-    std::vector<double> places(const CurveValues& run, std::size_t line) const;
+    std::vector<double> places() const;
     plot::Bars bars_of(const CurveValues& run, std::size_t line) const;
     plot::Polyline line_of(const CurveValues& run, std::size_t index) const;
 
@@ -161,6 +162,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     std::shared_ptr<const CurveValues> readouts_;
     plot::Plot whole_;
     double shown_start_ = 0.0, shown_reach_ = 1.0;  ///< of this panel's own run
+    int shown_points_ = 0;
 };
 
 }  // namespace carom

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "panels/chosen.h"
+#include "panels/meters/history.h"
 #include "panels/panel.h"
 #include "panels/plot/plot.h"
-#include "panels/plots/series_record.h"
 #include "stats/fitted_slope.h"
 
 namespace carom {

@@ -69,8 +69,8 @@ void DisplacementMeter::see(const FrameInput& input) {
     time_ = input.tick.time;
 }
 
-CurveValues DisplacementMeter::values() const {
-    CurveValues now;
+Measured DisplacementMeter::measured() const {
+    Measured now;
     const Eigen::ArrayXXd means = averages_.averages(), squares = speeds_.averages();
     const std::vector<Eigen::ArrayXXd> of_parts = means_of_parts();
     Eigen::Index group = 0, few = 0;
@@ -88,11 +88,11 @@ CurveValues DisplacementMeter::values() const {
             for (const Eigen::ArrayXXd& part : of_parts) pieces.push_back(part.row(few));
             ++few;
         }
-        now.curves.emplace_back(mean.begin(), mean.end());
-        std::vector<double> numbers = numbers_from(mean, pieces);
-        numbers[of_square_speed] = squares(static_cast<Eigen::Index>(k), 0);
+        now.y.emplace_back(mean.begin(), mean.end());
+        std::vector<MeanError> numbers = numbers_from(mean, pieces);
+        numbers[of_square_speed].mean = squares(static_cast<Eigen::Index>(k), 0);
         const double share = fit_from_ / std::max(fit_from_, time_ - from_);
-        numbers[of_collisions] = collisions_.mean(lists_[k]) * share;
+        numbers[of_collisions].mean = collisions_.mean(lists_[k]) * share;
         now.numbers.push_back(std::move(numbers));
     }
     return now;
@@ -131,8 +131,8 @@ double DisplacementMeter::coefficient(const Eigen::ArrayXd& squares, double from
     return x.size() < 2 ? NAN : fit_line(x, y).slope / (2.0 * dimension_);
 }
 
-// Followed by the errors of D and of its bend.
-std::vector<double> DisplacementMeter::numbers_from(
+// Only D and its bend have errors.
+std::vector<MeanError> DisplacementMeter::numbers_from(
     const Eigen::ArrayXd& mean, const std::vector<Eigen::ArrayXd>& pieces) const {
     const double middle = 0.5 * (fit_from_ + lags_);
     const auto bend = [&](const Eigen::ArrayXd& squares) {
@@ -143,24 +143,11 @@ std::vector<double> DisplacementMeter::numbers_from(
         coefficients.push_back(coefficient(piece, fit_from_, lags_));
         bends.push_back(bend(piece));
     }
-    std::vector<double> numbers(numbers_count + 2, NAN);
-    numbers[of_diffusion] = coefficient(mean, fit_from_, lags_);
-    numbers[of_bend] = bend(mean);
-    numbers[of_pieces] = std::max(1.0, static_cast<double>(pieces.size()));
-    numbers[numbers_count] = mean_error(coefficients).error;
-    numbers[numbers_count + 1] = mean_error(bends).error;
+    std::vector<MeanError> numbers(numbers_count, {NAN, NAN});
+    numbers[of_diffusion] = {coefficient(mean, fit_from_, lags_), mean_error(coefficients).error};
+    numbers[of_bend] = {bend(mean), mean_error(bends).error};
+    numbers[of_pieces].mean = std::max(1.0, static_cast<double>(pieces.size()));
     return numbers;
-}
-
-std::vector<MeanError> numbers_of(const CurveValues& values, std::size_t line) {
-    std::vector<MeanError> all;
-    for (std::size_t k = 0; k < numbers_count; ++k)
-        all.push_back(
-            {values.numbers[line][k], values.errors.empty() ? NAN : values.errors[line][k]});
-    if (!values.errors.empty()) return all;
-    all[of_diffusion].error = values.numbers[line][numbers_count];
-    all[of_bend].error = values.numbers[line][numbers_count + 1];
-    return all;
 }
 
 }  // namespace carom

@@ -1,5 +1,6 @@
 // Measures the mean squared displacement over all starting times, with what its diffusion
-// coefficient and the error of that take. The particles are those chosen at the start.
+// coefficient and the error of that take: the numbers of diffusion.h. The particles are those
+// chosen at the start.
 #pragma once
 
 #include <cmath>
@@ -62,15 +63,15 @@ class DisplacementMeter : public LagMeter {
                       double fit_from);
 
     void see(const FrameInput& input) override;
-    CurveValues values() const override;  ///< for numbers_of()
+    Measured measured() const override;
     void archive(Archive& archive) override;
 
   private:
     double end_of_part(std::size_t part) const;
     std::vector<Eigen::ArrayXXd> means_of_parts() const;
     double coefficient(const Eigen::ArrayXd& squares, double from, double until) const;
-    std::vector<double> numbers_from(const Eigen::ArrayXd& mean,
-                                     const std::vector<Eigen::ArrayXd>& pieces) const;
+    std::vector<MeanError> numbers_from(const Eigen::ArrayXd& mean,
+                                        const std::vector<Eigen::ArrayXd>& pieces) const;
 
     std::vector<std::vector<Eigen::Index>> lists_, groups_;
     LagAverages speeds_;
@@ -79,8 +80,5 @@ class DisplacementMeter : public LagMeter {
     double from_, fit_from_, lags_, time_;
     int dimension_;
 };
-
-/// The numbers of a line with errors: those of the mean over runs, or of the pieces of one run.
-std::vector<MeanError> numbers_of(const CurveValues& values, std::size_t line);
 
 }  // namespace carom

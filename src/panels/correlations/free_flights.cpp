@@ -100,16 +100,17 @@ class FlightMeter : public CurveMeter {
         }
     }
 
-    CurveValues values() const override {
-        CurveValues now;
+    Measured measured() const override {
+        Measured now;
         for (const SlidingSum& one : sums_) {
             const Eigen::ArrayXd sums = one.sum();
             const double ended = sums.head(flight_bins + 1).sum();
             const Eigen::ArrayXd shares = percent * sums.head(flight_bins) / ended;
-            now.curves.emplace_back(shares.begin(), shares.end());
+            now.y.emplace_back(shares.begin(), shares.end());
             const double hits = sums[flight_bins + 1], way = sums[flight_bins + 2],
                          time = sums[flight_bins + 3];
-            now.numbers.push_back({(flown_ == Flown::path ? way : time) / hits, ended, way / time});
+            const double mean = (flown_ == Flown::path ? way : time) / hits;
+            now.numbers.push_back({{mean, NAN}, {ended, NAN}, {way / time, NAN}});
         }
         return now;
     }
@@ -214,11 +215,12 @@ struct FlightNotes {
         plot::Note note{.wraps = true, .changes = true};
         for (std::size_t k = 0; k < chosen.size(); ++k) {
             const plot::Stroke stroke = stroke_of_law(context, chosen, k);
-            static const std::vector<double> unknown{NAN, NAN, 1.0};
-            const std::vector<double>& numbers = values != nullptr ? values->numbers[k] : unknown;
+            static const std::vector<MeanError> unknown{{NAN, NAN}, {NAN, NAN}, {1.0, NAN}};
+            const std::vector<MeanError>& numbers =
+                values != nullptr ? values->numbers[k] : unknown;
             add_mean(k, numbers, note, plot);
-            if (!has_law || !std::isfinite(numbers.front())) continue;
-            plot::Polyline line = law_of(plot, numbers.front());
+            if (!has_law || !std::isfinite(numbers.front().mean)) continue;
+            plot::Polyline line = law_of(plot, numbers.front().mean);
             line.of = column_name_of(context.scene, chosen[k]);
             line.stroke = stroke;
             plot.layers.emplace_back(std::move(line));
@@ -230,11 +232,11 @@ struct FlightNotes {
         plot.notes.push_back(std::move(note));
     }
 
-    void add_mean(std::size_t k, const std::vector<double>& numbers, plot::Note& note,
+    void add_mean(std::size_t k, const std::vector<MeanError>& numbers, plot::Note& note,
                   plot::Plot& plot) const {
         const Language language = context.language();
         const bool is_one = chosen.size() == 1;
-        const double mean = numbers.front();
+        const double mean = numbers.front().mean;
         plot::Marker marker;
         marker.part = "mean";
         marker.of = column_name_of(context.scene, chosen[k]);
@@ -244,7 +246,7 @@ struct FlightNotes {
         marker.stroke.role =
             is_one ? plot::Role{plot::Role::Of::ink} : choice_role(context, chosen[k], k);
         std::optional<double> exact = exact_path;
-        if (exact && flown == Flown::time) *exact /= numbers.back();
+        if (exact && flown == Flown::time) *exact /= numbers.back().mean;
         const auto words = [&](const std::string& number) {
             std::string all = say(language, "mean {}", number);
             if (exact) all = say(language, "{} (exact: {})", all, three_digits(language, *exact));
@@ -281,7 +283,7 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
     subject.logarithmic = options_of_flights(spec).logarithmic;
     subject.account = [language, context, chosen, is_path](const CurveValues& values,
                                                            std::size_t line) -> std::string {
-        const double mean = values.numbers[line].front();
+        const double mean = values.numbers[line].front().mean;
         if (!std::isfinite(mean)) return "";
         const std::string number = three_digits(language, mean);
         const std::string words = is_path ? say(language, "mean free path {}", number)

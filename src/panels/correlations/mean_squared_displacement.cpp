@@ -167,7 +167,7 @@ LineLaw law_of_line(const std::vector<LineLaw>& of_run, std::size_t line,
                           : of_run[line];
 }
 
-std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject since_a_time(const PanelContext& context, const PanelSpec& spec) {
     const auto& options = options_of_displacements(spec);
     const double fit_from = options.fit_from.value_or(0.5 * (options.from + context.run().until));
     const double fit_until = std::min(first_reversal(context.run()), context.run().until);
@@ -179,7 +179,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
         SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
         SlopesOfParticles(middle, fit_until),
         PartnerCounts(context.box(), context.particles, options.from, fit_from)});
-    subject.measure = [followed](const FrameInput& input) { return followed->see(input); };
+    subject.read = [followed](const FrameInput& input) { return followed->see(input); };
     subject.numbers = [followed, dimension = context.box().dimension] {
         return followed->numbers(dimension);
     };
@@ -192,22 +192,22 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
     };
     subject.quantity = mean_square;
     subject.needs_collisions = true;
-    if (!spec.theory) return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
-    subject.add = [context, chosen, fit_from, from = options.from](const SeriesRecord& record,
+    if (!spec.theory) return subject;
+    subject.add = [context, chosen, fit_from, from = options.from](const HistoryRecord& record,
                                                                    plot::Plot& whole) {
         const bool compares = record.compares();
         std::vector<Finding> all;
         for (std::size_t k = 0; k < record.runs.size(); ++k)
-            for (std::size_t i = 0; i < record.runs[k].lines.size(); ++i) {
-                const SeriesRun& run = record.runs[k];
-                const Chosen& choice = chosen[compares ? record.compared : i];
+            for (std::size_t i = 0; i < record.runs[k].y.size(); ++i) {
+                const History& run = record.runs[k];
+                const Chosen& choice = chosen[compares ? *record.compared : i];
                 const std::string name = compares ? run.name : name_of(context.scene, choice);
                 all.push_back(finding_of(chosen.size() > 1 || compares ? name : "",
                                          law_of_line(run.laws, i, context, choice, run.numbers[i]),
                                          run.numbers[i], record.runs_in_mean));
                 if (!all.back().is_known()) continue;
                 std::optional<plot::Polyline> line =
-                    fit_of(whole, run.time, run.lines[i], fit_from,
+                    fit_of(whole, run.x, run.y[i], fit_from,
                            run.turns.empty() ? INFINITY : run.turns.front());
                 if (!line) continue;
                 line->of = column_name_of(context.scene, choice);
@@ -217,7 +217,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
             }
         add_findings(context.language(), fit_from, all, whole);
         if (compares || chosen.size() != 1) return;
-        const SeriesRun& run = record.runs.front();
+        const History& run = record.runs.front();
         plot::Note note{.wraps = true};
         if (starts_anywhere(context) &&
             add_plateau(all.front(), column_name_of(context.scene, chosen.front()), whole))
@@ -226,7 +226,7 @@ std::unique_ptr<Panel> since_a_time(const PanelContext& context, const PanelSpec
             note.entries.push_back(ballistic_entry(context.language()));
         if (!note.entries.empty()) whole.notes.push_back(std::move(note));
     };
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 // Adds the theory of each line to the plot of a moment.
@@ -241,8 +241,8 @@ class LagTheory {
           fit_from_(fit_from) {}
 
     Finding finding(const CurveValues& values, std::size_t line) const {
-        const int runs = values.errors.empty() ? 1 : runs_;
-        const std::vector<MeanError> numbers = numbers_of(values, line);
+        const int runs = values.error.empty() ? 1 : runs_;
+        const std::vector<MeanError>& numbers = values.numbers[line];
         return finding_of(name(line),
                           law_of_line(values.laws, line, context_, chosen_[line], numbers), numbers,
                           runs);
@@ -282,7 +282,7 @@ class LagTheory {
         std::vector<double> x;
         for (int i = 0; i < lag_count; ++i) x.push_back(lags_ * i / (lag_count - 1));
         std::optional<plot::Polyline> line;
-        if (found.is_known()) line = fit_of(plot, x, values->curves[k], fit_from_, INFINITY);
+        if (found.is_known()) line = fit_of(plot, x, values->y[k], fit_from_, INFINITY);
         if (line) {
             line->still = false;
             line->of = of;
@@ -295,7 +295,7 @@ class LagTheory {
         plot::KeyEntry entry = ballistic_entry(context_.language());
         entry.is_hidden =
             values == nullptr ||
-            !add_ballistic(context_, 0.0, values->numbers[0][of_square_speed], false, plot);
+            !add_ballistic(context_, 0.0, values->numbers[0][of_square_speed].mean, false, plot);
         note.entries.push_back(std::move(entry));
     }
 
@@ -326,7 +326,8 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     subject.laws = [context, chosen](const CurveValues& values) {
         std::vector<LineLaw> all;
         for (std::size_t k = 0; k < chosen.size(); ++k)
-            all.push_back(displacement_law(context, chosen[k], values.numbers[k][of_collisions]));
+            all.push_back(
+                displacement_law(context, chosen[k], values.numbers[k][of_collisions].mean));
         return all;
     };
     subject.account = [language, theory](const CurveValues& values,
@@ -342,8 +343,8 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
 
 std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& context,
                                                       const PanelSpec& spec) {
-    return options_of_displacements(spec).all_origins ? over_all_origins(context, spec)
-                                                      : since_a_time(context, spec);
+    if (options_of_displacements(spec).all_origins) return over_all_origins(context, spec);
+    return std::make_unique<SeriesPanel>(context, spec, since_a_time(context, spec));
 }
 
 }  // namespace

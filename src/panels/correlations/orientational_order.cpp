@@ -18,39 +18,35 @@ void check_orientational_order(PanelSpec&, const Node& node, Reading& reading) {
                        "give a box with a `size`, or another panel");
 }
 
-std::unique_ptr<Panel> make_orientational_order(const PanelContext& context,
-                                                const PanelSpec& spec) {
+SeriesSubject orientational_order(const PanelContext& context, const PanelSpec&) {
     const Language language = context.language();
-    SeriesSubject subject{.measure = [context](const FrameInput& o) -> std::vector<double> {
-                              const Eigen::ArrayXcd order =
-                                  bond_order(context.box(), context.particles, o.sample.position);
-                              return {std::abs(order.mean()), order.abs().mean()};
-                          },
-                          .lines = {{"whole gas", {.of = plot::Role::Of::highlight}},
-                                    {"neighbours of each", {.of = plot::Role::Of::bar}}},
-                          .titles = {},
-                          .top = 1.0,
-                          .quantity = quantities::number.named(Phrase{"hexagonal order"})};
-    const std::string title = say(language, "Hexagonal order");
-    subject.names = {say(language, "whole gas"), say(language, "local")};
-    title_with_names(subject, language, title);
-    subject.compared_title = title;
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    SeriesSubject subject{
+        {.title = say(language, "Hexagonal order"),
+         .quantity = quantities::number.named(Phrase{"hexagonal order"}),
+         .lines = {{"whole gas", say(language, "whole gas"), {.of = plot::Role::Of::highlight}},
+                   {"neighbours of each", say(language, "local")}}}};
+    subject.read = [context](const FrameInput& o) -> std::vector<double> {
+        const Eigen::ArrayXcd order =
+            bond_order(context.box(), context.particles, o.sample.position);
+        return {std::abs(order.mean()), order.abs().mean()};
+    };
+    subject.top = 1.0;
+    subject.compared_title = subject.title;
+    return subject;
 }
 
 }  // namespace
 
 PanelKind orientational_order_kind() {
     using enum Ability;
-    return {
-        .name = "orientational-order",
-        .words = Phrase{"hexagonal order"},
-        .shows =
-            "The hexagonal order against time: of each disk's neighbours, and of the whole gas.",
-        .make = make_orientational_order,
-        .abilities = {means, comparison},
-        .rule = check_orientational_order,
-        .work = always(PanelWork{.finds_neighbours = true})};
+    return series_kind<orientational_order>(
+        {.name = "orientational-order",
+         .words = Phrase{"hexagonal order"},
+         .shows =
+             "The hexagonal order against time: of each disk's neighbours, and of the whole gas.",
+         .abilities = {means, comparison},
+         .rule = check_orientational_order,
+         .work = always(PanelWork{.finds_neighbours = true})});
 }
 
 }  // namespace carom

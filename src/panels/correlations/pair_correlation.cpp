@@ -113,9 +113,9 @@ class PairMeter : public CurveMeter {
         pairs_->choose(members_.flags(0), members_.flags(1));
         pairs_->see(input.sample, {}, sides);  // the present moment
     }
-    CurveValues values() const override {
+    Measured measured() const override {
         const Eigen::ArrayXd g = pairs_->values();
-        return {{{g.begin(), g.end()}}};
+        return {.y = {{g.begin(), g.end()}}};
     }
     void archive(Archive& archive) override {
         archive(members_);
@@ -164,8 +164,9 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     const std::string what = say(language, "Pair correlation") + " <i>g</i>(<i>r</i>)";
     name_curves(subject, context, spec, what, time_words(language, timed));
     if (chosen.size() > 1) {  // one curve, of pairs
-        subject.lines = {
-            {subject.lines[0].name + " and " + subject.lines[1].name, {.of = plot::Role::Of::bar}}};
+        subject.lines = {{subject.lines[0].column + " and " + subject.lines[1].column,
+                          "",
+                          {.of = plot::Role::Of::bar}}};
         subject.names = {{.words = {names_of(context, chosen, plot::Swatch::none)}}};
     }
     subject.along = quantities::distance;
@@ -173,10 +174,10 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     subject.reach = rings.to;
     subject.level = 1.0;
     subject.account = [language](const CurveValues& values, std::size_t) -> std::string {
-        const std::vector<double>& g = values.curves.front();
+        const std::vector<double>& g = values.y.front();
         const auto highest = std::ranges::max_element(g);
         if (highest == g.end() || !(*highest > 0.0)) return "";
-        const double ring = values.reach / static_cast<double>(g.size()),
+        const double ring = values.reach() / static_cast<double>(g.size()),
                      at = (static_cast<double>(highest - g.begin()) + 0.5) * ring;
         return say(language, "the pair correlation is highest, {}, at a distance of {}",
                    three_digits(language, *highest), three_digits(language, at));

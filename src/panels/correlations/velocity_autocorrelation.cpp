@@ -53,16 +53,17 @@ class AutocorrelationMeter : public LagMeter {
 
     // The numbers of each line are the slope at 0 for very many particles, and the collisions of
     // each particle.
-    CurveValues values() const override {
-        CurveValues now;
+    Measured measured() const override {
+        Measured now;
         const Eigen::ArrayXXd means = averages_.averages();
         for (std::size_t k = 0; k < sizes_.size(); ++k) {
             const auto its = means.row(static_cast<Eigen::Index>(k));
             const Eigen::ArrayXd shares = its / its[0];
-            now.curves.emplace_back(shares.begin(), shares.end());
+            now.y.emplace_back(shares.begin(), shares.end());
             const double time = time_ - from_;
-            now.numbers.push_back({time > 0.0 ? -loss_[k] / (weights_[k] * time) : NAN,
-                                   sizes_[k] > 0.0 ? ends_[k] / sizes_[k] : 0.0});
+            const double slope = time > 0.0 ? -loss_[k] / (weights_[k] * time) : NAN;
+            const double collisions = sizes_[k] > 0.0 ? ends_[k] / sizes_[k] : 0.0;
+            now.numbers.push_back({{slope, NAN}, {collisions, NAN}});
         }
         return now;
     }
@@ -105,10 +106,10 @@ void add_slopes(const PanelContext& context, const std::vector<Chosen>& chosen, 
         if (chosen.size() > 1) stroke.role = choice_role(context, chosen[k], k);
         double slope = 0.0;
         if (values != nullptr)
-            if (const Law found =
-                    law(context.gas, LawOf::autocorrelation,
-                        {.of = members(context, chosen[k]), .collisions = values->numbers[k][1]}))
-                slope = found.value * values->numbers[k][0];
+            if (const Law found = law(
+                    context.gas, LawOf::autocorrelation,
+                    {.of = members(context, chosen[k]), .collisions = values->numbers[k][1].mean}))
+                slope = found.value * values->numbers[k][0].mean;
         const auto words = [&](const std::string& number) {
             return plot::Text(say(language, "slope {}", number));
         };
@@ -158,10 +159,10 @@ std::unique_ptr<Panel> make_velocity_autocorrelation(const PanelContext& context
     subject.top = 1.0;
     subject.account = [language, context, chosen](const CurveValues& values,
                                                   std::size_t line) -> std::string {
-        const std::vector<double>& curve = values.curves[line];
+        const std::vector<double>& curve = values.y[line];
         const auto half = std::ranges::find_if(curve, [](double value) { return value < 0.5; });
         if (half == curve.end()) return "";
-        const double at = values.reach * static_cast<double>(half - curve.begin()) /
+        const double at = values.reach() * static_cast<double>(half - curve.begin()) /
                           static_cast<double>(curve.size() - 1);
         return say(language,
                    "{}: the velocity autocorrelation falls to one half after a time of {}",

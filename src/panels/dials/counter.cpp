@@ -81,7 +81,7 @@ class CounterPanel : public DialPanel {
     Width width() const override { return {0.0, 1.5}; }
     bool has_words() const override { return false; }
     void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
-                   const DialSubject::Line& line) const override;
+                   const MeterLine& line) const override;
     void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
                     const Reading& reading) const override;
 
@@ -116,7 +116,7 @@ TextStyle CounterPanel::figures(const DrawContext& dc, const Rect& plate) const 
 }
 
 void CounterPanel::draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
-                             const DialSubject::Line& line) const {
+                             const MeterLine& line) const {
     TextStyle style = label_style(dc);
     style.color = legible(plot::color_of(line.role, dc.theme), dc.theme);
     style.max_width = face.width;
@@ -242,13 +242,13 @@ void add_plates(DialSubject& subject, const PanelContext& context, const PanelSp
         subject.lines[k].role = surface_role(k, subject.lines.size());
 }
 
-std::unique_ptr<Panel> make_counter(const PanelContext& context, const PanelSpec& spec) {
+DialSubject counter(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.box();
     const auto& [at, counted] = spec.options.as<CounterOptions>();
     const bool crossings = at.line || counted == Counted::crossings;
     const std::vector<Chosen> chosen = choices(spec);
-    DialSubject subject{.part = "counter", .counts = true, .needs_collisions = true};
+    DialSubject subject{{.needs_collisions = true}, "", "counter", true};
     add_plates(subject, context, spec, chosen, crossings);
     subject.enough = 2.0 + 6.0 * static_cast<double>((subject.lines.size() + 1) / 2);
     const bool is_one = crossings && (at.line || at.surfaces.size() == 1);
@@ -256,31 +256,30 @@ std::unique_ptr<Panel> make_counter(const PanelContext& context, const PanelSpec
         subject.quantity = quantities::count.named(Phrase{"crossings"});
         subject.title = is_one ? say(language, "Crossings of {}", name_of_line(box, at))
                                : say(language, "Crossings");
-        subject.measure = CrossingMeter(context, at, chosen);
+        subject.read = CrossingMeter(context, at, chosen);
     } else {
         subject.quantity = quantities::count.named(Phrase{"hits"});
         subject.title = say(language, "Hits");
-        subject.measure = HitMeter(context, chosen, at.surfaces);
+        subject.read = HitMeter(context, chosen, at.surfaces);
     }
-    return std::make_unique<CounterPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind counter_kind() {
     using enum Ability;
-    return {.name = "counter",
-            .words = Phrase{"counter"},
-            .shows =
-                "The number of hits on walls and partitions, or of crossings of partitions or a "
-                "`line` in each direction, in large digits.",
-            .make = make_counter,
-            .abilities = {of, means, comparison},
-            .keys = option_keys(counter_keys()),
-            .rule = check_counter,
-            .measured_at = crossed_at(&CounterOptions::at),
-            .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
-            .has_plot = false};
+    return dial_kind<CounterPanel, counter>(
+        {.name = "counter",
+         .words = Phrase{"counter"},
+         .shows = "The number of hits on walls and partitions, or of crossings of partitions or a "
+                  "`line` in each direction, in large digits.",
+         .abilities = {of, means, comparison},
+         .keys = option_keys(counter_keys()),
+         .rule = check_counter,
+         .measured_at = crossed_at(&CounterOptions::at),
+         .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
+         .has_plot = false});
 }
 
 }  // namespace carom

@@ -129,27 +129,21 @@ struct DialPanel::Layout {
 };
 
 DialPanel::DialPanel(const PanelContext& context, const PanelSpec& spec, DialSubject subject)
-    : context_(context), subject_(std::move(subject)) {
+    : context_(context), subject_(std::move(subject)), reader_(subject_) {
     if (spec.title) subject_.title = *spec.title;
 }
 
 void DialPanel::survey(const FrameInput& input) {
-    const std::vector<double> now = subject_.measure(input);
-    const auto add_to = [&](std::vector<std::vector<double>>& lines) {
-        lines.resize(now.size());
-        for (std::size_t k = 0; k < now.size(); ++k) lines[k].push_back(now[k]);
-    };
-    if (input.is_frame) add_to(record_.runs.front().lines);
-    if (input.is_sample) add_to(record_.runs.front().sampled);
+    record_.runs.front().add(input.tick.time, reader_(input), input.is_sample, input.is_frame);
 }
 
 void DialPanel::make_axes() {
     std::vector<std::vector<double>> all;
-    for (const DialRun& run : record_.runs) {
-        all.insert(all.end(), run.sampled.begin(), run.sampled.end());
-        for (std::size_t i = 0; i < run.sampled_errors.size(); ++i) {
-            std::vector<double>& ends = all.emplace_back(run.sampled[i]);
-            for (std::size_t k = 0; k < ends.size(); ++k) ends[k] += run.sampled_errors[i][k];
+    for (const History& run : record_.runs) {
+        all.insert(all.end(), run.y.begin(), run.y.end());
+        for (std::size_t i = 0; i < run.error.size(); ++i) {
+            std::vector<double>& ends = all.emplace_back(run.y[i]);
+            for (std::size_t k = 0; k < ends.size(); ++k) ends[k] += run.error[i][k];
         }
     }
     scale_ = scale_of_readings(all);
@@ -180,11 +174,11 @@ std::shared_ptr<const PanelState> DialPanel::state_of_runs(
 }
 
 // The lines; those of compared runs have the names and the colours of the runs.
-std::vector<DialSubject::Line> DialPanel::lines() const {
+std::vector<MeterLine> DialPanel::lines() const {
     if (!record_.compares()) return subject_.lines;
-    std::vector<DialSubject::Line> all;
+    std::vector<MeterLine> all;
     for (std::size_t k = 0; k < record_.runs.size(); ++k)
-        for (const DialSubject::Line& line : subject_.lines) {
+        for (const MeterLine& line : subject_.lines) {
             const std::string& run = record_.runs[k].name;
             const bool is_only = subject_.lines.size() == 1;
             all.push_back(
@@ -195,19 +189,19 @@ std::vector<DialSubject::Line> DialPanel::lines() const {
 
 std::vector<DialPanel::Reading> DialPanel::readings(const PanelState& state) const {
     const auto& now = dynamic_cast<const DialState&>(state);
-    const std::vector<DialSubject::Line> all = lines();
+    const std::vector<MeterLine> all = lines();
     std::vector<Reading> readings;
     for (std::size_t k = 0; k < record_.runs.size(); ++k)
-        for (std::size_t i = 0; i < record_.runs[k].lines.size(); ++i) {
+        for (std::size_t i = 0; i < record_.runs[k].frames.y.size(); ++i) {
             const auto at = [](const std::vector<double>& line, std::size_t frame) {
                 return line.at(std::min(frame, line.size() - 1));
             };
             // A mean combines states of the same frame.
             const DialState::Moment& moment = now.runs.at(std::min(k, now.runs.size() - 1));
-            const DialRun& run = record_.runs[k];
-            readings.push_back({all.at(readings.size()), at(run.lines[i], moment.now),
-                                at(run.lines[i], moment.said)});
-            if (!run.errors.empty()) readings.back().error = at(run.errors[i], moment.said);
+            const Measured& run = record_.runs[k].frames;
+            readings.push_back(
+                {all.at(readings.size()), at(run.y[i], moment.now), at(run.y[i], moment.said)});
+            if (!run.error.empty()) readings.back().error = at(run.error[i], moment.said);
         }
     return readings;
 }
@@ -246,14 +240,14 @@ std::string DialPanel::number(double value, const std::optional<double>& error) 
 }
 
 double DialPanel::widest_number(const TextStyle& style) const {
-    const DialRun& run = record_.runs.front();
-    if (run.errors.empty())
+    const Measured& run = record_.runs.front().frames;
+    if (run.error.empty())
         return std::max(measure_text(written(scale_.low, {}, power()), style).width,
                         measure_text(written(scale_.high, {}, power()), style).width);
     std::string longest;
-    for (std::size_t i = 0; i < run.lines.size(); ++i)
-        for (std::size_t frame = 0; frame < run.lines[i].size(); ++frame) {
-            std::string words = written(run.lines[i][frame], run.errors[i][frame], power());
+    for (std::size_t i = 0; i < run.y.size(); ++i)
+        for (std::size_t frame = 0; frame < run.y[i].size(); ++frame) {
+            std::string words = written(run.y[i][frame], run.error[i][frame], power());
             if (words.size() > longest.size()) longest = std::move(words);
         }
     for (char& letter : longest)
@@ -272,7 +266,7 @@ std::string DialPanel::note() const {
 // Arranges the faces in the number of rows that makes them largest.
 DialPanel::Layout DialPanel::layout_in_grid(const DrawContext& dc, const Rect& area) const {
     const double u = dc.unit;
-    const std::vector<DialSubject::Line> all = lines();
+    const std::vector<MeterLine> all = lines();
     const std::size_t count = std::max<std::size_t>(1, all.size());
     const auto widest = [this](const TextStyle& style) { return widest_number(style); };
     Layout best;
@@ -286,7 +280,7 @@ DialPanel::Layout DialPanel::layout_in_grid(const DrawContext& dc, const Rect& a
             (area.height - DialSize::gap * u * static_cast<double>(rows - 1)) /
             static_cast<double>(rows);
         bool is_one_line = true;
-        for (const DialSubject::Line& line : all) {
+        for (const MeterLine& line : all) {
             const double name = measure_text(escape_markup(line.name), label_style(dc)).width;
             is_one_line =
                 is_one_line && name + DialSize::after_name * u +
@@ -374,7 +368,7 @@ void DialPanel::draw_words(Canvas& canvas, const DrawContext& dc, const Layout& 
         draw_text(canvas, {dc.area.x, row}, escape_markup(line), style);
         row += DialSize::note_space * u;
     }
-    const std::vector<DialSubject::Line> all = lines();
+    const std::vector<MeterLine> all = lines();
     for (std::size_t k = 0; k < layout.places.size(); ++k) {
         const PlaceOfWords& place = layout.places[k];
         TextStyle style = name_style(dc, all[k].role);
@@ -399,7 +393,7 @@ void DialPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
     draw_panel_title(canvas, dc,
                      power() == 0 ? title : title + " /\u200910" + superscript(power()));
     const Layout layout = this->layout(dc);
-    const std::vector<DialSubject::Line> all = lines();
+    const std::vector<MeterLine> all = lines();
     for (std::size_t k = 0; k < all.size(); ++k)
         if (has_room_for(layout.faces[k], dc)) draw_face(canvas, dc, layout.faces[k], all[k]);
     draw_words(canvas, dc, layout);

@@ -3,37 +3,25 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "panels/dials/dial_record.h"
+#include "panels/meters/meter.h"
 #include "panels/plot/plot.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/shared_panel.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 
-/// What the faces show.
-struct DialSubject {
-    struct Line {
-        std::string column;  ///< in a table, in English
-        std::string name;    ///< plain words under its face; empty: none
-        plot::Role role = {.of = plot::Role::Of::bar};
-    };
-    std::function<std::vector<double>(const FrameInput&)> measure =
-        {};  ///< one number for each line, at every sample and every frame of the first pass in
-             ///< order; NaN: none
-    std::vector<Line> lines = {};
-    std::string title = {};  ///< plain words
-    std::string note = {};   ///< plain words on what the numbers are
-    Quantity quantity = {};  ///< with its word
-    std::string part = {};   ///< in a table: "reading"
-    bool counts = false;     ///< whole numbers
-    bool needs_collisions = false;
+/// What the faces show: the readings of a meter, each with its name under its face.
+struct DialSubject : Meter {
+    std::string note = {};              ///< plain words on what the numbers are
+    std::string part = {};              ///< in a table: "reading"
+    bool counts = false;                ///< whole numbers
     std::optional<double> enough = {};  ///< Panel::enough_height()
 };
 
@@ -50,13 +38,13 @@ struct DialScale {
 /// negative. NaN is ignored.
 DialScale scale_of_readings(const std::vector<std::vector<double>>& lines);
 
-class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
+class DialPanel : public RecordPanel<HistoryRecord, SharedPanel> {
   public:
     DialPanel(const PanelContext& context, const PanelSpec& spec, DialSubject subject);
 
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
-    bool surveys_collisions() const override { return subject_.needs_collisions; }
+    bool surveys_collisions() const override { return reader_.meter().needs_collisions; }
     void archive(Archive& archive) override;
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override { archive(seen_, said_); }
@@ -72,7 +60,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
 
     /// One of the numbers in a state.
     struct Reading {
-        DialSubject::Line line;
+        MeterLine line;
         double value = 0.0;                ///< of this frame; NaN: none
         double said = 0.0;                 ///< as written in the text, which changes less often
         std::optional<double> error = {};  ///< standard error of a mean over runs; NaN: unknown
@@ -101,7 +89,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
 
     /// Draw the part of a face that is the same in every frame, and the part that changes.
     virtual void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
-                           const DialSubject::Line& line) const = 0;
+                           const MeterLine& line) const = 0;
     virtual void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
                             const Reading& reading) const = 0;
 
@@ -119,7 +107,7 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     /// The width of the widest number of all frames as text, in pixels.
     double widest_number(const TextStyle& style) const;
 
-    std::vector<DialSubject::Line> lines() const;
+    std::vector<MeterLine> lines() const;
 
   private:
     struct Layout;
@@ -136,9 +124,21 @@ class DialPanel : public RecordPanel<DialRecord, SharedPanel> {
     std::string account_of(const std::vector<Reading>& readings) const;
 
     PanelContext context_;
-    DialSubject subject_;
+    DialSubject subject_;  ///< what it reads is read by:
+    MeterReader reader_;
     DialScale scale_;
     std::size_t seen_ = 0, said_ = 0;
 };
+
+/// Returns a kind of panel that shows the readings of a meter on faces, with what makes its panels,
+/// of the class `Face`, and its meter. `subject(context, spec)` gives a DialSubject.
+template <class Face, auto subject>
+PanelKind dial_kind(PanelKind kind) {
+    kind.meter = meter_of<subject>;
+    kind.make = [](const PanelContext& context, const PanelSpec& spec) -> std::unique_ptr<Panel> {
+        return std::make_unique<Face>(context, spec, subject(context, spec));
+    };
+    return kind;
+}
 
 }  // namespace carom

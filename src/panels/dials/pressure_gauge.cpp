@@ -24,7 +24,7 @@ class GaugePanel : public DialPanel {
   protected:
     Width width() const override { return {0.0, 2.0 / gauge_shape.depth}; }
     void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
-                   const DialSubject::Line&) const override {
+                   const MeterLine&) const override {
         RoundDial(dc, face, gauge_shape).draw_face(canvas, written_scale(), context().language());
     }
     void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
@@ -56,13 +56,12 @@ std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const Pa
     const SurfaceNumbers surfaces = gauged_surfaces(box, named);
     const bool is_one = named.empty();
     DialSubject subject{
-        .title = say(language, "Pressure"),
-        .note = words_of_window(language, over, Phrase{"mean since the last sample"}),
-        .quantity = quantities::pressure(box.dimension),
-        .part = "gauge",
-        .enough = 11.0};
-    subject.measure = [meter = SurfacePressures(box, surfaces, over), is_one,
-                       least = over.window * least_share](const FrameInput& o) mutable {
+        {.title = say(language, "Pressure"), .quantity = quantities::pressure(box.dimension)},
+        words_of_window(language, over, Phrase{"mean since the last sample"}),
+        "gauge"};
+    subject.enough = 11.0;
+    subject.read = [meter = SurfacePressures(box, surfaces, over), is_one,
+                    least = over.window * least_share](const FrameInput& o) mutable {
         std::vector<double> now = meter(o);
         if (is_one) now = {meter.of_all()};
         if (o.tick.time < least) std::ranges::fill(now, std::numeric_limits<double>::quiet_NaN());

@@ -35,7 +35,7 @@ class StopwatchPanel : public DialPanel {
   protected:
     Width width() const override { return {0.0, 2.0 / watch_shape.depth}; }
     void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
-                   const DialSubject::Line&) const override {
+                   const MeterLine&) const override {
         RoundDial(dc, face, watch_shape).draw_face(canvas, written_scale(), context().language());
     }
     void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
@@ -66,32 +66,32 @@ std::string words_of_start(const PanelContext& context, const WatchStart& since)
     return what.empty() ? when : say(language, "{}: {}", when, what);
 }
 
-std::unique_ptr<Panel> make_stopwatch(const PanelContext& context, const PanelSpec& spec) {
+DialSubject stopwatch(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const WatchStart& since = spec.options.as<StopwatchOptions>().since;
-    DialSubject subject{.lines = {{"stopwatch", ""}},
-                        .title = say(language, "Stopwatch"),
-                        .note = words_of_start(context, since),
-                        .quantity = quantities::time,
-                        .part = "stopwatch",
-                        .enough = 11.0};
-    subject.measure = [run = context.run(), since](const FrameInput& o) {
+    DialSubject subject{{.title = say(language, "Stopwatch"),
+                         .quantity = quantities::time,
+                         .lines = {{"stopwatch"}}},
+                        words_of_start(context, since),
+                        "stopwatch"};
+    subject.enough = 11.0;
+    subject.read = [run = context.run(), since](const FrameInput& o) {
         return std::vector{time_on_watch(run, since, o.tick.time)};
     };
-    return std::make_unique<StopwatchPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind stopwatch_kind() {
     using enum Ability;
-    return {.name = "stopwatch",
-            .words = Phrase{"stopwatch"},
-            .shows = "The time since the start, since a time, or since an event.",
-            .make = make_stopwatch,
-            .abilities = {comparison},
-            .keys = option_keys(stopwatch_keys()),
-            .has_plot = false};
+    return dial_kind<StopwatchPanel, stopwatch>(
+        {.name = "stopwatch",
+         .words = Phrase{"stopwatch"},
+         .shows = "The time since the start, since a time, or since an event.",
+         .abilities = {comparison},
+         .keys = option_keys(stopwatch_keys()),
+         .has_plot = false});
 }
 
 }  // namespace carom

@@ -50,7 +50,7 @@ class ThermometerPanel : public DialPanel {
     Width width() const override { return {ThermometerSize::width, 0.0}; }
     double least_face() const override { return ThermometerSize::least_height; }
     void draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
-                   const DialSubject::Line& line) const override;
+                   const MeterLine& line) const override;
     void draw_value(Canvas& canvas, const DrawContext& dc, const Rect& face,
                     const Reading& reading) const override;
 
@@ -99,7 +99,7 @@ std::vector<Point> glass_outline(Point middle, double radius, double half, doubl
 }
 
 void ThermometerPanel::draw_face(Canvas& canvas, const DrawContext& dc, const Rect& face,
-                                 const DialSubject::Line&) const {
+                                 const MeterLine&) const {
     const double u = dc.unit;
     const Glass glass = this->glass(dc, face);
     std::vector<Point> rim = glass_outline(glass.middle, glass.bulb, glass.tube, glass.top);
@@ -199,14 +199,14 @@ class TemperatureMeter {
     bool is_of_moment_;
 };
 
-std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const PanelSpec& spec) {
+DialSubject thermometer(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Over over = spec.over.value_or(usual_window(context.run()));
-    DialSubject subject{.title = say(language, "Temperature"),
-                        .note = words_of_moments(language, spec, over),
-                        .quantity = quantities::temperature,
-                        .part = "thermometer",
-                        .needs_collisions = true};
+    DialSubject subject{{.title = say(language, "Temperature"),
+                         .quantity = quantities::temperature,
+                         .needs_collisions = true},
+                        words_of_moments(language, spec, over),
+                        "thermometer"};
     std::vector<ThermalPart> parts;
     const std::vector<NamedRegion>& regions = spec.options.as<ThermometerOptions>().regions;
     for (const NamedRegion& one : regions) {
@@ -222,26 +222,25 @@ std::unique_ptr<Panel> make_thermometer(const PanelContext& context, const Panel
                                      role_among(context, chosen, k)});
             parts.push_back({});
         }
-    subject.measure = TemperatureMeter(context, std::move(parts), chosen, over);
-    return std::make_unique<ThermometerPanel>(context, spec, std::move(subject));
+    subject.read = TemperatureMeter(context, std::move(parts), chosen, over);
+    return subject;
 }
 
 }  // namespace
 
 PanelKind thermometer_kind() {
     using enum Ability;
-    return {.name = "thermometer",
-            .words = Phrase{"thermometer"},
-            .shows =
-                "The temperature of all particles, of those that `of` names, or of those in "
-                "`regions` of the box, as thermometers with a common scale.",
-            .make = make_thermometer,
-            .abilities = {of, over, means, comparison},
-            .keys = option_keys(thermometer_keys()),
-            .rule = check_thermometer,
-            .measured_at = measured_at(&ThermometerOptions::regions),
-            .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
-            .has_plot = false};
+    return dial_kind<ThermometerPanel, thermometer>(
+        {.name = "thermometer",
+         .words = Phrase{"thermometer"},
+         .shows = "The temperature of all particles, of those that `of` names, or of those in "
+                  "`regions` of the box, as thermometers with a common scale.",
+         .abilities = {of, over, means, comparison},
+         .keys = option_keys(thermometer_keys()),
+         .rule = check_thermometer,
+         .measured_at = measured_at(&ThermometerOptions::regions),
+         .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
+         .has_plot = false});
 }
 
 }  // namespace carom

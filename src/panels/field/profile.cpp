@@ -26,18 +26,14 @@ constexpr int usual_slabs = 20;
 ProfileRecord mean_of(const std::vector<ProfileRecord>& records) {
     ProfileRecord mean = begun_mean(records);
     ProfileRun& all = mean.runs.front();
+    std::vector<const Measured*> of_each;
+    bool all_have_laws = true;
     for (const ProfileRecord& record : records) {
         all.most = std::max(all.most, record.runs.front().most);
-        if (record.runs.front().laws.size() < all.laws.size()) all.laws.clear();
+        of_each.push_back(&record.runs.front().laws);
+        all_have_laws = all_have_laws && !of_each.back()->y.empty();
     }
-    NumberRows errors;
-    if (!all.laws.empty())
-        take_means(
-            records,
-            [](const ProfileRecord& record) -> const NumberRows& {
-                return record.runs.front().laws;
-            },
-            all.laws, errors);
+    all.laws = all_have_laws ? mean_of(of_each) : Measured{};
     return mean;
 }
 
@@ -56,7 +52,7 @@ ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
 
 // The law of each choice, if all have one.
 void ProfilePanel::add_laws() {
-    std::vector<std::vector<double>>& laws = record_.runs.front().laws;
+    NumberRows& laws = record_.runs.front().laws.y;
     for (const Chosen& chosen : choices_) {
         Law found =
             law(context_.gas, LawOf::heights,
@@ -109,7 +105,7 @@ void ProfilePanel::finish_record() {
     ProfileRun& run = record_.runs.front();
     run.length = cells_.box[axis_];
     run.most = pool_.empty() ? 0.0 : quantile(pool_, 0.999);
-    for (const std::vector<double>& law : run.laws)
+    for (const std::vector<double>& law : run.laws.y)
         run.most = std::max(run.most, *std::ranges::max_element(law));
     // By chance pieces that depend on each other pass the test now and then.
     run.has_errors = known_errors_ > 0 && 2 * known_errors_ >= full_windows_;
@@ -129,36 +125,30 @@ void ProfilePanel::archive(Archive& archive) {
 
 std::shared_ptr<const PanelState> ProfilePanel::state(const FrameInput& input) {
     auto state = std::make_shared<ProfileState>();
-    state->runs.emplace_back();
+    Measured& now = state->runs.emplace_back();
+    const double width = cells_.box[axis_] / static_cast<double>(cells_.count[axis_]);
+    for (int edge = 0; edge <= cells_.count[axis_]; ++edge) now.x.push_back(edge * width);
     for (CellQuantity& one : shown_) {
         one.see(input);
-        state->runs.front().push_back(values_of(one));
-        state->errors.push_back(errors_of(one, input.tick.time));
+        const Eigen::ArrayXd values = values_of(one);
+        now.y.emplace_back(values.begin(), values.end());
+        std::vector<double>& errors = now.error.emplace_back();
+        if (const std::optional<Eigen::ArrayXd> known = errors_of(one, input.tick.time))
+            errors.assign(known->begin(), known->end());
     }
     return state;
 }
 
 std::shared_ptr<const PanelState> ProfilePanel::state_of_runs(
     const std::vector<std::shared_ptr<const PanelState>>& states) const {
-    std::vector<ProfileState::Values> all;
-    for (const auto& state : states)
-        all.push_back(dynamic_cast<const ProfileState&>(*state).runs.front());
     auto both = std::make_shared<ProfileState>();
-    if (record_.compares()) {
-        both->runs = std::move(all);
-        return both;
-    }
-    both->runs = {all.front()};
-    for (std::size_t choice = 0; choice < choices_.size(); ++choice) {
-        Eigen::ArrayXd& errors = *both->errors.emplace_back(all.front()[choice]);
-        for (Eigen::Index slab = 0; slab < cells_.all(); ++slab) {
-            std::vector<double> each;
-            for (const ProfileState::Values& values : all) each.push_back(values[choice][slab]);
-            const MeanError mean = mean_error(each);
-            both->runs.front()[choice][slab] = mean.mean;
-            errors[slab] = mean.error;
-        }
-    }
+    std::vector<const Measured*> all;
+    for (const auto& state : states)
+        all.push_back(&dynamic_cast<const ProfileState&>(*state).runs.front());
+    if (record_.compares())
+        for (const Measured* run : all) both->runs.push_back(*run);
+    else
+        both->runs = {mean_of(all)};
     return both;
 }
 

@@ -16,6 +16,7 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "stats/cell_averages.h"
+#include "stats/measured.h"
 
 namespace carom {
 
@@ -27,16 +28,11 @@ struct ProfileOptions {
 };
 
 struct ProfileState : PanelState {
-    using Values = std::vector<Eigen::ArrayXd>;         // choice x slab; NaN: too few particles
-    std::vector<Values> runs;                           // one, or the compared runs
-    std::vector<std::optional<Eigen::ArrayXd>> errors;  // of each choice; NaN: unknown
+    std::vector<Measured> runs;  // one, or the compared runs; a line of each choice, between the
+                                 // edges of slabs; NaN: too few particles, or unknown errors
     std::size_t bytes() const override {
         std::size_t sum = 0;
-        for (const Values& values : runs)
-            for (const Eigen::ArrayXd& slabs : values)
-                sum += static_cast<std::size_t>(slabs.size()) * sizeof(double);
-        for (const auto& slabs : errors)
-            if (slabs) sum += static_cast<std::size_t>(slabs->size()) * sizeof(double);
+        for (const Measured& run : runs) sum += run.bytes();
         return sum;
     }
 };
@@ -46,8 +42,8 @@ struct ProfileRun {
     std::string name = {};  // among compared runs
     double length = 1.0;    // of the axis
     double most = 0.0;
-    std::vector<std::vector<double>> laws = {};  // choice x slab; or empty
-    bool has_errors = false;                     // known at most samples with a full window
+    Measured laws = {};       // a line of each choice, in each slab; or none
+    bool has_errors = false;  // known at most samples with a full window
     void archive(Archive& archive) { archive(name, length, most, laws, has_errors); }
 };
 
@@ -92,13 +88,11 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
     }
     plot::Polyline curve(std::size_t run, std::size_t choice, const char* part,
                          std::vector<double> along, std::vector<double> up) const;
-    plot::Polyline line_of(std::size_t run, std::size_t choice, const Eigen::ArrayXd& values,
-                           const char* part) const;
+    plot::Polyline line_of(const Measured& its, std::size_t run, std::size_t choice) const;
     plot::Polyline law_of(std::size_t run, std::size_t choice) const;
-    plot::Band band_of(const plot::Polyline& line, const Eigen::ArrayXd& values,
-                       const Eigen::ArrayXd& errors) const;
-    plot::Column column_of_errors(const Eigen::ArrayXd& values, const Eigen::ArrayXd& errors) const;
-    std::string account_of(const Eigen::ArrayXd& values, std::size_t choice) const;
+    plot::Band band_of(const plot::Polyline& line, const Measured& its, std::size_t choice) const;
+    plot::Column column_of_errors(const Measured& its, std::size_t choice) const;
+    std::string account_of(const std::vector<double>& of_slabs, std::size_t choice) const;
     plot::Stroke stroke_of_law() const;
     std::vector<plot::Text> titles() const;
     plot::Note note() const;

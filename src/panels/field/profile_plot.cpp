@@ -33,24 +33,24 @@ plot::Polyline ProfilePanel::curve(std::size_t run, std::size_t choice, const ch
 }
 
 // A horizontal piece for each slab; the line is broken at slabs without a value.
-plot::Polyline ProfilePanel::line_of(std::size_t run, std::size_t choice,
-                                     const Eigen::ArrayXd& values, const char* part) const {
-    const double width = record_.runs[run].length / static_cast<double>(values.size());
+plot::Polyline ProfilePanel::line_of(const Measured& its, std::size_t run,
+                                     std::size_t choice) const {
+    const std::vector<double>& values = its.y[choice];
     std::vector<double> along, up;
     std::vector<int> piece;
     int pieces = 0;
-    for (Eigen::Index slab = 0; slab < values.size(); ++slab) {
+    for (std::size_t slab = 0; slab < values.size(); ++slab) {
         if (std::isnan(values[slab])) {
             ++pieces;
             continue;
         }
-        for (const int end : {0, 1}) {
-            along.push_back(static_cast<double>(slab + end) * width);
+        for (const std::size_t end : {slab, slab + 1}) {
+            along.push_back(its.x[end]);
             up.push_back(values[slab]);
             piece.push_back(pieces);
         }
     }
-    plot::Polyline line = curve(run, choice, part, std::move(along), std::move(up));
+    plot::Polyline line = curve(run, choice, "profile", std::move(along), std::move(up));
     line.piece = std::make_shared<const std::vector<int>>(std::move(piece));
     line.piece_column = whole_.columns[0];
     return line;
@@ -65,7 +65,7 @@ plot::Stroke ProfilePanel::stroke_of_law() const {
 
 // The law as a line through the middles of the slabs.
 plot::Polyline ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
-    const std::vector<double>& densities = record_.runs[run].laws[choice];
+    const std::vector<double>& densities = record_.runs[run].laws.y[choice];
     const double width = record_.runs[run].length / static_cast<double>(densities.size());
     std::vector<double> along;
     for (std::size_t slab = 0; slab < densities.size(); ++slab)
@@ -88,7 +88,7 @@ plot::Note ProfilePanel::note() const {
     const auto is_known = [](double value) { return std::isfinite(value); };
     const auto has_law = [&](const ProfileRun& run) {
         return std::ranges::any_of(
-            run.laws, [&](const auto& law) { return std::ranges::any_of(law, is_known); });
+            run.laws.y, [&](const auto& law) { return std::ranges::any_of(law, is_known); });
     };
     if (std::ranges::any_of(record_.runs, has_law))
         note.entries.push_back({.swatch = stroke_of_law(), .words = {say(language, "ideal gas")}});
@@ -130,34 +130,33 @@ void ProfilePanel::make_axes() {
     if (record_.compares()) plot::name_runs(whole_, std::move(names));
     whole_.notes.push_back(note());
     for (std::size_t run = 0; run < record_.runs.size(); ++run)
-        for (std::size_t k = 0; k < record_.runs[run].laws.size(); ++k)
+        for (std::size_t k = 0; k < record_.runs[run].laws.y.size(); ++k)
             whole_.layers.emplace_back(law_of(run, k));
 }
 
 // At both ends of each slab that has a value, as in line_of().
-plot::Column ProfilePanel::column_of_errors(const Eigen::ArrayXd& values,
-                                            const Eigen::ArrayXd& errors) const {
+plot::Column ProfilePanel::column_of_errors(const Measured& its, std::size_t choice) const {
     std::vector<double> known;
-    for (Eigen::Index slab = 0; slab < values.size(); ++slab)
-        if (!std::isnan(values[slab])) known.insert(known.end(), 2, errors[slab]);
+    for (std::size_t slab = 0; slab < its.y[choice].size(); ++slab)
+        if (!std::isnan(its.y[choice][slab])) known.insert(known.end(), 2, its.error[choice][slab]);
     return plot::column(whole_.columns[3], std::move(known));
 }
 
 // A step for each slab, broken where the value or its error is unknown.
-plot::Band ProfilePanel::band_of(const plot::Polyline& line, const Eigen::ArrayXd& values,
-                                 const Eigen::ArrayXd& errors) const {
-    const double width = record_.runs.front().length / static_cast<double>(values.size());
-    std::vector<double> along, up, its;
-    for (Eigen::Index slab = 0; slab < values.size(); ++slab)
-        for (const int end : {0, 1}) {
-            along.push_back(static_cast<double>(slab + end) * width);
+plot::Band ProfilePanel::band_of(const plot::Polyline& line, const Measured& its,
+                                 std::size_t choice) const {
+    const std::vector<double>& values = its.y[choice];
+    std::vector<double> along, up, errors;
+    for (std::size_t slab = 0; slab < values.size(); ++slab)
+        for (const std::size_t end : {slab, slab + 1}) {
+            along.push_back(its.x[end]);
             up.push_back(values[slab]);
-            its.push_back(std::isnan(values[slab]) ? values[slab] : errors[slab]);
+            errors.push_back(std::isnan(values[slab]) ? values[slab] : its.error[choice][slab]);
         }
     plot::Band band;
     band.x = plot::column(whole_.columns[1], is_up() ? up : along);
     band.y = plot::column(whole_.columns[2], is_up() ? along : up);
-    band.error = plot::column(whole_.columns[3], std::move(its));
+    band.error = plot::column(whole_.columns[3], std::move(errors));
     band.is_along_x = is_up();
     band.role = line.stroke.role;
     band.alpha = 0.5;
@@ -166,8 +165,10 @@ plot::Band ProfilePanel::band_of(const plot::Polyline& line, const Eigen::ArrayX
 }
 
 // "between 0.02 and 0.11", of all particles or of some.
-std::string ProfilePanel::account_of(const Eigen::ArrayXd& values, std::size_t choice) const {
+std::string ProfilePanel::account_of(const std::vector<double>& of_slabs,
+                                     std::size_t choice) const {
     const Language language = context_.language();
+    const Eigen::Map<const Eigen::ArrayXd> values(of_slabs.data(), std::ssize(of_slabs));
     const auto known = !values.isNaN();
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const std::string low = three_digits(language, known.select(values, infinite).minCoeff());
@@ -190,9 +191,9 @@ plot::Plot ProfilePanel::plot(const PanelState* state) const {
     if (state == nullptr) return now;
     const auto& shown = static_cast<const ProfileState&>(*state);
     for (std::size_t run = 0; run < shown.runs.size(); ++run)
-        for (std::size_t k = 0; k < shown.runs[run].size(); ++k) {
-            const Eigen::ArrayXd& values = shown.runs[run][k];
-            plot::Polyline line = line_of(run, k, values, "profile");
+        for (std::size_t k = 0; k < shown.runs[run].y.size(); ++k) {
+            const Measured& its = shown.runs[run];
+            plot::Polyline line = line_of(its, run, k);
             line.stroke =
                 record_.compares()
                     ? plot::stroke_of_run(run, 0.22)
@@ -200,13 +201,13 @@ plot::Plot ProfilePanel::plot(const PanelState* state) const {
                                    .width = record_.has_errors() ? 0.16 : 0.22,
                                    .print_dashes = plot::dashes_in_print(k, choices_.size()),
                                    .shade = plot::Shade::legible};
-            if (record_.has_errors() && shown.errors[k]) {
-                now.layers.emplace_back(band_of(line, values, *shown.errors[k]));
-                line.more = {column_of_errors(values, *shown.errors[k])};
+            if (record_.has_errors() && !its.error[k].empty()) {
+                now.layers.emplace_back(band_of(line, its, k));
+                line.more = {column_of_errors(its, k)};
                 has_band = true;
             }
             now.layers.emplace_back(std::move(line));
-            const std::string words = account_of(values, k);
+            const std::string words = account_of(its.y[k], k);
             if (record_.compares())
                 now.accounts_of_runs.push_back(words);
             else if (!words.empty())

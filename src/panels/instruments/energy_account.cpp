@@ -33,18 +33,18 @@ std::vector<Part> parts_of(const PanelContext& context) {
 }
 
 // The bands between each line of the record and the one below.
-void fill_stack(const SeriesRecord& record, const std::vector<Part>& parts, plot::Plot& whole) {
+void fill_stack(const HistoryRecord& record, const std::vector<Part>& parts, plot::Plot& whole) {
     if (record.compares()) return;
-    const SeriesRun& run = record.runs.front();
-    for (std::size_t k = 0; k < run.lines.size(); ++k) {
+    const History& run = record.runs.front();
+    for (std::size_t k = 0; k < run.y.size(); ++k) {
         std::vector<double> middle, half;
-        for (std::size_t i = 0; i < run.time.size(); ++i) {
-            const double high = run.lines[k][i], low = k == 0 ? 0.0 : run.lines[k - 1][i];
+        for (std::size_t i = 0; i < run.x.size(); ++i) {
+            const double high = run.y[k][i], low = k == 0 ? 0.0 : run.y[k - 1][i];
             middle.push_back(0.5 * (low + high));
             half.push_back(0.5 * std::abs(high - low));
         }
         plot::Band band;
-        band.x = plot::column("", run.time);
+        band.x = plot::column("", run.x);
         band.y = plot::column("", std::move(middle));
         band.error = plot::column("", std::move(half));
         band.role = parts[k].role;
@@ -54,40 +54,38 @@ void fill_stack(const SeriesRecord& record, const std::vector<Part>& parts, plot
     }
 }
 
-std::unique_ptr<Panel> make_energy_account(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject energy_account(const PanelContext& context, const PanelSpec&) {
     const Language language = context.language();
     const std::vector<Part> parts = parts_of(context);
-    SeriesSubject subject{.quantity = quantities::energy};
+    SeriesSubject subject{{.title = say(language, "Energy"), .quantity = quantities::energy}};
     std::string column;
     for (std::size_t k = 0; k < parts.size(); ++k) {
         column += (column.empty() ? "" : " + ") + std::string(parts[k].name.english);
-        subject.names.push_back(say(language, parts[k].name));
-        subject.lines.push_back({column, parts[k].role});
+        subject.lines.push_back({column, say(language, parts[k].name), parts[k].role});
     }
-    title_with_names(subject, language, say(language, "Energy"));
     subject.compared = parts.size() - 1;
-    subject.measure = [context, parts = parts.size()](const FrameInput& o) {
+    subject.read = [context, parts = parts.size()](const FrameInput& o) {
         const EnergyAccount now =
             energies(context.box(), context.particles, o.sample, o.advanced.surfaces);
         const std::array all{now.kinetic, now.kinetic + now.potential, now.in_all()};
         return std::vector(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(parts));
     };
-    subject.add = [parts](const SeriesRecord& record, plot::Plot& whole) {
+    subject.add = [parts](const HistoryRecord& record, plot::Plot& whole) {
         fill_stack(record, parts, whole);
     };
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind energy_account_kind() {
     using enum Ability;
-    return {.name = "energy-account",
-            .words = Phrase{"energy account"},
-            .shows =
-                "Kinetic energy, potential energy and the energy of pistons against time, stacked.",
-            .make = make_energy_account,
-            .abilities = {means, comparison}};
+    return series_kind<energy_account>(
+        {.name = "energy-account",
+         .words = Phrase{"energy account"},
+         .shows =
+             "Kinetic energy, potential energy and the energy of pistons against time, stacked.",
+         .abilities = {means, comparison}});
 }
 
 }  // namespace carom

@@ -161,7 +161,7 @@ Quantity flux_quantity(Carried carried) {
     return {};
 }
 
-std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject flux(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.box();
     const auto& [at, carried] = options_of_flux(spec);
@@ -173,44 +173,41 @@ std::unique_ptr<Panel> make_flux(const PanelContext& context, const PanelSpec& s
             context, line,
             at.line ? std::optional<std::int32_t>() : std::optional(at.surfaces.front()),
             members(context, choices(spec).front()));
-    SeriesSubject subject{.quantity = flux_quantity(carried)};
+    SeriesSubject subject{{.title = say(language, flux_title(carried)),
+                           .quantity = flux_quantity(carried),
+                           .needs_collisions = true}};
     const std::array<Phrase, 2> ways = ways_across(line.axis);
-    for (std::size_t way = 0; way < 2; ++way) {
-        subject.names.push_back(say(language, ways.at(way)));
-        subject.lines.push_back(
-            {std::string(ways.at(way).english), {.of = plot::Role::Of::run, .index = way}});
-    }
-    title_with_names(subject, language, say(language, flux_title(carried)));
-    subject.compared_title =
-        say(language, "{} {}", say(language, flux_title(carried)), say(language, ways[0]));
+    for (std::size_t way = 0; way < 2; ++way)
+        subject.lines.push_back({std::string(ways.at(way).english),
+                                 say(language, ways.at(way)),
+                                 {.of = plot::Role::Of::run, .index = way}});
+    subject.compared_title = say(language, "{} {}", subject.title, say(language, ways[0]));
     subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
     if (theory) {
         for (std::size_t way = 0; way < 2; ++way)
-            subject.lines.push_back(
-                {"theory, " + std::string(ways.at(way).english), subject.lines.at(way).role, true});
+            subject.lines.push_back({"theory, " + std::string(ways.at(way).english), "",
+                                     subject.lines.at(way).role, true});
         subject.theory_note = say(language, "dashed: kinetic theory");
     }
-    subject.measure = FluxMeter(context, spec, over, std::move(theory));
-    subject.needs_collisions = true;
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    subject.read = FluxMeter(context, spec, over, std::move(theory));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind flux_kind() {
     using enum Ability;
-    return {.name = "flux",
-            .words = Phrase{"flux"},
-            .shows =
-                "Particles that cross a partition or a `line` per unit of time, in each "
-                "direction, the energy that they carry, or their mean energy (`carried`), with "
-                "the values of kinetic theory.",
-            .make = make_flux,
-            .abilities = {of, over, theory, means, comparison},
-            .keys = option_keys(flux_keys()),
-            .rule = check_flux,
-            .measured_at = crossed_at(&FluxOptions::at),
-            .work = always(PanelWork{.flights = PanelWork::Flights::recorded})};
+    return series_kind<flux>(
+        {.name = "flux",
+         .words = Phrase{"flux"},
+         .shows = "Particles that cross a partition or a `line` per unit of time, in each "
+                  "direction, the energy that they carry, or their mean energy (`carried`), with "
+                  "the values of kinetic theory.",
+         .abilities = {of, over, theory, means, comparison},
+         .keys = option_keys(flux_keys()),
+         .rule = check_flux,
+         .measured_at = crossed_at(&FluxOptions::at),
+         .work = always(PanelWork{.flights = PanelWork::Flights::recorded})});
 }
 
 }  // namespace carom

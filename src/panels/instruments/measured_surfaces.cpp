@@ -38,15 +38,14 @@ std::string short_name(Language language, const Box& box, std::int32_t surface) 
     }
 }
 
-void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
-                   const std::vector<std::int32_t>& surfaces, const std::string& what) {
+std::vector<MeterLine> lines_of_surfaces(Language language, const Box& box,
+                                         const std::vector<std::int32_t>& surfaces) {
     const std::vector<std::string> columns = box.surfaces.names();
-    for (std::size_t k = 0; k < surfaces.size(); ++k) {
-        subject.names.push_back(short_name(language, box, surfaces[k]));
-        subject.lines.push_back(
-            {columns[static_cast<std::size_t>(surfaces[k])], surface_role(k, surfaces.size())});
-    }
-    title_with_names(subject, language, what);
+    std::vector<MeterLine> lines;
+    for (std::size_t k = 0; k < surfaces.size(); ++k)
+        lines.push_back({columns[static_cast<std::size_t>(surfaces[k])],
+                         short_name(language, box, surfaces[k]), surface_role(k, surfaces.size())});
+    return lines;
 }
 
 double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,

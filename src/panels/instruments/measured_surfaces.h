@@ -23,9 +23,9 @@ void check_moving(PanelSpec& panel, const Node& node, Reading& reading);
 /// "left wall", or the name that the scene gives.
 std::string short_name(Language language, const Box& box, std::int32_t surface);
 
-/// Adds a line for each surface, and the title that names them.
-void name_surfaces(SeriesSubject& subject, Language language, const Box& box,
-                   const std::vector<std::int32_t>& surfaces, const std::string& what);
+/// A line for each surface, with its name.
+std::vector<MeterLine> lines_of_surfaces(Language language, const Box& box,
+                                         const std::vector<std::int32_t>& surfaces);
 
 /// The length of a side, or of a partition without its gaps, between the present positions of the
 /// adjacent sides; 1 in one dimension.

@@ -12,14 +12,13 @@
 namespace carom {
 namespace {
 
-std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject piston(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    SeriesSubject subject{.quantity = quantities::position};
+    SeriesSubject subject{{.title = say(language, "Position"), .quantity = quantities::position}};
     const SurfaceNumbers& all = spec.options.as<MovingOptions>().surfaces;
-    name_surfaces(subject, language, context.box(), all, say(language, "Position"));
+    subject.lines = lines_of_surfaces(language, context.box(), all);
     const auto known = std::make_shared<std::optional<PistonOverGas>>();
-    subject.measure = [context, surfaces = all, known,
-                       is_first = true](const FrameInput& o) mutable {
+    subject.read = [context, surfaces = all, known, is_first = true](const FrameInput& o) mutable {
         if (std::exchange(is_first, false) && surfaces.size() == 1)
             *known = piston_over_gas(context, surfaces.front(), o);
         std::vector<double> places;
@@ -29,7 +28,7 @@ std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec&
         return places;
     };
     if (spec.theory) {
-        subject.references = [known]() -> ReferenceLevels {
+        subject.levels = [known]() -> ReferenceLevels {
             if (!*known) return {};
             return {ReferenceLevel{"ideal gas, mean", (*known)->mean_place(),
                                    (*known)->law.deviation()}};
@@ -38,7 +37,7 @@ std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec&
             if (!*known || !(*known)->period()) return {};
             return {{{*(*known)->period(), 0.0}}};
         };
-        subject.add = [language](const SeriesRecord& record, plot::Plot& whole) {
+        subject.add = [language](const HistoryRecord& record, plot::Plot& whole) {
             const auto& numbers = record.runs.front().numbers;
             if (numbers.empty() || record.compares()) return;
             const std::string period = three_digits(language, numbers.front().front().mean);
@@ -47,25 +46,24 @@ std::unique_ptr<Panel> make_piston(const PanelContext& context, const PanelSpec&
                                         say(language, "period {}", period)}}}});
         };
     }
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind piston_kind() {
     using enum Ability;
-    return {.name = "piston",
-            .words = Phrase{"piston"},
-            .shows =
-                "The position of moving walls and partitions against time; for a free piston, "
-                "with the mean position over an ideal gas, its standard deviation as a band, and "
-                "the period of the slow oscillations.",
-            .make = make_piston,
-            .abilities = {theory, means, comparison},
-            .keys = moving_keys(),
-            .rule = check_moving,
-            .laws = always(std::vector{LawOf::piston}),
-            .measured_at = measured_at(&MovingOptions::surfaces)};
+    return series_kind<piston>(
+        {.name = "piston",
+         .words = Phrase{"piston"},
+         .shows = "The position of moving walls and partitions against time; for a free piston, "
+                  "with the mean position over an ideal gas, its standard deviation as a band, and "
+                  "the period of the slow oscillations.",
+         .abilities = {theory, means, comparison},
+         .keys = moving_keys(),
+         .rule = check_moving,
+         .laws = always(std::vector{LawOf::piston}),
+         .measured_at = measured_at(&MovingOptions::surfaces)});
 }
 
 }  // namespace carom

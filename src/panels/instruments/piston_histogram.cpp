@@ -25,19 +25,21 @@ constexpr double fine_bins_in_box = 240;  // several fine bins make one that is 
 
 // The numbers of a line: the parameters of the law, or none.
 struct LawNumbers {
-    explicit LawNumbers(const PistonOverGas& of)
-        : numbers{of.law.count, of.law.energy, of.law.force, double(of.law.dimension),
-                  of.zero,      of.direction} {}
-    explicit LawNumbers(std::vector<double> of) : numbers(std::move(of)) {}
-    std::vector<double> numbers;
+    explicit LawNumbers(const PistonOverGas& of) {
+        for (const double number : {of.law.count, of.law.energy, of.law.force,
+                                    double(of.law.dimension), of.zero, of.direction})
+            numbers.push_back({number, NAN});
+    }
+    explicit LawNumbers(std::vector<MeanError> of) : numbers(std::move(of)) {}
+    std::vector<MeanError> numbers;
 
     PistonOverGas piston() const {
-        return {.law = {.count = numbers[0],
-                        .energy = numbers[1],
-                        .force = numbers[2],
-                        .dimension = static_cast<int>(numbers[3])},
-                .zero = numbers[4],
-                .direction = numbers[5]};
+        return {.law = {.count = numbers[0].mean,
+                        .energy = numbers[1].mean,
+                        .force = numbers[2].mean,
+                        .dimension = static_cast<int>(numbers[3].mean)},
+                .zero = numbers[4].mean,
+                .direction = numbers[5].mean};
     }
 };
 
@@ -72,7 +74,7 @@ class PistonMeter : public CurveMeter {
     }
     void fix_axis(double start, double reach, int) override { range_ = {start, reach}; }
 
-    CurveValues values() const override {
+    Measured measured() const override {
         const std::vector<double>& fine = times_.times();
         std::vector<double> shares(shown_bins, 0.0);
         const auto [from, to] = range_.value_or(std::pair{start(), reach()});
@@ -88,7 +90,7 @@ class PistonMeter : public CurveMeter {
                     percent * fine[i] / all * in_one *
                     (std::min(high, bin + 1.0) - std::max(low, bin));
         }
-        CurveValues now{.curves = {std::move(shares)}};
+        Measured now{.y = {std::move(shares)}};
         if (law_) now.numbers = {LawNumbers(*law_).numbers};
         return now;
     }
@@ -184,18 +186,20 @@ std::unique_ptr<Panel> make_piston_histogram(const PanelContext& context, const 
     const std::int32_t surface = spec.options.as<MovingOptions>().surfaces.front();
     CurveSubject subject{.shape = CurveSubject::Shape::steps, .points = shown_bins};
     subject.meter = [context, surface] { return std::make_unique<PistonMeter>(context, surface); };
-    SeriesSubject named;
-    name_surfaces(named, language, context.box(), {surface},
-                  say(language, "Distribution of positions"));
-    subject.lines = named.lines;
-    subject.titles =
-        spec.title ? std::vector{plot::Text(escape_markup(*spec.title))} : named.titles;
-    subject.names = {{.words = {named.names.front()}}};
+    subject.lines = lines_of_surfaces(language, context.box(), {surface});
+    const std::string title = say(language, "Distribution of positions");
+    subject.titles = {
+        plot::text_of(language, Phrase{"{}: {}"},
+                      {title, plot::named(subject.lines.front().name, subject.lines.front().role,
+                                          plot::Swatch::line, 0)}),
+        title};
+    if (spec.title) subject.titles = {plot::Text(escape_markup(*spec.title))};
+    subject.names = {{.words = {subject.lines.front().name}}};
     subject.along = quantities::position;
     subject.up = quantities::per_cent;
     subject.height = [language](double width) { return percent_per(language, width); };
     subject.account = [language](const CurveValues& values, std::size_t) -> std::string {
-        const std::vector<double>& shares = values.curves.front();
+        const std::vector<double>& shares = values.y.front();
         const auto highest = std::ranges::max_element(shares);
         if (highest == shares.end() || !(*highest > 0.0)) return "";
         return say(language, "the highest bar holds {} % of the time",

@@ -140,27 +140,31 @@ std::vector<plot::Text> titles(Language language, bool has_walls) {
             short_title(say(language, "collisions")), short_title(say(language, "virial"))};
 }
 
-std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec) {
-    const auto& options = spec.options.as<PressureOptions>();
-    if (options.gauge) return make_pressure_gauge(context, spec);
-    if (!options.surfaces.empty()) return make_surface_pressure(context, spec);
+SeriesSubject pressure(const PanelContext& context, const PanelSpec& spec) {
+    if (!spec.options.as<PressureOptions>().surfaces.empty())
+        return surface_pressure(context, spec);
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     const Box& box = context.box();
     const bool walls = !box.is_periodic(0) || (box.dimension == 2 && !box.is_periodic(1));
     const Gauge gauge(context, over);
     const Language language = context.language();
     SeriesSubject subject{
-        .measure = gauge,
-        .lines = {{"on the walls", of_walls}, {"from collisions", of_virial}},
-        .titles = titles(language, walls),
-        .names = {say(language, "on the walls"), say(language, "from collisions")},
-        .plain_title = say(language, "Pressure"),
-        .notes = {time_words(language, over, box)},
-        .references = [context, thermal = gauge.thermal()] { return levels(context, *thermal); },
-        .quantity = quantities::pressure(box.dimension),
-        .compared = 1,
-        .compared_title = say(language, "Pressure from collisions")};
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+        {.title = say(language, "Pressure"),
+         .quantity = quantities::pressure(box.dimension),
+         .lines = {{"on the walls", say(language, "on the walls"), of_walls},
+                   {"from collisions", say(language, "from collisions"), of_virial}},
+         .read = gauge,
+         .levels = [context, thermal = gauge.thermal()] { return levels(context, *thermal); }}};
+    subject.titles = titles(language, walls);
+    subject.notes = {time_words(language, over, box)};
+    subject.compared = 1;
+    subject.compared_title = say(language, "Pressure from collisions");
+    return subject;
+}
+
+std::unique_ptr<Panel> make_pressure(const PanelContext& context, const PanelSpec& spec) {
+    if (spec.options.as<PressureOptions>().gauge) return make_pressure_gauge(context, spec);
+    return std::make_unique<SeriesPanel>(context, spec, pressure(context, spec));
 }
 
 }  // namespace
@@ -173,6 +177,7 @@ PanelKind pressure_kind() {
                 "The pressure on all walls, or on single `surfaces`, against time; with `gauge: "
                 "true` on round gauges.",
             .make = make_pressure,
+            .meter = meter_of<pressure>,
             .abilities = {over, means, comparison},
             .keys = option_keys(pressure_keys()),
             .rule = check_pressure,

@@ -10,7 +10,7 @@
 #include "draw/axis.h"
 #include "panels/instruments/measured_surfaces.h"
 #include "panels/instruments/surface_pressure.h"
-#include "panels/means/runs_record.h"
+#include "panels/meters/history.h"
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "panels/registry.h"
@@ -78,13 +78,12 @@ Compression compression_of(const PanelContext& context, std::int32_t surface) {
 }
 
 // The path of a run, and what theory knows of it.
-struct PressureVolumeRun {
-    std::string name = {};                                    // among compared runs
-    std::vector<double> time = {}, area = {}, pressure = {};  // at samples; NaN: none
-    std::vector<double> frame_time = {}, frame_area = {}, frame_pressure = {};  // at frames
+struct PressureVolumeRun : History {
+    static constexpr std::size_t area = 0, pressure = 1;  // lines
     Compression theory = {};
     void archive(Archive& archive) {
-        archive(name, time, area, pressure, frame_time, frame_area, frame_pressure, theory);
+        History::archive(archive);
+        archive(theory);
     }
 };
 
@@ -175,18 +174,10 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
 void PressureVolumePanel::survey(const FrameInput& input) {
     PressureVolumeRun& run = record_.runs.front();
     const double area = enclosed_area(box(), input.advanced.surfaces);
-    if (run.area.empty()) run.theory = compression_of(context_, options().surfaces.front());
+    if (run.x.empty()) run.theory = compression_of(context_, options().surfaces.front());
     double pressure = meter_(input).front();
     if (!is_measured(input.tick.time)) pressure = std::numeric_limits<double>::quiet_NaN();
-    if (input.is_sample) {
-        run.time.push_back(input.tick.time);
-        run.area.push_back(area);
-        run.pressure.push_back(pressure);
-    }
-    if (!input.is_frame) return;
-    run.frame_time.push_back(input.tick.time);
-    run.frame_area.push_back(area);
-    run.frame_pressure.push_back(pressure);
+    run.add(input.tick.time, {area, pressure}, input.is_sample, input.is_frame);
 }
 
 void PressureVolumePanel::make_axes() {
@@ -205,9 +196,9 @@ void PressureVolumePanel::make_axes() {
     whole_.x = plot::axis_of(language, quantities::content(dimension).named(area), INFINITY, 0.0);
     std::vector<double> pressures;
     for (const PressureVolumeRun& run : record_.runs) {
-        whole_.x.low = std::min(whole_.x.low, 0.95 * *std::ranges::min_element(run.area));
-        whole_.x.high = std::max(whole_.x.high, 1.05 * *std::ranges::max_element(run.area));
-        for (const double pressure : run.pressure)
+        whole_.x.low = std::min(whole_.x.low, 0.95 * *std::ranges::min_element(run.y[run.area]));
+        whole_.x.high = std::max(whole_.x.high, 1.05 * *std::ranges::max_element(run.y[run.area]));
+        for (const double pressure : run.y[run.pressure])
             if (std::isfinite(pressure)) pressures.push_back(std::abs(pressure));
     }
     const double most = pressures.empty() ? 0.0 : 1.1 * quantile(pressures, 0.995);
@@ -281,30 +272,21 @@ plot::Polyline PressureVolumePanel::whole_path(std::size_t run) const {
     const PressureVolumeRun& its = record_.runs[run];
     plot::Polyline line;
     line.shown = {0, 0};
-    line.x = plot::column(whole_.columns[0], its.area);
-    line.y = plot::column(whole_.columns[1], its.pressure);
+    line.x = plot::column(whole_.columns[0], its.y[its.area]);
+    line.y = plot::column(whole_.columns[1], its.y[its.pressure]);
     return line;
 }
 
 // The samples up to a frame, and the frame itself.
 plot::Polyline PressureVolumePanel::path_of(std::size_t run, std::size_t shown) const {
-    const PressureVolumeRun& its = record_.runs[run];
-    const std::size_t frame = std::min(shown, its.frame_time.size()) - 1;
-    const double now = its.frame_time.at(frame);
-    const std::ptrdiff_t end = std::ranges::upper_bound(its.time, now) - its.time.begin();
-    std::vector<double> area(its.area.begin(), its.area.begin() + end);
-    std::vector<double> pressure(its.pressure.begin(), its.pressure.begin() + end);
-    if (end == 0 || its.time[static_cast<std::size_t>(end) - 1] < now) {
-        area.push_back(its.frame_area[frame]);
-        pressure.push_back(its.frame_pressure[frame]);
-    }
+    const Measured its = record_.runs[run].until(shown);
     plot::Polyline line;
     line.part = "path";
     line.depth = 1;
-    line.shown.end = area.size();
+    line.shown.end = its.x.size();
     line.shown.first = line.shown.end - std::min(line.shown.end, longest_path);
-    line.x = plot::column(whole_.columns[0], std::move(area));
-    line.y = plot::column(whole_.columns[1], std::move(pressure));
+    line.x = plot::column(whole_.columns[0], its.y[PressureVolumeRun::area]);
+    line.y = plot::column(whole_.columns[1], its.y[PressureVolumeRun::pressure]);
     line.is_thinned = false;
     line.stroke = {
         .role = {.of = plot::Role::Of::bar}, .width = 0.1, .shade = plot::Shade::legible};
@@ -324,9 +306,9 @@ plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
     for (std::size_t run = 0; run < record_.runs.size(); ++run) {
         now.layers.emplace_back(path_of(run, shown.shown.at(run)));
         if (!record_.compares()) continue;
-        now.accounts_of_runs.push_back(account_of_last(context_.language(), *whole_.y.quantity,
-                                                       record_.runs[run].frame_pressure,
-                                                       shown.shown.at(run)));
+        now.accounts_of_runs.push_back(account_of_last(
+            context_.language(), *whole_.y.quantity,
+            record_.runs[run].frames.y[PressureVolumeRun::pressure], shown.shown.at(run)));
     }
     return now;
 }

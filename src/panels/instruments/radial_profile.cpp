@@ -15,6 +15,7 @@
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/equation_of_state.h"
 #include "stats/histogram.h"
+#include "stats/measured.h"
 #include "util/text.h"
 
 namespace carom {
@@ -22,24 +23,23 @@ namespace {
 
 constexpr int usual_rings = 20;
 
-// The densities that each frame shows, choice after choice: in all rings of the first, and so on.
+// The densities that each frame shows: a line for each ring, in all rings of the first choice, then
+// in those of the second, and so on.
 struct RadialRun {
     std::string name = {};  // among compared runs
-    std::vector<std::vector<double>> frames = {}, errors = {};
-    std::vector<double> all = {};  // of the samples, for the axis
+    Measured frames = {};
+    std::vector<double> all = {};  // the highest of each sample, for the axis
     double at_rest = 0.0;          // density of all particles in the box
-    void archive(Archive& archive) { archive(name, frames, errors, all, at_rest); }
+    void archive(Archive& archive) { archive(name, frames, all, at_rest); }
 };
 
 using RadialRecord = RunsRecord<RadialRun>;
 
 RadialRecord mean_of(const std::vector<RadialRecord>& records) {
     RadialRecord mean = begun_mean(records);
-    RadialRun& all = mean.runs.front();
-    take_means(
-        records,
-        [](const RadialRecord& record) -> const NumberRows& { return record.runs.front().frames; },
-        all.frames, all.errors);
+    std::vector<const Measured*> of_each;
+    for (const RadialRecord& record : records) of_each.push_back(&record.runs.front().frames);
+    mean.runs.front().frames = mean_of(of_each);
     return mean;
 }
 
@@ -145,9 +145,13 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
 
   private:
     const ProfileOptions& options() const { return spec_.options.as<ProfileOptions>(); }
-    std::vector<double> of_choice(const std::vector<double>& all, std::size_t choice) const {
-        const auto from = all.begin() + std::ptrdiff_t(choice) * rings_.count();
-        return {from, from + rings_.count()};
+    std::vector<double> in_rings(const NumberRows& lines, std::size_t choice,
+                                 std::size_t frame) const {
+        const auto count = static_cast<std::size_t>(rings_.count());
+        std::vector<double> all;
+        for (std::size_t ring = 0; ring < count; ++ring)
+            all.push_back(lines.at(choice * count + ring).at(frame));
+        return all;
     }
     plot::Polyline line_of(std::size_t run, std::size_t choice,
                            const std::vector<double>& values) const;
@@ -174,7 +178,7 @@ void RadialProfilePanel::survey(const FrameInput& input) {
     now = mean_(input.tick.time, now, input.is_sample);
     RadialRun& run = record_.runs.front();
     if (input.is_sample) run.all.push_back(*std::ranges::max_element(now));
-    if (input.is_frame) run.frames.push_back(std::move(now));
+    if (input.is_frame) run.frames.add(input.tick.time, now);
 }
 
 void RadialProfilePanel::make_axes() {
@@ -292,13 +296,13 @@ plot::Plot RadialProfilePanel::plot(const PanelState* state) const {
     const auto& shown = dynamic_cast<const ShownState&>(*state).shown;
     for (std::size_t run = 0; run < record_.runs.size(); ++run) {
         const RadialRun& its = record_.runs[run];
-        const std::size_t frame = std::min(shown.at(run), its.frames.size()) - 1;
+        const std::size_t frame = std::min(shown.at(run), its.frames.x.size()) - 1;
         for (std::size_t k = 0; k < choices_.size(); ++k) {
-            const std::vector<double> values = of_choice(its.frames[frame], k);
+            const std::vector<double> values = in_rings(its.frames.y, k, frame);
             plot::Polyline line = line_of(run, k, values);
-            if (!its.errors.empty()) {
+            if (!its.frames.error.empty()) {
                 std::vector<double> errors;
-                for (const double error : of_choice(its.errors[frame], k))
+                for (const double error : in_rings(its.frames.error, k, frame))
                     errors.insert(errors.end(), 2, error);
                 plot::Band band;
                 band.x = line.x;

@@ -124,44 +124,42 @@ double measured(const PanelContext& context, const FrameInput& o, PartMeasure me
     return weight > 0.0 ? sum / weight : none;
 }
 
-std::unique_ptr<Panel> make_sides(const PanelContext& context, const PanelSpec& spec) {
+Meter sides(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const auto& options = spec.options.as<SidesOptions>();
     const BoxParts parts(context.box(), options.parts);
     const auto [title, quantity] = measured_in_parts(options.measure);
-    SeriesSubject subject{.quantity = quantity, .over = spec.over};
-    subject.names = parts.names(language);
+    Meter meter{.title = say(language, title), .quantity = quantity, .over = spec.over};
     const std::vector<std::string> columns = parts.names(Language::english);
+    const std::vector<std::string> names = parts.names(language);
     for (std::size_t k = 0; k < parts.count(); ++k)
-        subject.lines.push_back({columns[k], surface_role(k, parts.count())});
-    title_with_names(subject, language, say(language, title));
+        meter.lines.push_back({columns[k], names[k], surface_role(k, parts.count())});
     const int axis = spec.component == Component::y ? 1 : 0;
-    subject.measure = [context, parts, measure = options.measure, axis](const FrameInput& o) {
+    meter.read = [context, parts, measure = options.measure, axis](const FrameInput& o) {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : parts.members(o))
             now.push_back(measured(context, o, measure, axis, list));
         return now;
     };
-    subject.references = [context, options] { return levels_of_sides(context, options); };
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    meter.levels = [context, options] { return levels_of_sides(context, options); };
+    return meter;
 }
 
 }  // namespace
 
 PanelKind sides_kind() {
     using enum Ability;
-    return {.name = "sides",
-            .words = Phrase{"sides"},
-            .shows =
-                "The number of particles on each side of a partition, or in `regions` of the "
-                "box, against time; or their temperature, mean energy or centre of mass "
-                "(`measure`).",
-            .make = make_sides,
-            .abilities = {over, component, means, comparison},
-            .keys = option_keys(sides_keys()),
-            .rule = check_sides,
-            .laws = laws_of_sides,
-            .measured_at = measured_at(&SidesOptions::parts)};
+    return series_kind<sides>(
+        {.name = "sides",
+         .words = Phrase{"sides"},
+         .shows = "The number of particles on each side of a partition, or in `regions` of the "
+                  "box, against time; or their temperature, mean energy or centre of mass "
+                  "(`measure`).",
+         .abilities = {over, component, means, comparison},
+         .keys = option_keys(sides_keys()),
+         .rule = check_sides,
+         .laws = laws_of_sides,
+         .measured_at = measured_at(&SidesOptions::parts)});
 }
 
 }  // namespace carom

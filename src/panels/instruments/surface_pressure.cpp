@@ -49,18 +49,19 @@ double SurfacePressures::of_all() const {
     return (sum(to.push) - sum(from.push)) / (sum(to.reach) - sum(from.reach));
 }
 
-std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject surface_pressure(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const Box& box = context.box();
     const SurfaceNumbers& surfaces = spec.options.as<PressureOptions>().surfaces;
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
-    SeriesSubject subject{.quantity = quantities::pressure(box.dimension)};
-    subject.measure = SurfacePressures(box, surfaces, over);
-    name_surfaces(subject, language, box, surfaces, say(language, "Pressure"));
+    SeriesSubject subject{{.title = say(language, "Pressure"),
+                           .quantity = quantities::pressure(box.dimension),
+                           .lines = lines_of_surfaces(language, box, surfaces),
+                           .read = SurfacePressures(box, surfaces, over)}};
     subject.is_signed = !std::ranges::all_of(
         surfaces, [&](std::int32_t surface) { return box.surfaces.is_side(surface); });
     subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace carom

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "panels/means/trailing.h"
-#include "panels/panel.h"
+#include "panels/plots/series_panel.h"
 #include "scene/instruments/places.h"
 
 namespace carom {
@@ -43,7 +42,7 @@ class SurfacePressures {
     std::vector<double> last_length_;
 };
 
-/// Makes the panel of the pressures on the surfaces in `spec`, against time.
-std::unique_ptr<Panel> make_surface_pressure(const PanelContext& context, const PanelSpec& spec);
+/// The pressures on the surfaces in `spec`, against time.
+SeriesSubject surface_pressure(const PanelContext& context, const PanelSpec& spec);
 
 }  // namespace carom

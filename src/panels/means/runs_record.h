@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "stats/mean_error.h"
 #include "util/language.h"
 
 namespace carom {
@@ -46,28 +45,6 @@ Record begun_mean(const std::vector<Record>& records) {
     Record mean = records.front();
     mean.runs_in_mean = static_cast<int>(records.size());
     return mean;
-}
-
-/// Rows of numbers, such as a row for each line of a plot.
-using NumberRows = std::vector<std::vector<double>>;
-
-/// Takes the means of rows of numbers over runs, and their standard errors: over those runs that
-/// have a number, which is not NaN. `rows_of(record)`: the rows of a run, of the same sizes in all.
-template <class Record, class RowsOf>
-void take_means(const std::vector<Record>& records, const RowsOf& rows_of, NumberRows& means,
-                NumberRows& errors) {
-    NumberRows mean = rows_of(records.front()), error = mean;
-    std::vector<double> of_each(records.size());
-    for (std::size_t row = 0; row < mean.size(); ++row)
-        for (std::size_t k = 0; k < mean[row].size(); ++k) {
-            for (std::size_t run = 0; run < records.size(); ++run)
-                of_each[run] = rows_of(records[run]).at(row).at(k);
-            const MeanError all = mean_error(of_each);
-            mean[row][k] = all.mean;
-            error[row][k] = all.error;
-        }
-    means = std::move(mean);
-    errors = std::move(error);
 }
 
 /// "mean of 5 runs"; empty for one run.

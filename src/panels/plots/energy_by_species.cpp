@@ -60,40 +60,37 @@ std::vector<plot::Text> titles(const PanelContext& context) {
             named(capitalised(say(language, "energy")), Joint::commas), title};
 }
 
-std::unique_ptr<Panel> make_energy_by_species(const PanelContext& context, const PanelSpec& spec) {
-    SeriesSubject subject{.measure = [context](const FrameInput& o) { return means(context, o); },
-                          .lines = {},
-                          .titles = titles(context),
-                          .plain_title = say(context.language(), "Mean energy"),
-                          .spreads = true,
-                          .quantity = quantities::mean_energy,
-                          .over = spec.over,
-                          .needs_positions = false};
+SeriesSubject energy_by_species(const PanelContext& context, const PanelSpec& spec) {
+    SeriesSubject subject{{.title = say(context.language(), "Mean energy"),
+                           .quantity = quantities::mean_energy,
+                           .read = [context](const FrameInput& o) { return means(context, o); },
+                           .over = spec.over,
+                           .needs_positions = false}};
+    subject.titles = titles(context);
+    subject.spreads = true;
     const std::vector<Species>& species = context.species();
-    for (std::size_t k = 0; k < species.size(); ++k) {
-        subject.lines.push_back({species[k].name, species_role(context, k)});
-        subject.names.push_back(species[k].name);
-    }
-    if (species.size() > 1) subject.references = [context] { return levels(context); };
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    for (std::size_t k = 0; k < species.size(); ++k)
+        subject.lines.push_back({species[k].name, species[k].name, species_role(context, k)});
+    if (species.size() > 1) subject.levels = [context] { return levels(context); };
+    return subject;
 }
 
 }  // namespace
 
 PanelKind energy_by_species_kind() {
     using enum Ability;
-    return {.name = "energy-by-species",
-            .words = Phrase{"energy by species"},
-            .shows = "The mean kinetic energy of each species against time.",
-            .make = make_energy_by_species,
-            .abilities = {over, means},
-            .tried_as = {"energy"},
-            .suits = [](const Gas& gas, const Run&) { return gas.species.size() > 1; },
-            .laws =
-                [](const PanelSpec&, const Gas& gas) {
-                    return gas.species.size() < 2 ? std::vector<LawOf>{}
-                                                  : std::vector{LawOf::mean_energy};
-                }};
+    return series_kind<energy_by_species>(
+        {.name = "energy-by-species",
+         .words = Phrase{"energy by species"},
+         .shows = "The mean kinetic energy of each species against time.",
+         .abilities = {over, means},
+         .tried_as = {"energy"},
+         .suits = [](const Gas& gas, const Run&) { return gas.species.size() > 1; },
+         .laws =
+             [](const PanelSpec&, const Gas& gas) {
+                 return gas.species.size() < 2 ? std::vector<LawOf>{}
+                                               : std::vector{LawOf::mean_energy};
+             }});
 }
 
 }  // namespace carom

@@ -71,27 +71,27 @@ void add_titles(Language language, EntropyOf what, SeriesSubject& subject) {
         subject.titles = {say(language, "Entropy of the positions")};
         subject.notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over cells of the box"), sum};
     } else {
-        subject.names = {say(language, "velocities"), say(language, "positions")};
-        const plot::Text names =
-            joined(language, {plot::named(subject.names[0], of_velocities, plot::Swatch::line, 0),
-                              plot::named(subject.names[1], of_positions, plot::Swatch::line, 1)});
-        subject.titles = {plot::text_of(language, Phrase{"Entropy of {}"}, {names}),
-                          say(language, "Entropy")};
-        subject.plain_title = subject.titles.back();
+        subject.lines[0].name = say(language, "velocities");
+        subject.lines[1].name = say(language, "positions");
+        const plot::Text names = joined(
+            language, {plot::named(subject.lines[0].name, of_velocities, plot::Swatch::line, 0),
+                       plot::named(subject.lines[1].name, of_positions, plot::Swatch::line, 1)});
+        subject.titles = {plot::text_of(language, Phrase{"Entropy of {}"}, {names}), subject.title};
         subject.notes = {say(language, "−Σ <i>p</i> ln <i>p</i> over cells"), sum};
     }
 }
 
-std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject entropy(const PanelContext& context, const PanelSpec& spec) {
     const EntropyOf what = spec.options.as<EntropyOptions>().of;
     const auto known = std::make_shared<Entropies>();
     const PositionEntropy places(context.box(), context.particles,
                                  spec.options.as<EntropyOptions>().cells);
-    SeriesSubject subject{.quantity = quantities::entropy};
-    if (what != EntropyOf::positions) subject.lines.push_back({"velocities", of_velocities});
-    if (what != EntropyOf::velocities) subject.lines.push_back({"positions", of_positions});
+    SeriesSubject subject{
+        {.title = say(context.language(), "Entropy"), .quantity = quantities::entropy}};
+    if (what != EntropyOf::positions) subject.lines.push_back({"velocities", "", of_velocities});
+    if (what != EntropyOf::velocities) subject.lines.push_back({"positions", "", of_positions});
     if (what == EntropyOf::velocities) subject.lines = {{"all"}};
-    subject.measure = [context, known, places, what](const FrameInput& o) {
+    subject.read = [context, known, places, what](const FrameInput& o) {
         if (!std::exchange(known->is_known, true)) {
             const auto start = thermal_motion(context.box(), context.particles, o.sample);
             if (start.energy > 0.0) known->velocities.emplace(context.particles, start);
@@ -103,7 +103,7 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
         return now;
     };
     add_titles(context.language(), what, subject);
-    subject.references = [context, places, what] {
+    subject.levels = [context, places, what] {
         ReferenceLevels levels;
         if (what != EntropyOf::positions)
             if (const Law velocities = law(context.gas, LawOf::velocity_entropy))
@@ -115,23 +115,22 @@ std::unique_ptr<Panel> make_entropy(const PanelContext& context, const PanelSpec
                 levels.push_back(ReferenceLevel{"evenly spread", positions.value});
         return levels;
     };
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind entropy_kind() {
     using enum Ability;
-    return {.name = "entropy",
-            .words = Phrase{"entropy"},
-            .shows =
-                "The entropy of the velocities, of the positions, or both (`space`), against "
-                "time.",
-            .make = make_entropy,
-            .abilities = {means, comparison},
-            .keys = option_keys(entropy_keys()),
-            .laws = laws_of_entropy,
-            .several = several_entropies};
+    return series_kind<entropy>(
+        {.name = "entropy",
+         .words = Phrase{"entropy"},
+         .shows = "The entropy of the velocities, of the positions, or both (`space`), against "
+                  "time.",
+         .abilities = {means, comparison},
+         .keys = option_keys(entropy_keys()),
+         .laws = laws_of_entropy,
+         .several = several_entropies});
 }
 
 }  // namespace carom

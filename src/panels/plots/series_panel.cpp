@@ -18,30 +18,25 @@
 namespace carom {
 namespace {
 
-using plot::Role;
+// The title with the names of the lines in their colours or, if that does not fit, the title alone
+// with a key below.
+std::vector<plot::Text> titles_with_names(const Meter& meter, Language language) {
+    std::vector<plot::Text> names;
+    for (std::size_t k = 0; k < meter.lines.size(); ++k)
+        if (const MeterLine& line = meter.lines[k]; !line.name.empty())
+            names.push_back(plot::named(line.name, line.role, plot::Swatch::line, k));
+    if (names.empty()) return {meter.title};
+    return {plot::text_of(language, Phrase{"{}: {}"}, {meter.title, joined(language, names)}),
+            meter.title};
+}
 
 }  // namespace
 
-void title_with_names(SeriesSubject& subject, Language language, const std::string& what) {
-    std::vector<plot::Text> names;
-    for (std::size_t k = 0; k < subject.names.size(); ++k)
-        names.push_back(
-            plot::named(subject.names[k], subject.lines.at(k).role, plot::Swatch::line, k));
-    subject.titles = {plot::text_of(language, Phrase{"{}: {}"}, {what, joined(language, names)}),
-                      what};
-    subject.plain_title = what;
-}
-
 SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title) {
-    const std::vector<Chosen> chosen = choices(spec);
-    const std::string what = say(context.language(), title);
-    SeriesSubject subject{.titles = {what}};
-    if (!spec.of.empty()) subject.titles = {shown_of(context, what, chosen, plot::Swatch::line)};
-    for (std::size_t k = 0; k < chosen.size(); ++k)
-        subject.lines.push_back(
-            {column_name_of(context.scene, chosen[k]), role_among(context, chosen, k)});
-    for (const Chosen& one : chosen) subject.names.push_back(name_of(context.scene, one));
-    subject.plain_title = what;
+    SeriesSubject subject{meter_of_choices(context, spec, say(context.language(), title))};
+    subject.titles = {subject.title};
+    if (!spec.of.empty())
+        subject.titles = {shown_of(context, subject.title, choices(spec), plot::Swatch::line)};
     return subject;
 }
 
@@ -87,8 +82,9 @@ std::string series_event_word(const RunEvent& event) {
 SeriesPanel::SeriesPanel(const PanelContext& context, const PanelSpec& spec, SeriesSubject subject)
     : context_(context),
       subject_(std::move(subject)),
-      mean_(subject_.over.value_or(Over{})),
+      reader_(subject_),
       is_titled_by_scene_(spec.title.has_value()) {
+    if (subject_.titles.empty()) subject_.titles = titles_with_names(subject_, context.language());
     if (is_titled_by_scene_) {
         subject_.titles = {escape_markup(*spec.title)};
         subject_.compared_title.reset();
@@ -96,31 +92,24 @@ SeriesPanel::SeriesPanel(const PanelContext& context, const PanelSpec& spec, Ser
     record_.compared = subject_.compared;
 }
 
-bool SeriesPanel::is_mean() const {
-    return subject_.over && subject_.over->since != Over::Since::now;
+// Whether there are several lines with names, which stand in the title or at the lines.
+bool SeriesPanel::names_lines() const {
+    return std::ranges::count_if(meter().lines,
+                                 [](const MeterLine& line) { return !line.name.empty(); }) > 1;
 }
 
 void SeriesPanel::survey(const FrameInput& input) {
-    const std::vector<double> now =
-        mean_(input.tick.time, subject_.measure(input), input.is_sample);
-    SeriesRun& run = record_.runs.front();
-    const auto add_to = [&](SeriesPoints& points) {
-        points.time.push_back(input.tick.time);
-        points.lines.resize(now.size());
-        for (std::size_t k = 0; k < now.size(); ++k) points.lines[k].push_back(now[k]);
-    };
-    if (input.is_sample) add_to(run);
-    if (input.is_frame) add_to(run.frames);
+    record_.runs.front().add(input.tick.time, reader_(input), input.is_sample, input.is_frame);
 }
 
 void SeriesPanel::finish_record() {
-    SeriesRun& run = record_.runs.front();
-    if (subject_.references) run.levels = subject_.references();
-    if (is_mean())  // the deviations are those of single moments
+    History& run = record_.runs.front();
+    if (meter().levels) run.levels = meter().levels();
+    if (reader_.averages())  // the deviations are those of single moments
         for (ReferenceLevel& level : run.levels) level.deviation = 0.0;
     std::erase_if(run.levels, [](const ReferenceLevel& of) { return !std::isfinite(of.value); });
-    if (subject_.numbers) run.numbers = subject_.numbers();
-    if (subject_.laws) run.laws = subject_.laws();
+    if (meter().numbers) run.numbers = meter().numbers();
+    if (meter().laws) run.laws = meter().laws();
     run.turns = reversal_times(context_.run());
     const auto add = [&](double at, std::string word) {
         if (!word.empty()) run.events.emplace_back(at, std::move(word));
@@ -140,8 +129,8 @@ void SeriesPanel::finish_record() {
 // Whether a line is at 0 for longer than an instant.
 bool SeriesPanel::rests_at_zero() const {
     constexpr double instant = 0.01;  // of the film
-    for (const SeriesRun& run : record_.runs)
-        for (const std::vector<double>& line : run.lines)
+    for (const History& run : record_.runs)
+        for (const std::vector<double>& line : run.y)
             if (static_cast<double>(std::ranges::count(line, 0.0)) >
                 instant * static_cast<double>(line.size()))
                 return true;
@@ -158,11 +147,11 @@ plot::Axis SeriesPanel::axis_up() const {
         if (subject_.is_signed) value = std::abs(value);
         if (value > 0.0 && std::isfinite(value)) all.push_back(value);
     };
-    for (const SeriesRun& run : record_.runs)
-        for (std::size_t k = 0; k < run.lines.size(); ++k)
-            for (std::size_t i = 0; i < run.time.size(); ++i) {
-                add(run.lines[k][i]);
-                if (!run.errors.empty()) add(run.lines[k][i] + run.errors[k][i]);  // for the bands
+    for (const History& run : record_.runs)
+        for (std::size_t k = 0; k < run.y.size(); ++k)
+            for (std::size_t i = 0; i < run.x.size(); ++i) {
+                add(run.y[k][i]);
+                if (!run.error.empty()) add(run.y[k][i] + run.error[k][i]);  // for the bands
             }
     if (all.empty()) return {};
     const ReferenceLevels common = record_.common_levels();
@@ -190,7 +179,7 @@ plot::Axis SeriesPanel::axis_up() const {
 // The clock of a film runs backwards after a reversal, but this axis does not.
 Phrase SeriesPanel::time_name() const {
     const bool turns =
-        std::ranges::any_of(record_.runs, [](const SeriesRun& run) { return !run.turns.empty(); });
+        std::ranges::any_of(record_.runs, [](const History& run) { return !run.turns.empty(); });
     return turns ? Phrase{"elapsed time"} : Phrase{"time"};
 }
 
@@ -199,66 +188,46 @@ void SeriesPanel::make_axes() {
     whole_.language = context_.language();
     whole_.x = plot::axis_of(context_.language(), quantities::time.named(time_name()), INFINITY,
                              -INFINITY);
-    for (const SeriesRun& run : record_.runs) {
-        whole_.x.low = std::min(whole_.x.low, *std::ranges::min_element(run.time));
-        whole_.x.high = std::max(whole_.x.high, *std::ranges::max_element(run.time));
+    for (const History& run : record_.runs) {
+        whole_.x.low = std::min(whole_.x.low, *std::ranges::min_element(run.x));
+        whole_.x.high = std::max(whole_.x.high, *std::ranges::max_element(run.x));
     }
     if (whole_.x.high <= whole_.x.low) whole_.x.high = whole_.x.low + 1.0;
     whole_.y = axis_up();
-    whole_.y.quantity = subject_.quantity;
-    if (is_titled_by_scene_) whole_.y.title = say(context_.language(), subject_.quantity.word);
+    whole_.y.quantity = meter().quantity;
+    if (is_titled_by_scene_) whole_.y.title = say(context_.language(), meter().quantity.word);
     make_plot();
 }
 
 std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) const {
     std::vector<std::string> accounts;
     for (std::size_t k = 0; k < record_.runs.size(); ++k)
-        accounts.push_back(account_of_last(context_.language(), subject_.quantity,
-                                           record_.runs[k].frames.lines.front(), now.shown.at(k)));
+        accounts.push_back(account_of_last(context_.language(), meter().quantity,
+                                           record_.runs[k].frames.y.front(), now.shown.at(k)));
     return accounts;
 }
 
-// The number of samples up to the frame that is the last of so many.
-std::size_t SeriesPanel::samples_until(std::size_t run, std::size_t shown) const {
-    const SeriesRun& its = record_.runs.at(run);
-    if (shown == 0 || its.frames.time.empty()) return 0;
-    const double now = its.frames.time[std::min(shown, its.frames.time.size()) - 1];
-    return static_cast<std::size_t>(std::ranges::upper_bound(its.time, now) - its.time.begin());
-}
-
-// The points of a line are those of samples and, at its end, the present.
-void SeriesPanel::end_at_present(plot::Polyline& line, const Growing& of, std::size_t shown) const {
-    const SeriesRun& run = record_.runs.at(of.run);
-    const std::size_t samples = line.shown.end, frame = std::min(shown, run.frames.time.size()) - 1;
-    if (samples == 0 || !(run.frames.time[frame] > run.time[samples - 1])) return;
-    const auto extended = [&](const plot::Column& of_samples, double present) {
-        std::vector<double> values(of_samples.values->begin(),
-                                   of_samples.values->begin() + std::ptrdiff_t(samples));
-        values.push_back(present);
-        return plot::column(of_samples.heading, std::move(values));
-    };
-    line.x = extended(line.x, run.frames.time[frame]);
-    line.y = extended(line.y, run.frames.lines[of.line][frame]);
-    if (!run.frames.errors.empty())
-        line.more = {extended(line.more.front(), run.frames.errors[of.line][frame])};
-    ++line.shown.end;
-}
-
+// Lines end at the present, bands of errors at the last sample.
 plot::Plot SeriesPanel::plot(const PanelState* state) const {
     plot::Plot now = whole_;
     if (state == nullptr) return now;
     const auto& shown = dynamic_cast<const ShownState&>(*state);
-    for (plot::AnyLayer& layer : now.layers) {
-        if (auto* line = std::get_if<plot::Polyline>(&layer)) {
-            const std::size_t run = line->run.value_or(0);
-            line->shown.end = samples_until(run, shown.shown.at(run));
-        }
-        if (auto* band = std::get_if<plot::Band>(&layer))
-            band->shown.end = samples_until(0, shown.shown.front());
+    std::vector<Measured> runs;
+    for (std::size_t run = 0; run < record_.runs.size(); ++run)
+        runs.push_back(record_.runs[run].until(shown.shown.at(run)));
+    for (const Growing& one : growing_) {
+        auto& line = std::get<plot::Polyline>(now.layers[one.layer]);
+        const Measured& run = runs[one.run];
+        line.x = plot::column(line.x.heading, run.x);
+        line.y = plot::column(line.y.heading, run.y[one.line]);
+        if (!run.error.empty())
+            line.more = {plot::column(line.more.front().heading, run.error[one.line])};
+        line.shown.end = run.x.size();
     }
-    for (const Growing& one : growing_)
-        end_at_present(std::get<plot::Polyline>(now.layers[one.layer]), one,
-                       shown.shown.at(one.run));
+    const std::size_t samples = record_.runs.front().samples_until(shown.shown.front());
+    for (plot::AnyLayer& layer : now.layers)
+        if (auto* band = std::get_if<plot::Band>(&layer); band && !band->still)
+            band->shown.end = samples;
     if (record_.compares()) now.accounts_of_runs = accounts_of_runs(shown);
     return now;
 }

@@ -53,19 +53,19 @@ void SeriesPanel::make_plot() {
     whole_.titles = subject_.titles;
     if (compares && subject_.compared_title)
         whole_.titles = {*subject_.compared_title};
-    else if (compares && subject_.names.size() > 1 && !is_titled_by_scene_)
+    else if (compares && names_lines() && !is_titled_by_scene_)
         whole_.titles = {
             plot::text_of(context_.language(), Phrase{"{}: {}"},
-                          {capitalised(say(context_.language(), subject_.quantity.word)),
-                           escape_markup(subject_.names.at(subject_.compared))})};
-    whole_.columns = {*whole_.x.quantity, subject_.quantity};
-    if (!record_.runs.front().errors.empty())
-        whole_.columns.push_back(standard_error_of(subject_.quantity));
-    const bool names_lines = compares || subject_.names.size() > 1;
+                          {capitalised(say(context_.language(), meter().quantity.word)),
+                           escape_markup(meter().lines.at(subject_.compared).name)})};
+    whole_.columns = {*whole_.x.quantity, meter().quantity};
+    if (!record_.runs.front().error.empty())
+        whole_.columns.push_back(standard_error_of(meter().quantity));
+    const bool has_names = compares || names_lines();
     if (compares)
         whole_.at_lines = plot::NamedAtLines{.titles = whole_.titles};
-    else if (names_lines && !is_titled_by_scene_)
-        whole_.at_lines = plot::NamedAtLines{.titles = {subject_.plain_title}};
+    else if (has_names && !is_titled_by_scene_)
+        whole_.at_lines = plot::NamedAtLines{.titles = {meter().title}};
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
     std::vector<std::string> names;
@@ -76,7 +76,7 @@ void SeriesPanel::make_plot() {
     }
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);
     add_levels();  // words find their places in this order
-    if (names_lines) add_names();
+    if (has_names) add_names();
     add_turns();
     add_events();
     if (subject_.add) subject_.add(record_, whole_);
@@ -89,15 +89,13 @@ void SeriesPanel::add_names() {
     constexpr double over = -0.5, under = 1.25, farthest = 1.5;  // units, to the baseline
     for (const Growing& one : growing_) {
         const bool compares = record_.compares();
-        if (!compares &&
-            (one.line >= subject_.names.size() || subject_.lines.at(one.line).is_theory))
-            continue;
+        if (!compares && meter().lines.at(one.line).name.empty()) continue;
         const auto& line = std::get<plot::Polyline>(whole_.layers[one.layer]);
         if (line.x.size() == 0) continue;
         plot::Label label;
         label.still = label.is_name = true;
         label.words = {compares ? plot::named(record_.runs.at(one.run).name, line.stroke.role)
-                                : plot::named(subject_.names.at(one.line), line.stroke.role,
+                                : plot::named(meter().lines.at(one.line).name, line.stroke.role,
                                               plot::Swatch::line, one.line)};
         for (int k = 1; k < places; ++k) {
             const std::size_t i = (line.x.size() - 1) * static_cast<std::size_t>(k) / places;
@@ -118,11 +116,11 @@ void SeriesPanel::add_names() {
 // Whether any line, or any of theory, has a number in the film.
 bool SeriesPanel::has_numbers(bool of_theory) const {
     const auto is_known = [](double value) { return std::isfinite(value); };
-    for (const SeriesRun& run : record_.runs)
-        for (std::size_t k = 0; k < run.lines.size(); ++k) {
-            const std::size_t line = record_.compares() ? record_.compared : k;
-            if (of_theory && !subject_.lines.at(line).is_theory) continue;
-            if (std::ranges::any_of(run.lines[k], is_known)) return true;
+    for (const History& run : record_.runs)
+        for (std::size_t k = 0; k < run.y.size(); ++k) {
+            const std::size_t line = record_.compares() ? subject_.compared : k;
+            if (of_theory && !meter().lines.at(line).is_theory) continue;
+            if (std::ranges::any_of(run.y[k], is_known)) return true;
         }
     return false;
 }
@@ -140,7 +138,7 @@ std::vector<std::string> SeriesPanel::notes() const {
         both.insert(both.end(), more.begin(), more.end());
         all = std::move(both);
     };
-    if (is_mean()) append({words_of_window(language, *subject_.over, Phrase{"now"})});
+    if (reader_.averages()) append({words_of_window(language, *meter().over, Phrase{"now"})});
     if (record_.runs_in_mean > 1) {
         const std::string mean = words_of_mean(language, record_.runs_in_mean);
         append({say(language, "{} \u00B1 standard error", mean), mean});
@@ -152,32 +150,32 @@ std::vector<std::string> SeriesPanel::notes() const {
 }
 
 void SeriesPanel::add_run(std::size_t k) {
-    const SeriesRun& run = record_.runs[k];
+    const History& run = record_.runs[k];
     const bool compares = record_.compares();
-    const plot::Column time = plot::column(whole_.columns[0], run.time);
-    for (std::size_t i = 0; i < run.lines.size(); ++i) {
-        const SeriesSubject::Line& subject = subject_.lines.at(compares ? record_.compared : i);
+    const plot::Column time = plot::column(whole_.columns[0], run.x);
+    for (std::size_t i = 0; i < run.y.size(); ++i) {
+        const MeterLine& subject = meter().lines.at(compares ? subject_.compared : i);
         plot::Polyline line;
         line.part = "line";
-        line.of = subject.name;
+        line.of = subject.column;
         if (compares) line.run = k;
         line.depth = static_cast<int>(compares ? k : i);
         line.x = time;
-        line.y = plot::column(whole_.columns[1], run.lines[i]);
+        line.y = plot::column(whole_.columns[1], run.y[i]);
         line.stroke = compares
                           ? plot::stroke_of_run(k)
                           : plot::Stroke{.role = subject.role,
-                                         .print_dashes = plot::dashes_in_print(i, run.lines.size()),
+                                         .print_dashes = plot::dashes_in_print(i, run.y.size()),
                                          .shade = plot::Shade::rimmed};
         if (subject.is_theory)
             line.stroke = {.role = subject.role, .width = 0.1, .dashes = {0.5, 0.35}};
         else
             line.head = plot::Dot{.role = line.stroke.role, .shade = line.stroke.shade};
-        if (!run.errors.empty()) {
+        if (!run.error.empty()) {
             plot::Band band;
             band.x = line.x;
             band.y = line.y;
-            band.error = plot::column(whole_.columns[2], run.errors[i]);
+            band.error = plot::column(whole_.columns[2], run.error[i]);
             band.role = subject.role;
             band.depth = band_depth;
             line.more = {band.error};
@@ -194,8 +192,8 @@ plot::Level SeriesPanel::level_of(const ReferenceLevel& of) const {
     level.of = of.name;
     level.stroke.role = {plot::Role::Of::accent};
     if (of.line) {
-        level.of += ", " + subject_.lines.at(*of.line).name;
-        level.stroke.role = subject_.lines[*of.line].role;
+        level.of += ", " + meter().lines.at(*of.line).column;
+        level.stroke.role = meter().lines[*of.line].role;
         level.stroke.shade = plot::Shade::legible;
     }
     level.still = true;
@@ -268,7 +266,7 @@ void SeriesPanel::add_band_about(const plot::Level& level, double deviation) {
     band.depth = band_depth + 1;
     band.x = plot::column(whole_.columns[0], {whole_.x.low, whole_.x.high});
     band.y = plot::column(whole_.columns[1], {level.value, level.value});
-    const Heading column{"standard deviation of " + whole_.columns[1].name, subject_.quantity};
+    const Heading column{"standard deviation of " + whole_.columns[1].name, meter().quantity};
     if (std::ranges::find(whole_.columns, column) == whole_.columns.end())
         whole_.columns.push_back(column);
     band.error = plot::column(column, {deviation, deviation});

@@ -25,7 +25,7 @@ std::vector<Binding<SpeedClassOptions>> speed_class_keys() {
 }
 
 // Samples in print take the room of words.
-std::vector<plot::Text> titles(Language language, const std::vector<SeriesSubject::Line>& lines) {
+std::vector<plot::Text> titles(Language language, const std::vector<MeterLine>& lines) {
     const auto name = [&](std::size_t k, const std::string& words) {
         return plot::named(words, lines[k].role, plot::Swatch::line, k);
     };
@@ -38,34 +38,33 @@ std::vector<plot::Text> titles(Language language, const std::vector<SeriesSubjec
         joined(language, names, Joint::commas)};
 }
 
-std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject speed_classes(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const auto& options = spec.options.as<SpeedClassOptions>();
     SeriesSubject subject{
-        .measure = {},
-        .lines = {{"slow"}, {"medium"}, {"fast"}},
-        .titles = {},
-        .names = {say(language, "slow"), say(language, "medium"), say(language, "fast")},
-        .plain_title = say(language, "{} (per cent)", capitalised(say(language, "share"))),
-        .notes =
-            options.is_by_start
-                ? std::vector{say(language, "slow: &lt; ½ mean speed at the start; fast: &gt; 1½"),
-                              say(language, "slow: &lt; ½ initial mean; fast: &gt; 1½"),
-                              say(language, "&lt; ½, &gt; 1½ of the initial mean")}
-                : std::vector{say(language, "slow: &lt; ½ mean speed; fast: &gt; 1½"),
-                              say(language, "slow: &lt; ½ mean; fast: &gt; 1½"),
-                              say(language, "slow &lt; ½, fast &gt; 1½")},
-        .top = 100.0,
-        .quantity = quantities::per_cent,
-        .over = spec.over,
-        .needs_positions = false};
+        {.title = say(language, "{} (per cent)", capitalised(say(language, "share"))),
+         .quantity = quantities::per_cent,
+         .lines = {{"slow", say(language, "slow")},
+                   {"medium", say(language, "medium")},
+                   {"fast", say(language, "fast")}},
+         .over = spec.over,
+         .needs_positions = false}};
+    subject.notes =
+        options.is_by_start
+            ? std::vector{say(language, "slow: &lt; ½ mean speed at the start; fast: &gt; 1½"),
+                          say(language, "slow: &lt; ½ initial mean; fast: &gt; 1½"),
+                          say(language, "&lt; ½, &gt; 1½ of the initial mean")}
+            : std::vector{say(language, "slow: &lt; ½ mean speed; fast: &gt; 1½"),
+                          say(language, "slow: &lt; ½ mean; fast: &gt; 1½"),
+                          say(language, "slow &lt; ½, fast &gt; 1½")};
+    subject.top = 100.0;
     for (std::size_t k = 0; k < subject.lines.size(); ++k)
         subject.lines[k].role =
             plot::own_role([&](const Theme& theme) { return speed_class_color(k, theme); });
     subject.titles = titles(language, subject.lines);
     // Called for every frame in order: the first gives the mean at the start.
-    subject.measure = [first = std::optional<double>{}, &particles = context.particles,
-                       options](const FrameInput& o) mutable -> std::vector<double> {
+    subject.read = [first = std::optional<double>{}, &particles = context.particles,
+                    options](const FrameInput& o) mutable -> std::vector<double> {
         const double now = mean_of_speeds(particles, o.speed);
         if (!first) first = now;
         std::vector<double> percent;
@@ -73,22 +72,21 @@ std::unique_ptr<Panel> make_speed_classes(const PanelContext& context, const Pan
             percent.push_back(100.0 * share);
         return percent;
     };
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind speed_classes_kind() {
     using enum Ability;
-    return {.name = "speed-classes",
-            .words = Phrase{"speed classes"},
-            .shows =
-                "The shares of slow (below half of the mean speed), medium and fast particles "
-                "(above one and a half times it) against time.",
-            .make = make_speed_classes,
-            .abilities = {over, means},
-            .keys = option_keys(speed_class_keys()),
-            .suits = speeds_spread};
+    return series_kind<speed_classes>(
+        {.name = "speed-classes",
+         .words = Phrase{"speed classes"},
+         .shows = "The shares of slow (below half of the mean speed), medium and fast particles "
+                  "(above one and a half times it) against time.",
+         .abilities = {over, means},
+         .keys = option_keys(speed_class_keys()),
+         .suits = speeds_spread});
 }
 
 }  // namespace carom

@@ -11,9 +11,9 @@
 namespace carom {
 namespace {
 
-std::unique_ptr<Panel> make_temperature(const PanelContext& context, const PanelSpec& spec) {
+SeriesSubject temperature(const PanelContext& context, const PanelSpec& spec) {
     SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Temperature"});
-    subject.measure = [context, of = Members(context, choices(spec))](const FrameInput& o) mutable {
+    subject.read = [context, of = Members(context, choices(spec))](const FrameInput& o) mutable {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : of.at(o.sample))
             now.push_back(
@@ -21,23 +21,23 @@ std::unique_ptr<Panel> make_temperature(const PanelContext& context, const Panel
         return now;
     };
     if (const Law bath = law(context.gas, LawOf::bath))
-        subject.references = [bath] { return ReferenceLevels{ReferenceLevel{"bath", bath.value}}; };
+        subject.levels = [bath] { return ReferenceLevels{ReferenceLevel{"bath", bath.value}}; };
     subject.quantity = quantities::temperature;
     subject.over = spec.over;
     subject.needs_positions = false;
-    return std::make_unique<SeriesPanel>(context, spec, std::move(subject));
+    return subject;
 }
 
 }  // namespace
 
 PanelKind temperature_kind() {
     using enum Ability;
-    return {.name = "temperature",
-            .words = Phrase{"temperature"},
-            .shows = "The temperature against time, of all particles or of those that `of` names.",
-            .make = make_temperature,
-            .abilities = {of, over, means, comparison},
-            .suits = acts_on_gas};
+    return series_kind<temperature>(
+        {.name = "temperature",
+         .words = Phrase{"temperature"},
+         .shows = "The temperature against time, of all particles or of those that `of` names.",
+         .abilities = {of, over, means, comparison},
+         .suits = acts_on_gas});
 }
 
 }  // namespace carom

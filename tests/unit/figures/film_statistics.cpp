@@ -240,6 +240,6 @@ TEST_CASE("the report of a run has the numbers that figures show, whatever its s
             const auto& push =
                 dynamic_cast<const SeriesPanel&>(*figure_named(figures, "push").panel);
             CHECK(*report.wall_pressure ==
-                  doctest::Approx(push.record().runs.front().lines[0].back()).epsilon(1e-12));
+                  doctest::Approx(push.record().runs.front().y[0].back()).epsilon(1e-12));
         }
 }

@@ -90,16 +90,14 @@ TEST_CASE("lines of several seeds are means with errors, and none without seeds"
     for (std::uint64_t seed = 5; seed < 9; ++seed) {
         scene.seed = scene.gas.seed = seed;
         const FigureRun one = run_of(scene);
-        lines.push_back(dynamic_cast<const SeriesPanel&>(*one.figures()[0].panel)
-                            .record()
-                            .runs.front()
-                            .lines[0]);
+        lines.push_back(
+            dynamic_cast<const SeriesPanel&>(*one.figures()[0].panel).record().runs.front().y[0]);
     }
-    REQUIRE(panel.record().runs.front().lines[0].size() == lines[0].size());
+    REQUIRE(panel.record().runs.front().y[0].size() == lines[0].size());
     for (std::size_t i = 0; i < lines[0].size(); ++i) {
         const MeanError expected = mean_error({lines[0][i], lines[1][i], lines[2][i], lines[3][i]});
-        CHECK(panel.record().runs.front().lines[0][i] == doctest::Approx(expected.mean));
-        CHECK(panel.record().runs.front().errors[0][i] == doctest::Approx(expected.error));
+        CHECK(panel.record().runs.front().y[0][i] == doctest::Approx(expected.mean));
+        CHECK(panel.record().runs.front().error[0][i] == doctest::Approx(expected.error));
         CHECK(expected.error > 0.0);  // drawn velocities: energies differ
     }
 }

@@ -415,7 +415,7 @@ TEST_CASE("the error of D is that of the mean, where it is one of several runs")
     one.show();
     other.show();
     const auto diffusion = [](const std::shared_ptr<const PanelState>& state) {
-        return dynamic_cast<const CurveState&>(*state).runs[0].numbers[0][0];
+        return dynamic_cast<const CurveState&>(*state).runs[0].numbers[0][0].mean;
     };
     const double first = diffusion(one.state), second = diffusion(other.state);
     const auto both = one.plots().state_of_runs({one.state, other.state});

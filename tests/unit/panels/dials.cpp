@@ -62,7 +62,7 @@ struct DialSeen {
         return dial().readings(*states.at(frame)).at(line).value;
     }
     double last(std::size_t line = 0) const { return reading(states.size() - 1, line); }
-    const SeriesRun& run() const {
+    const History& run() const {
         return dynamic_cast<const SeriesPanel&>(*panel).record().runs.front();
     }
 };
@@ -168,10 +168,10 @@ TEST_CASE("a thrown disk crosses a height twice, with what energy gravity leaves
         "run: {until: 9}\n" +
             film("{kind: flux, line: {y: 18}, carried: energy, over: start}"),
         9);
-    CHECK(is_near(seen.run().lines[0].back(), 0.5 * 36.0 / 9.0, rounding));
-    CHECK(is_near(seen.run().lines[1].back(), 0.5 * 36.0 / 9.0, rounding));
-    CHECK(seen.run().lines[0][1] == 0.0);
-    CHECK(seen.run().lines[1][7] == 0.0);
+    CHECK(is_near(seen.run().y[0].back(), 0.5 * 36.0 / 9.0, rounding));
+    CHECK(is_near(seen.run().y[1].back(), 0.5 * 36.0 / 9.0, rounding));
+    CHECK(seen.run().y[0][1] == 0.0);
+    CHECK(seen.run().y[1][7] == 0.0);
 }
 
 TEST_CASE("what goes over the end of a periodic box crosses there, once each time around") {
@@ -226,10 +226,10 @@ TEST_CASE("theory of a flux is that of the mean speed in a periodic gas") {
         40);
     // sqrt(T / 2 pi m) 100 / 40, with the mean of |v| of 100 disks, which is less by 1 / 8 N.
     const double exact = 100.0 / 40.0 / std::sqrt(2.0 * std::numbers::pi);
-    CHECK(is_near(seen.run().lines.at(2).back(), exact, 0.005));
+    CHECK(is_near(seen.run().y.at(2).back(), exact, 0.005));
     // 399 crossings each way; they are correlated by less than their number: 4 standard deviations.
-    CHECK(is_near(seen.run().lines.at(0).back(), exact, 4.0 / std::sqrt(399.0)));
-    CHECK(is_near(seen.run().lines.at(1).back(), exact, 4.0 / std::sqrt(399.0)));
+    CHECK(is_near(seen.run().y.at(0).back(), exact, 4.0 / std::sqrt(399.0)));
+    CHECK(is_near(seen.run().y.at(1).back(), exact, 4.0 / std::sqrt(399.0)));
 }
 
 TEST_CASE("thermometers without room show their numbers inside their place") {
@@ -269,7 +269,7 @@ TEST_CASE("a flux past fixed disks has no theory") {
                        mass + "}]\nrun: {until: 4}\n" + film("{kind: flux, line: {x: 20}}"),
                    4)
             .run()
-            .lines.size();
+            .y.size();
     };
     CHECK(lines("infinite") == 2);
     CHECK(lines("9") == 4);
@@ -286,13 +286,13 @@ TEST_CASE("theory of a flux through a gap is that of each side, and elsewhere th
     const DialSeen gap = with("partitions: [{name: wall, x: 20, gaps: [[9.25, 10.75]]}]\n");
     // Of 200 some 7 leave in that time, which the tolerance allows.
     const double exact = 200.0 / (19.8 * 19.8) * 1.3 * std::sqrt(2.0 / (6.0 * std::numbers::pi));
-    CHECK(gap.run().lines.size() == 4);
-    CHECK(is_near(gap.run().lines[2].back(), exact, 0.05));
-    CHECK(std::isnan(gap.run().lines[3].back()));  // of the few on the right
+    CHECK(gap.run().y.size() == 4);
+    CHECK(is_near(gap.run().y[2].back(), exact, 0.05));
+    CHECK(std::isnan(gap.run().y[3].back()));  // of the few on the right
     const DialSeen close = with("partitions: [{name: wall, x: 20, gaps: [[8, 12]]}]\n");
-    CHECK(std::isnan(close.run().lines.at(2).back()));  // a gap of more than a free path
+    CHECK(std::isnan(close.run().y.at(2).back()));  // a gap of more than a free path
     const DialSeen wide = with("partitions: [{name: wall, x: 20, gaps: [[3, 17]]}]\n");
-    CHECK(wide.run().lines.size() == 2);
+    CHECK(wide.run().y.size() == 2);
     const auto explains_dashes = [](const DialSeen& seen) {
         const plot::Plot plot = dynamic_cast<const PlotPanel&>(*seen.panel).plot(nullptr);
         REQUIRE(plot.notes.size() == 1);
@@ -305,7 +305,7 @@ TEST_CASE("theory of a flux through a gap is that of each side, and elsewhere th
     const DialSeen falls = with(
         "gravity: [0, -1]\npartitions: [{name: wall, x: 20, gaps: [[9, "
         "11]]}]\n");
-    CHECK(falls.run().lines.size() == 2);
+    CHECK(falls.run().y.size() == 2);
 }
 
 TEST_CASE("dials of several runs stand side by side, and of several seeds there is a mean") {

@@ -22,8 +22,8 @@ namespace {
 struct Seen : test::SeenPanel {
     explicit Seen(const std::string& text, int steps = 80)
         : SeenPanel(test::scene_from("title: T\n" + text), steps) {}
-    const SeriesRun& run() const { return series(); }
-    double last(std::size_t line) const { return run().lines.at(line).back(); }
+    const History& run() const { return series(); }
+    double last(std::size_t line) const { return run().y.at(line).back(); }
 };
 
 double error_of(double found, double exact) {
@@ -64,7 +64,7 @@ TEST_CASE("the pressure on a wall is its momentum over time and length") {
         CHECK(error_of(seen.last(0), 80.0 / (40.0 * 4.0)) < rounding);
         CHECK(error_of(seen.last(1), 80.0 / (40.0 * 4.0)) < rounding);
         CHECK(seen.last(2) == 0.0);
-        CHECK(std::isnan(seen.run().lines[0][0]));
+        CHECK(std::isnan(seen.run().y[0][0]));
     }
 }
 
@@ -117,21 +117,21 @@ TEST_CASE("parts of a box hold what is in them") {
             1);
     };
     const Seen count = in_parts("sides");
-    CHECK(count.run().lines[0][0] == 3.0);
-    CHECK(count.run().lines[1][0] == 1.0);
+    CHECK(count.run().y[0][0] == 3.0);
+    CHECK(count.run().y[1][0] == 1.0);
     const Seen energy = in_parts("{kind: sides, measure: mean-energy}");
-    CHECK(error_of(energy.run().lines[0][0], (1.0 + 4.0 + 3.0) / 3.0) < 1e-14);
-    CHECK(energy.run().lines[1][0] == 9.0);
+    CHECK(error_of(energy.run().y[0][0], (1.0 + 4.0 + 3.0) / 3.0) < 1e-14);
+    CHECK(energy.run().y[1][0] == 9.0);
     const Seen temperature = in_parts("{kind: sides, measure: temperature}");
-    CHECK(error_of(temperature.run().lines[0][0], 2.0 * (1.0 + 4.0 + 3.0) / 6.0) < 1e-14);
+    CHECK(error_of(temperature.run().y[0][0], 2.0 * (1.0 + 4.0 + 3.0) / 6.0) < 1e-14);
     const Seen center = in_parts("{kind: sides, measure: center, component: y}");
-    CHECK(error_of(center.run().lines[0][0], (2 * 2 + 2 * 6 + 6 * 3) / 10.0) < 1e-14);
+    CHECK(error_of(center.run().y[0][0], (2 * 2 + 2 * 6 + 6 * 3) / 10.0) < 1e-14);
     const Seen regions = in_parts(
         "{kind: sides, regions: [{name: low, within: [0, 0, 20, 4]}, {name: rest, within: [0, 4, "
         "20, 10]}, {name: empty, within: [15, 0, 20, 10]}]}");
-    CHECK(regions.run().lines[0][0] == 2.0);
-    CHECK(regions.run().lines[1][0] == 2.0);
-    CHECK(regions.run().lines[2][0] == 0.0);
+    CHECK(regions.run().y[0][0] == 2.0);
+    CHECK(regions.run().y[1][0] == 2.0);
+    CHECK(regions.run().y[2][0] == 0.0);
 }
 
 TEST_CASE("half of the particles is marked where a window in the middle lets all through") {
@@ -174,7 +174,7 @@ TEST_CASE("numbers and temperatures beside a window scatter as theory says") {
                 "film: {seconds: 8, panels: [{kind: sides, measure: " +
                 measure + "}]}\n",
             steps);
-        const std::vector<double>& left = seen.run().lines[0];
+        const std::vector<double>& left = seen.run().y[0];
         double sum = 0.0, squares = 0.0;
         for (const double value : left) sum += value, squares += value * value;
         const double mean = sum / double(left.size());
@@ -256,14 +256,14 @@ TEST_CASE("the energies of a gas under a piston add up to a level") {
         "box: {size: [12, 14], walls: {top: {mass: 20, force: -3}}}\n"
         "gas: [{name: a, count: 20, radius: 0.4, temperature: 2}]\n"
         "run: {until: 30}\nfilm: {seconds: 8, panels: [energy-account]}\n");
-    REQUIRE(seen.run().lines.size() == 3);
+    REQUIRE(seen.run().y.size() == 3);
     for (std::size_t i = 0; i < seen.times.size(); ++i) {
         const EnergyAccount& account = seen.accounts[i];
-        CHECK(error_of(seen.run().lines[0][i], account.kinetic) < 1e-13);
-        CHECK(error_of(seen.run().lines[1][i], account.kinetic + account.potential) < 1e-13);
-        CHECK(error_of(seen.run().lines[2][i], account.in_all()) < 1e-13);
+        CHECK(error_of(seen.run().y[0][i], account.kinetic) < 1e-13);
+        CHECK(error_of(seen.run().y[1][i], account.kinetic + account.potential) < 1e-13);
+        CHECK(error_of(seen.run().y[2][i], account.in_all()) < 1e-13);
         // The simulation keeps it to about 1e-12 in a million events; here are some thousand.
-        CHECK(error_of(seen.run().lines[2][i], seen.run().lines[2][0]) < 1e-12);
+        CHECK(error_of(seen.run().y[2][i], seen.run().y[2][0]) < 1e-12);
     }
     const plot::Plot plot = seen.plot();
     const auto bands = std::ranges::count_if(
@@ -287,7 +287,7 @@ TEST_CASE("the mean place of a piston over an ideal gas is that of its exact dis
     REQUIRE(plane.run().levels.size() == 1);
     CHECK(error_of(plane.run().levels[0].value,
                    14.0 - mean_height(20, 20 * 2.0 + 3.0 * 14.0, 3.0, 19.5)) < 1e-6);
-    for (const double place : plane.run().lines[0]) CHECK(place < 14.0);
+    for (const double place : plane.run().y[0]) CHECK(place < 14.0);
 
     // One disk keeps the energy of its motion along the piston, a gas that may go round its
     // momentum.
@@ -324,7 +324,7 @@ std::pair<double, double> period_of_piston(int mass, double radius, double until
                         "film: {{seconds: 8, panels: [piston]}}\n",
                         seed, mass, radius, until),
             steps);
-        const std::vector<double>& run = seen.run().lines[0];
+        const std::vector<double>& run = seen.run().y[0];
         for (std::size_t i = 0; i < place.size(); ++i)
             place[i] += run.at(i * (run.size() - 1) / steps) / 6.0;
         const auto& numbers = seen.run().numbers;

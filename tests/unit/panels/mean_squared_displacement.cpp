@@ -24,7 +24,7 @@ namespace {
 struct Seen : test::SeenPanel {
     Seen(const std::string& text, const PanelSpec& spec, const std::vector<double>& at)
         : SeenPanel(test::scene_from(text), spec, at) {}
-    const std::vector<double>& line(std::size_t k = 0) const { return series().lines[k]; }
+    const std::vector<double>& line(std::size_t k = 0) const { return series().y[k]; }
 };
 
 PanelSpec displacement(double from = 0.0) {
@@ -132,9 +132,9 @@ TEST_CASE("the error of D is how the slopes of single disks scatter, or those of
     const auto& all = dynamic_cast<const SeriesPanel&>(*seen.panel).record();
     CHECK(all.runs[0].numbers[0][0].mean == relative(expected.mean, 1e-9));
     CHECK(all.runs[0].numbers[0][0].error == relative(expected.error, 1e-9));
-    SeriesRecord other = all;
+    HistoryRecord other = all;
     other.runs[0].numbers[0][0].mean += 1.0;
-    const SeriesRecord mean = mean_of({all, other});
+    const HistoryRecord mean = mean_of({all, other});
     CHECK(mean.runs[0].numbers[0][0].mean == relative(expected.mean + 0.5, 1e-9));
     CHECK(mean.runs[0].numbers[0][0].error == relative(0.5, 1e-9));
 }
@@ -372,7 +372,7 @@ TEST_CASE("the error of D of a single disk is how D scatters between runs") {
         const Seen seen(text, spec, test::times_up_to(240.0, 240));
         const auto state = seen.last_state();
         const CurveValues& values = dynamic_cast<const CurveState&>(*state).runs.front();
-        const std::vector<MeanError> numbers = numbers_of(values, 0);
+        const std::vector<MeanError> numbers = values.numbers.front();
         CHECK(numbers[of_pieces].mean == 20.0);
         coefficients.push_back(numbers[of_diffusion].mean);
         squares += numbers[of_diffusion].error * numbers[of_diffusion].error / runs;

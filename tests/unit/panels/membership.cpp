@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <string>
 #include <vector>
@@ -92,7 +93,7 @@ struct Seen {
         }
     }
     const std::vector<std::vector<double>>& lines() const {
-        return dynamic_cast<const SeriesPanel&>(*panel).record().runs.front().lines;
+        return dynamic_cast<const SeriesPanel&>(*panel).record().runs.front().y;
     }
     double reading(std::size_t line) const {
         return dynamic_cast<const DialPanel&>(*panel).readings(*states.back()).at(line).value;
@@ -201,9 +202,12 @@ TEST_CASE("meters of flights count a particle for what it is on the way") {
 }
 
 TEST_CASE("cells and rings hold the members of the time") {
-    const auto numbers = [](const Seen& seen, std::size_t choice) {
+    const auto sum_of = [](const std::vector<double>& all) {
+        return std::accumulate(all.begin(), all.end(), 0.0);
+    };
+    const auto numbers = [&](const Seen& seen, std::size_t choice) {
         const auto& state = dynamic_cast<const ProfileState&>(*seen.states.back());
-        return 10.0 * state.runs.front().at(choice).sum();  // of slabs 1 wide and 10 high
+        return 10.0 * sum_of(state.runs.front().y.at(choice));  // of slabs 1 wide and 10 high
     };
     const Seen all("{kind: profile, of: [a, b], cells: 20, over: start}");
     CHECK(numbers(all, 0) == relative(1.5, 1e-12));

@@ -115,10 +115,10 @@ TEST_CASE("slow and fast are beside the present mean speed, or that at the start
             std::string("{kind: speed-classes, reference: ") + (initial ? "initial}" : "now}")));
         stage.show(*panel, 0.0, along_x({1.0, 1.0, 1.0, 1.0}));
         stage.show(*panel, 1.0, along_x({0.0, 1.0, 3.0, 4.0}));  // mean 2
-        CHECK(panel->record().runs.front().lines[1][0] == 100.0);
-        CHECK(panel->record().runs.front().lines[0][1] == 25.0);
-        CHECK(panel->record().runs.front().lines[1][1] == (initial ? 25.0 : 50.0));
-        CHECK(panel->record().runs.front().lines[2][1] == (initial ? 50.0 : 25.0));
+        CHECK(panel->record().runs.front().y[1][0] == 100.0);
+        CHECK(panel->record().runs.front().y[0][1] == 25.0);
+        CHECK(panel->record().runs.front().y[1][1] == (initial ? 25.0 : 50.0));
+        CHECK(panel->record().runs.front().y[2][1] == (initial ? 50.0 : 25.0));
     }
 }
 
@@ -134,7 +134,7 @@ TEST_CASE("a series over a window is the mean over the time before the present")
             stage.show(*panel, time, along_x({v, v, 0.5 * v, 0.5 * v}));  // of mass 1 and 4
         }
         panel->fix_axes();
-        const std::vector<double>& line = panel->record().runs.front().lines[0];
+        const std::vector<double>& line = panel->record().runs.front().y[0];
         CHECK(line[0] == relative(0.5, 1e-14));
         CHECK(line[4] == relative(0.5, 1e-14));
         CHECK(line[6] == relative((2.0 * 0.5 + 1.25 + 2.0) / 4.0, 1e-14));
@@ -151,9 +151,9 @@ TEST_CASE("the temperature of a plane is its mean energy, of all and of those ch
     spec.of = {{}, {1, {}}, {{}, 0}};
     const auto panel = stage.panel(spec);
     stage.show(*panel, 0.0, along_x({1.0, 2.0, 3.0, -1.0}));  // energies 0.5, 2, 18, 2
-    CHECK(panel->record().runs.front().lines[0][0] == relative(22.5 / 4, 1e-14));
-    CHECK(panel->record().runs.front().lines[1][0] == relative(10.0, 1e-14));
-    CHECK(panel->record().runs.front().lines[2][0] == relative(0.5, 1e-14));
+    CHECK(panel->record().runs.front().y[0][0] == relative(22.5 / 4, 1e-14));
+    CHECK(panel->record().runs.front().y[1][0] == relative(10.0, 1e-14));
+    CHECK(panel->record().runs.front().y[2][0] == relative(0.5, 1e-14));
 }
 
 TEST_CASE("pressures are of what changed hands since the start, in a while, or since a frame ago") {
@@ -170,11 +170,11 @@ TEST_CASE("pressures are of what changed hands since the start, in a while, or s
             stage.advanced.impulses.virial = 8.0 * t;
             stage.show(*panel, t, velocity);
         }
-        CHECK(std::isnan(panel->record().runs.front().lines[0][0]));
+        CHECK(std::isnan(panel->record().runs.front().y[0][0]));
         // P V = 2 K / 2 + virial / (2 t) over the room of the centres, (10 * 9 + 10 * 9) / 2.
-        CHECK(panel->record().runs.front().lines[1].back() ==
+        CHECK(panel->record().runs.front().y[1].back() ==
               relative((5.0 + 8.0 / 2.0) / 90.0, 1e-14));
-        return panel->record().runs.front().lines[0].back();
+        return panel->record().runs.front().y[0].back();
     };
     // Four walls of length 10.
     CHECK(last({Over::Since::start, 0.0}) == relative(4 * 160.0 / (40.0 * 4.0), 1e-14));
@@ -196,7 +196,7 @@ TEST_CASE("the pressure of a gas that was parted counts from when the last parti
         stage.advanced.surfaces[4].is_open = t >= 2.0;
         stage.show(*panel, t, along_x({1.0, -1.0, 1.0, -1.0}));
     }
-    const std::vector<double>& on_walls = panel->record().runs.front().lines[0];
+    const std::vector<double>& on_walls = panel->record().runs.front().y[0];
     REQUIRE(on_walls.size() == 5);
     for (const std::size_t k : {0, 1, 2}) CHECK(std::isnan(on_walls[k]));
     CHECK(on_walls[3] == relative(4 * 120.0 / (40.0 * 2.0), 1e-14));
@@ -218,10 +218,10 @@ TEST_CASE(
     stage.show(*panel, 1.0, streams);
     stage.show(*panel, 2.0, thermal);
     stage.show(*panel, 3.0, -alike);
-    CHECK(std::abs(panel->record().runs.front().lines[0][0]) < 1e-15);
-    CHECK(panel->record().runs.front().lines[0][1] == relative(std::log(2.0), 1e-14));
-    CHECK(panel->record().runs.front().lines[0][2] > 2.0);
-    CHECK(std::abs(panel->record().runs.front().lines[0][3]) < 1e-15);
+    CHECK(std::abs(panel->record().runs.front().y[0][0]) < 1e-15);
+    CHECK(panel->record().runs.front().y[0][1] == relative(std::log(2.0), 1e-14));
+    CHECK(panel->record().runs.front().y[0][2] > 2.0);
+    CHECK(std::abs(panel->record().runs.front().y[0][3]) < 1e-15);
 }
 
 TEST_CASE("points are positions against velocities, or against another particle's") {
@@ -350,7 +350,7 @@ TEST_CASE("in a periodic box each species has its own mean energy, and tends to 
         "[{name: light, count: 10, radius: 0.5, speed: 1.24}, {name: heavy, count: 1, radius: 0.8, "
         "mass: 20}]",
         "energy-by-species");
-    const SeriesRun& run = seen.series();
+    const History& run = seen.series();
     REQUIRE(run.levels.size() == 2);
     const double temperature = seen.accounts.front().kinetic / 10.0;  // E / (N - 1)
     const std::array<double, 2> masses{1.0, 20.0};
@@ -359,7 +359,7 @@ TEST_CASE("in a periodic box each species has its own mean energy, and tends to 
         CHECK(run.levels[k].line == k);
         CHECK(run.levels[k].name == "equilibrium");  // no equipartition: they differ
         CHECK(run.levels[k].value == relative(temperature * (1.0 - masses[k] / 30.0), 1e-9));
-        const MeanError measured = mean_over_time(run.lines[k]);
+        const MeanError measured = mean_over_time(run.y[k]);
         CHECK(std::abs(measured.mean - run.levels[k].value) < 4.0 * measured.error);
     }
 }
@@ -409,9 +409,9 @@ TEST_CASE("the level of each species is named at its line in the colour of the s
 
 TEST_CASE("the entropy of velocities of few disks tends to its level, momentum conserved") {
     const test::SeenPanel seen = seen_long("[{count: 20, radius: 0.5, speed: 1}]", "entropy");
-    const SeriesRun& run = seen.series();
+    const History& run = seen.series();
     REQUIRE(run.levels.size() == 1);
-    const MeanError measured = mean_over_time(run.lines[0]);
+    const MeanError measured = mean_over_time(run.y[0]);
     CHECK(measured.error < 0.004);
     // The level is computed to 4e-4.
     CHECK(std::abs(measured.mean - run.levels[0].value) < 4.0 * std::hypot(measured.error, 4e-4));

@@ -1,15 +1,16 @@
-// What a panel of quantities against time records of a run: a value, from which means over runs and
-// comparisons of runs are made.
+// What a meter has read in the course of a run: a value, from which means over runs and comparisons
+// of runs are made.
 #pragma once
 
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "panels/means/runs_record.h"
-#include "stats/mean_error.h"
+#include "stats/measured.h"
 #include "util/archive.h"
 
 namespace carom {
@@ -34,33 +35,34 @@ struct LineLaw {
     void archive(auto& archive) { archive(reason, short_reason, value); }
 };
 
-/// The points of one run.
-struct SeriesPoints {
-    std::vector<double> time = {};                 ///< elapsed
-    std::vector<std::vector<double>> lines = {};   ///< line x time; NaN: none
-    std::vector<std::vector<double>> errors = {};  ///< standard errors of means over runs, or none
-    void archive(auto& archive) { archive(time, lines, errors); }
-};
-
-/// The numbers of one run.
-struct SeriesRun : SeriesPoints {  ///< at its samples
-    SeriesPoints frames = {};      ///< at the frames that show it: the present of each
+/// The readings of one run at its samples, and what is known besides. The places are elapsed times.
+struct History : Measured {
+    std::string name = {};  ///< among compared runs
+    Measured frames = {};   ///< readings at the frames that show it: the present of each
     ReferenceLevels levels = {};
     std::vector<double> turns = {};  ///< times of reversals
     std::vector<std::pair<double, std::string>> events =
-        {};  ///< changes of surfaces, and heating: the time and a word for each
-    std::vector<std::vector<MeanError>> numbers = {};  ///< for each line, numbers beyond its points
-    std::vector<LineLaw> laws = {};                    ///< of each line; none of a mean of runs
-    std::string name = {};                             ///< among compared runs
+        {};                          ///< changes of surfaces, and heating: the time and a word
+    std::vector<LineLaw> laws = {};  ///< of each line; none of a mean of runs
+
+    /// Adds readings of a moment that is a sample of the run, a frame, or both.
+    void add(double moment, const std::vector<double>& readings, bool is_sample, bool is_frame);
+
+    /// The number of samples up to the last of so many frames.
+    std::size_t samples_until(std::size_t shown_frames) const;
+
+    /// The readings at these samples and, if it is later, at that frame.
+    Measured until(std::size_t shown_frames) const;
 
     void archive(Archive& archive) {
-        SeriesPoints::archive(archive);
-        archive(frames, levels, turns, events, numbers, laws, name);
+        Measured::archive(archive);
+        archive(name, frames, levels, turns, events, laws);
     }
 };
 
-struct SeriesRecord : RunsRecord<SeriesRun> {  ///< compared runs have one line each
-    std::size_t compared = 0;  ///< index of the line that represents a run in a comparison
+struct HistoryRecord : RunsRecord<History> {
+    std::optional<std::size_t> compared =
+        {};  ///< index of the only line that represents a run in a comparison; none: all do
 
     /// The common levels of all runs; empty if these differ visibly.
     ReferenceLevels common_levels() const;
@@ -76,9 +78,9 @@ struct SeriesRecord : RunsRecord<SeriesRun> {  ///< compared runs have one line 
 };
 
 /// The means of runs with the same frames, with standard errors.
-SeriesRecord mean_of(std::vector<SeriesRecord> records);
+HistoryRecord mean_of(std::vector<HistoryRecord> records);
 
-/// The record of several compared runs: a line for each, under its name.
-SeriesRecord compare(std::vector<SeriesRecord> records, const std::vector<std::string>& names);
+/// The record of several compared runs, each under its name.
+HistoryRecord compare(std::vector<HistoryRecord> records, const std::vector<std::string>& names);
 
 }  // namespace carom

@@ -1,0 +1,17 @@
+#include "panels/meters/meter.h"
+
+#include "panels/chosen.h"
+
+namespace carom {
+
+Meter meter_of_choices(const PanelContext& context, const PanelSpec& spec, std::string title) {
+    Meter meter{.title = std::move(title)};
+    const std::vector<Chosen> chosen = choices(spec);
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        meter.lines.push_back({column_name_of(context.scene, chosen[k]),
+                               spec.of.empty() ? "" : name_of(context.scene, chosen[k]),
+                               role_among(context, chosen, k)});
+    return meter;
+}
+
+}  // namespace carom

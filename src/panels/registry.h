@@ -63,10 +63,10 @@ KindDeclaration speed_histogram_kind, energy_histogram_kind, velocity_histogram_
     position_histogram_kind, energy_by_species_kind, speed_classes_kind, temperature_kind,
     entropy_kind, pressure_kind, thermometer_kind, stopwatch_kind, counter_kind,
     pressure_volume_kind, piston_kind, piston_histogram_kind, sides_kind, flux_kind,
-    energy_account_kind, mean_squared_displacement_kind, velocity_autocorrelation_kind,
-    pair_correlation_kind, free_path_kind, free_time_kind, orientational_order_kind,
-    return_distance_kind, run_distance_kind, profile_kind, phase_kind, positions_kind,
-    monitors_kind, single_collision_kind, contact_time_kind, collision_map_kind, text_kind,
-    sweep_kind, gas_kind;
+    energy_account_kind, particle_speed_kind, mean_free_path_kind, halves_kind,
+    mean_squared_displacement_kind, velocity_autocorrelation_kind, pair_correlation_kind,
+    free_path_kind, free_time_kind, orientational_order_kind, return_distance_kind,
+    run_distance_kind, profile_kind, phase_kind, positions_kind, monitors_kind,
+    single_collision_kind, contact_time_kind, collision_map_kind, text_kind, sweep_kind, gas_kind;
 
 }  // namespace carom

@@ -18,6 +18,7 @@
 #include "physics/reversal/mirrored_events.h"
 #include "physics/sample_times.h"
 #include "physics/ways_back.h"
+#include "runs/run_meters.h"
 #include "stats/paths/time_averages.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
@@ -138,9 +139,9 @@ std::string fingerprint_of(const Simulation& simulation) {
     return all.digits();
 }
 
-bool can_be_followed(const Simulation& simulation, const RunTakers& take) {
+bool can_be_followed(const Simulation& simulation, const RunTakers& take, bool measures) {
     constexpr Eigen::Index least = 1'000;  // below, looking at all particles takes no time
-    return !take.sample && !take.collisions && simulation.particles().count() >= least;
+    return !take.sample && !take.collisions && !measures && simulation.particles().count() >= least;
 }
 
 // Chooses how far a run advances in one step, so that only a few of its collisions are in memory at
@@ -181,7 +182,7 @@ class PhysicsRun {
           reversals_(run_, simulation_),
           surfaces_(simulation_.box()),
           take_(take),
-          following_(can_be_followed(simulation_, take)),
+          following_(can_be_followed(simulation_, take, !started.scene.measure.empty())),
           on_progress_(on_progress),
           watch_(watch) {
         constexpr Eigen::Index enough = 1'000;  // with fewer a thread does not pay
@@ -195,7 +196,9 @@ class PhysicsRun {
         events_.erase(std::unique(events_.begin(), events_.end()), events_.end());
         averages_.see(simulation_.sample(), {});
         membership_ = simulation_.membership();
-        if (!take_.sample) simulation_.forget_sample();
+        if (!started.scene.measure.empty())
+            meters_.emplace(started.scene, simulation_.particles(), simulation_.sample());
+        if (!sees_samples()) simulation_.forget_sample();
         simulation_.record_collisions(true);
         step_.begin(first_step * run_.until);
         seconds_.prepare = watch.wall();
@@ -224,6 +227,7 @@ class PhysicsRun {
             report.account = simulation_.energy_account();
             report.summary.largest_energy_error = std::nullopt;
         }
+        if (meters_) report.readings = meters_->readings();
         report.state = fingerprint_of(simulation_);
         return report;
     }
@@ -268,8 +272,11 @@ class PhysicsRun {
         return advanced;
     }
 
+    // Whether whole samples are needed.
+    bool sees_samples() const { return take_.sample || meters_; }
+
     void see_sample() {
-        if (take_.sample)
+        if (sees_samples())
             take_sample();
         else
             see_parts();
@@ -279,7 +286,8 @@ class PhysicsRun {
     void take_sample() {
         const auto take = [this](const Sample& sample, const AdvanceResult& advanced) {
             statistics_.see(sample, advanced);
-            take_.sample(simulation_.particles(), sample, advanced.surfaces);
+            if (meters_) meters_->see(sample, advanced);
+            if (take_.sample) take_.sample(simulation_.particles(), sample, advanced.surfaces);
         };
         if (!aside_) return give([&] { take(simulation_.sample(), advanced_); });
         give([take, sample = simulation_.sample(), advanced = lasting()] {
@@ -337,7 +345,7 @@ class PhysicsRun {
             reach(now_);
             hand_on(now_ - before);
             if (now_ == reversals_.next_time()) reversals_.look(advanced_);
-            if (now_ == next_event()) see_event();
+            if (now_ == next_event()) see_event(now_ == time);
         }
     }
 
@@ -345,10 +353,15 @@ class PhysicsRun {
         return events_.empty() ? std::numeric_limits<double>::infinity() : events_.front();
     }
 
-    // The gas may have a single pressure from an event on.
-    void see_event() {
+    // The gas may have a single pressure from an event on. Instruments are read there, too, as in
+    // films and figures.
+    void see_event(bool is_sample) {
         events_.pop_front();
         give([this, now = now_, advanced = lasting()] { statistics_.see_event(now, advanced); });
+        if (meters_ && !is_sample)
+            give([this, sample = simulation_.sample(), advanced = lasting()] {
+                meters_->see(sample, advanced);
+            });
     }
 
     // Passes on the collisions of a step of this length.
@@ -357,6 +370,7 @@ class PhysicsRun {
         step_.see(length, collisions.size());
         const auto take = [this](const Sample& sample, std::span<const Collision> its) {
             averages_.see(sample, its);
+            if (meters_) meters_->take(its);
             if (take_.collisions && !its.empty()) take_.collisions(simulation_.particles(), its);
         };
         Sample sample{.time = now_, .membership = simulation_.membership()};
@@ -379,6 +393,7 @@ class PhysicsRun {
     std::deque<double> events_;  ///< times still to come
     const RunTakers& take_;
     VelocityFollowing following_;
+    std::optional<RunMeters> meters_;  ///< if the scene has instruments
     const RunCallbacks& on_progress_;
     const Stopwatch& watch_;
     AdvanceResult advanced_;

@@ -11,6 +11,7 @@
 #include "physics/exact_positions.h"
 #include "physics/reversal/precision.h"
 #include "physics/simulation.h"
+#include "physics/units/quantity.h"
 #include "stats/run_statistics.h"
 
 namespace carom {
@@ -47,6 +48,19 @@ struct SurfaceReport {
     std::optional<Position> position = {};  ///< only of a surface that moves or has moved
 };
 
+/// One of the numbers of a run.
+struct RunNumber {
+    std::string name;  ///< "virial pressure"
+    Quantity quantity;
+    bool operator==(const RunNumber&) const = default;
+};
+
+/// What an instrument of the scene reads at the end of a run.
+struct LastReading {
+    RunNumber number;
+    double value = 0.0;  ///< NaN: none
+};
+
 struct RunReport {
     std::int64_t particles = 0;
     int bits = bits_of_double;  ///< precision of the numbers used in the calculation
@@ -57,6 +71,7 @@ struct RunReport {
     RunSeconds seconds;
     std::vector<SurfaceReport> surfaces = {};   ///< in order of their numbers; none in a plain box
     std::optional<EnergyAccount> account = {};  ///< only if there are surfaces, or heat was added
+    std::vector<LastReading> readings = {};     ///< of the scene's instruments (Scene::measure)
     std::string state = {};  ///< fingerprint of all bits of the final positions and velocities
 };
 

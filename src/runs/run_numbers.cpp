@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "physics/ways_back.h"
+#include "runs/run_meters.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -209,17 +210,26 @@ Rows rows_of(const SceneAndRun& from) {
 
 }  // namespace
 
-std::vector<RunNumber> numbers_of_runs(const Scene& scene) {
+std::vector<RunNumber> numbers_of_summary(const Scene& scene) {
     std::vector<RunNumber> numbers;
     for (Row& row : rows_of({scene, nullptr})) numbers.push_back(std::move(row.first));
     return numbers;
 }
 
+std::vector<RunNumber> numbers_of_runs(const Scene& scene) {
+    std::vector<RunNumber> numbers = numbers_of_summary(scene);
+    for (RunNumber& number : numbers_of_instruments(scene)) numbers.push_back(std::move(number));
+    return numbers;
+}
+
 std::vector<double> values_of(const Scene& scene, const RunReport& report) {
     std::vector<double> values;
-    for (const auto& [number, value] : rows_of({scene, &report}))
+    const auto add = [&](std::optional<double> value) {
         values.push_back(value && std::isfinite(*value) ? *value
                                                         : std::numeric_limits<double>::quiet_NaN());
+    };
+    for (const auto& [number, value] : rows_of({scene, &report})) add(value);
+    for (const LastReading& reading : report.readings) add(reading.value);
     return values;
 }
 

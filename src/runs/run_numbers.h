@@ -2,26 +2,22 @@
 // runs of a scene, so that runs can be tabulated, averaged and plotted against a varied parameter.
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include "physics/units/quantity.h"
 #include "runs/run.h"
 
 namespace carom {
 
 struct Scene;
 
-/// One of the numbers of a run.
-struct RunNumber {
-    std::string name;  ///< "virial pressure"
-    Quantity quantity;
-    bool operator==(const RunNumber&) const = default;
-};
-
 /// The numbers of a scene's runs, in the order of lists and tables. Which numbers there are depends
-/// on the scene's box, species, surfaces and reversals, not on what happens in a run.
+/// on the scene's box, species, surfaces, reversals and instruments, not on what happens in a run.
+/// To know what instruments read, the particles are placed: throws SceneError if they cannot be, or
+/// if what an instrument reads has no name of its own.
 std::vector<RunNumber> numbers_of_runs(const Scene& scene);
+
+/// Those of them that are the same for all scenes of such a gas, without instruments.
+std::vector<RunNumber> numbers_of_summary(const Scene& scene);
 
 /// The values of numbers_of_runs() in a run of that scene, in the same order: NaN if a number has
 /// no meaning for the run or is infinite.

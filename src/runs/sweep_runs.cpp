@@ -9,7 +9,7 @@
 
 #include "scene/scene.h"
 #include "stats/histogram.h"
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 #include "util/threads/on_threads.h"
 
 namespace carom {

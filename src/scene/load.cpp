@@ -17,6 +17,7 @@
 #include "scene/reading/event_reading.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
+#include "scene/reading/panel_reading.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/template.h"
 #include "scene/sets/set_reading.h"
@@ -228,6 +229,9 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
     if (draft.figures_node != nullptr)
         draft.figures =
             figures_notation(resources.panels).read(*draft.figures_node, reading).value();
+    if (draft.measure_node != nullptr)
+        draft.measure =
+            measure_notation(resources.panels).read(*draft.measure_node, reading).value();
     errors.throw_if_any();
     if (draft.run.sample_every == 0.0) draft.run.sample_every = usual_sample_every(draft.run);
     if (resources.is_classroom) {

@@ -63,6 +63,7 @@ struct Scene {
     std::vector<Caption> captions;  ///< in order of time; equal times in the order listed
     Film film;
     std::vector<FigureSpec> figures;
+    std::vector<PanelSpec> measure;  ///< instruments whose last readings are numbers of the run
     SceneSource source;
     std::vector<Diagnostic> notes;  ///< what is valid in its files but should be written in another
                                     ///< way, and what was left out

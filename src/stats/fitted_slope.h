@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 #include "util/language.h"
 
 namespace carom {

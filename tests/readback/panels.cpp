@@ -51,6 +51,9 @@ const std::map<std::string, Check>& checks() {
          [](const DrawnFigure& figure) {
              return stack_problems(figure, {"time (time)", "energy (mass length^2/time^2)"});
          }},
+        {"particle-speed", plot({"time (time)", "speed (length/time)"})},
+        {"mean-free-path", plot({"time (time)", "mean free path (length)"})},
+        {"halves", plot({"time (time)", "energy (mass length^2/time^2)"})},
         {"mean-squared-displacement",
          plot({"time (time)", "mean squared displacement (length^2)"})},
         {"velocity-autocorrelation", plot({"time lag (time)", "velocity autocorrelation (1)"})},

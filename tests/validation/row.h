@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 
 namespace carom::validation {
 

@@ -285,6 +285,17 @@ Fact species(const Scene& scene, const RunSummary& summary) {
     return fact;
 }
 
+Facts readings(const RunReport& report) {
+    if (report.readings.empty()) return {};
+    std::vector<Facts> rows;
+    for (const LastReading& reading : report.readings) {
+        const auto& [name, quantity] = reading.number;
+        rows.push_back({{"name", name, "instrument", name},
+                        number_fact("value", "reading", {reading.value, quantity})});
+    }
+    return {table("readings", rows, {12})};
+}
+
 // The number of bins that contain all but 0.5 % of the counts.
 std::size_t shown_bins(const BinnedCounts& bins) {
     const std::int64_t total =
@@ -357,6 +368,7 @@ Facts facts_of(const Scene& scene, const RunReport& report) {
          reversals(report),
          {species(scene, summary)},
          surfaces(report, scene.gas.box.dimension),
+         readings(report),
          histograms(summary),
          {{"seconds", Json{{"total", report.seconds.total},
                            {"events_per_second", events / report.seconds.simulate}}}}});

@@ -173,7 +173,8 @@ SeriesSubject since_a_time(const PanelContext& context, const PanelSpec& spec) {
     const double fit_until = std::min(first_reversal(context.run()), context.run().until);
     const double middle = 0.5 * (fit_from + fit_until);
     const std::vector<Chosen> chosen = choices(spec);
-    SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Mean squared displacement"});
+    SeriesSubject subject =
+        subject_of_choices(context, spec, Phrase{"Mean squared displacement"}, mean_square);
     const auto followed = std::make_shared<DisplacementsSoFar>(DisplacementsSoFar{
         members_that_collide(context, chosen), Displacements(context.box(), options.from),
         SlopesOfParticles(fit_from, fit_until), SlopesOfParticles(fit_from, middle),
@@ -190,7 +191,6 @@ SeriesSubject since_a_time(const PanelContext& context, const PanelSpec& spec) {
                                            followed->collisions.mean(followed->lists[k])));
         return all;
     };
-    subject.quantity = mean_square;
     subject.needs_collisions = true;
     if (!spec.theory) return subject;
     subject.add = [context, chosen, fit_from, from = options.from](const HistoryRecord& record,
@@ -341,6 +341,12 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
     return std::make_unique<CurvePanel>(context, std::move(subject));
 }
 
+// Averages over all starting times are curves, not readings.
+Meter meter_of_displacements(const PanelContext& context, const PanelSpec& spec) {
+    if (options_of_displacements(spec).all_origins) return {};
+    return since_a_time(context, spec);
+}
+
 std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& context,
                                                       const PanelSpec& spec) {
     if (options_of_displacements(spec).all_origins) return over_all_origins(context, spec);
@@ -359,6 +365,7 @@ PanelKind mean_squared_displacement_kind() {
                 "there is none, and the plateau between walls), and the parabola of free flight; "
                 "with `origins: all` averaged over all starting times.",
             .make = make_mean_squared_displacement,
+            .meter = meter_of_displacements,
             .abilities = {of, theory, means, comparison},
             .tried_as = {"msd"},
             .keys = option_keys(displacement_keys()),

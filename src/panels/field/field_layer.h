@@ -14,7 +14,7 @@
 #include "panels/field/key_row.h"
 #include "panels/panel.h"
 #include "stats/cell_averages.h"
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 
 namespace carom {
 

@@ -13,7 +13,7 @@
 #include "scene/panel_kind.h"
 #include "scene/reading/overlay_reading.h"
 #include "stats/histogram.h"
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 
 namespace carom {
 namespace {

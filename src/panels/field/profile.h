@@ -16,7 +16,7 @@
 #include "panels/plot/plot_panel.h"
 #include "panels/plot/window.h"
 #include "stats/cell_averages.h"
-#include "stats/measured.h"
+#include "stats/means/measured.h"
 
 namespace carom {
 

@@ -15,7 +15,7 @@
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/equation_of_state.h"
 #include "stats/histogram.h"
-#include "stats/measured.h"
+#include "stats/means/measured.h"
 #include "util/text.h"
 
 namespace carom {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "panels/means/runs_record.h"
-#include "stats/measured.h"
+#include "stats/means/measured.h"
 #include "util/archive.h"
 
 namespace carom {

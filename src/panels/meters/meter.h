@@ -63,8 +63,9 @@ class MeterReader {
 };
 
 /// A meter with a line for each choice of particles that the panel shows. The caller adds what is
-/// read for each. `title`: plain words.
-Meter meter_of_choices(const PanelContext& context, const PanelSpec& spec, std::string title);
+/// read for each.
+Meter meter_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title,
+                       const Quantity& quantity);
 
 /// PanelKind::meter of a kind whose subject is a Meter, or is made of one.
 template <auto subject>

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "draw/axis.h"
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 
 namespace carom {
 namespace {

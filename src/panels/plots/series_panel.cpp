@@ -32,8 +32,9 @@ std::vector<plot::Text> titles_with_names(const Meter& meter, Language language)
 
 }  // namespace
 
-SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title) {
-    SeriesSubject subject{meter_of_choices(context, spec, say(context.language(), title))};
+SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title,
+                                 const Quantity& quantity) {
+    SeriesSubject subject{meter_of_choices(context, spec, title, quantity)};
     subject.titles = {subject.title};
     if (!spec.of.empty())
         subject.titles = {shown_of(context, subject.title, choices(spec), plot::Swatch::line)};

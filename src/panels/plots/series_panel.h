@@ -30,7 +30,8 @@ struct SeriesSubject : Meter {
 };
 
 /// A subject with the meter of meter_of_choices(), and a title that says what it shows of which.
-SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title);
+SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& spec, Phrase title,
+                                 const Quantity& quantity);
 
 /// A text like "pressure 1.25" with the last number among those shown that is not NaN.
 std::string account_of_last(Language language, const Quantity& quantity,

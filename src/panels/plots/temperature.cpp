@@ -12,7 +12,8 @@ namespace carom {
 namespace {
 
 SeriesSubject temperature(const PanelContext& context, const PanelSpec& spec) {
-    SeriesSubject subject = subject_of_choices(context, spec, Phrase{"Temperature"});
+    SeriesSubject subject =
+        subject_of_choices(context, spec, Phrase{"Temperature"}, quantities::temperature);
     subject.read = [context, of = Members(context, choices(spec))](const FrameInput& o) mutable {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : of.at(o.sample))
@@ -22,7 +23,6 @@ SeriesSubject temperature(const PanelContext& context, const PanelSpec& spec) {
     };
     if (const Law bath = law(context.gas, LawOf::bath))
         subject.levels = [bath] { return ReferenceLevels{ReferenceLevel{"bath", bath.value}}; };
-    subject.quantity = quantities::temperature;
     subject.over = spec.over;
     subject.needs_positions = false;
     return subject;

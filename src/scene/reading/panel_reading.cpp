@@ -7,6 +7,7 @@
 #include <map>
 
 #include "physics/gas.h"
+#include "scene/keys/made_once.h"
 #include "scene/limits.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/overlay_reading.h"
@@ -308,6 +309,57 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
     };
     return list_of(either(parsed(names, alone), mapping(table)), 0, most_panels,
                    "a list of panels");
+}
+
+namespace {
+
+PanelKinds kinds_with_meters(PanelKinds kinds) {
+    static MadeOnce<std::vector<PanelKind>> lists;
+    return lists.of(kinds, [&] {
+        std::vector<PanelKind> some;
+        std::ranges::copy_if(kinds, std::back_inserter(some),
+                             [](const PanelKind& kind) { return kind.meter != nullptr; });
+        return some;
+    });
+}
+
+Notation<std::vector<PanelSpec>> new_measure_notation(PanelKinds all) {
+    const PanelKinds kinds = kinds_with_meters(all);
+    std::vector<std::string> names;
+    std::vector<Elsewhere> elsewhere;
+    for (const PanelKind& kind : kinds) names.push_back(kind.name);
+    for (const PanelKind& kind : all)
+        if (kind.meter == nullptr)
+            elsewhere.push_back({kind.name, "it reads no single numbers: show it in a figure"});
+    for (const auto& [tried, meant] : tried_kinds(kinds))
+        elsewhere.push_back({tried, fmt::format("did you mean {}?", meant)});
+    const Notation<std::string> name = word(names).with_elsewhere(std::move(elsewhere));
+    const Binding<PanelSpec> over =
+        bind_key("over", &PanelSpec::over, over_notation(),
+                 "What is read at the end: the last value, the mean since time 0, or the mean "
+                 "over a time before the end.")
+            .default_text("as in a panel of the kind")
+            .only_with(kinds_that_can(kinds, Ability::over));
+    const KeyTable<PanelSpec> table{
+        .name = "an instrument",
+        .keys = panel_keys(kinds, kind_key(name), {over}),
+        .rule = [kinds](PanelSpec& panel, const Node& node, Reading& reading) {
+            complete_panel(panel, node, kinds, reading);
+        }};
+    const auto alone = [kinds](std::string kind, const Node& node, Reading& reading) {
+        PanelSpec panel{.kind = std::move(kind)};
+        complete_panel(panel, node, kinds, reading);
+        return std::optional(std::move(panel));
+    };
+    return list_of(either(parsed(name, alone), mapping(table)), 0, most_panels,
+                   "a list of instruments");
+}
+
+}  // namespace
+
+const Notation<std::vector<PanelSpec>>& measure_notation(PanelKinds kinds) {
+    static MadeOnce<Notation<std::vector<PanelSpec>>> notations;
+    return notations.of(kinds, [&] { return new_measure_notation(kinds); });
 }
 
 void check_reversal(const Node& place, Reading& reading) {

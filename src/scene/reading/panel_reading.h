@@ -25,6 +25,9 @@ Notation<Over> over_notation();
 /// The panels of a film.
 Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds);
 
+/// The instruments whose last readings are numbers of a run.
+const Notation<std::vector<PanelSpec>>& measure_notation(PanelKinds kinds);
+
 /// The keys that the panels of films and figures share. `kind` and `over`, which differ between the
 /// two, are given by the caller.
 std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<PanelSpec>& kind,

@@ -7,6 +7,7 @@
 #include "scene/limits.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/film_reading.h"
+#include "scene/reading/panel_reading.h"
 
 namespace carom {
 namespace {
@@ -54,6 +55,13 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                  bind_key("figures", &SceneDraft::figures_node, kept(figures_notation(kinds)),
                           "Pictures of single moments for texts and slides.")
                      .tried_as({"plots", "pictures", "images"})
+                     .default_text("none"),
+                 bind_key("measure", &SceneDraft::measure_node, kept(measure_notation(kinds)),
+                          "Instruments whose readings at the end of the run are listed by `carom "
+                          "run` and among the numbers of a sweep: kinds of panels that show "
+                          "readings against time or on dials, such as `temperature`, or `{kind: "
+                          "temperature, of: hot, over: {window: 5}, title: NAME}`.")
+                     .tried_as({"measurements", "meters", "instruments", "observables"})
                      .default_text("none")},
         .refused = inelastic_keys()};
     if (dimension == 2) return table;

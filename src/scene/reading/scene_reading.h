@@ -25,6 +25,7 @@ struct SceneDraft : Scene, SurfacesDraft {
     std::vector<const Node*> surface_nodes;  ///< indexed by surface number; null: not in the file
     const Node* film_node = nullptr;         ///< read later, combined with its template
     const Node* figures_node = nullptr;      ///< read later, when the gas and the run are known
+    const Node* measure_node = nullptr;      ///< the same
 };
 
 /// The table of keys of a scene with a box of one or two dimensions. For `kinds` see MadeOnce.

@@ -24,6 +24,13 @@ struct FlightTotals {
     double collisions = 0.0;  ///< number of collisions that end flights
     double way = 0.0;         ///< of all together
     double time = 0.0;        ///< of all together
+
+    FlightTotals& operator+=(const FlightTotals& other) {
+        collisions += other.collisions;
+        way += other.way;
+        time += other.time;
+        return *this;
+    }
 };
 
 /// A flight ends at a collision with another particle or an obstacle. Walls and partitions change

@@ -46,7 +46,7 @@ const std::map<std::string, Parts> parts_of_module{
     {"draw",
      {{"fonts", "raster", "pages", "draw", "disks", "formula"},
       {"canvas.h", "color.h", "formula/ink.h", "geometry.h"}}},
-    {"stats", {{"paths", "stats"}, {}}},
+    {"stats", {{"means", "paths", "stats"}, {}}},
     {"physics",
      {{"units", "collision", "plane", "multiprecision", "line", "surfaces", "sampling", "placement",
        "theory", "events", "physics", "reversal"},

@@ -541,7 +541,8 @@ TEST_CASE("what cannot be compared is refused with the reason") {
           "  hint: it applies to `speed-histogram`, `energy-histogram`, `velocity-histogram`, "
           "`position-histogram`, `temperature`, `entropy`, `pressure`, `thermometer`, "
           "`stopwatch`, `counter`, `pressure-volume`, `piston`, `piston-histogram`, `sides`, "
-          "`flux`, `energy-account`, `mean-squared-displacement`, `velocity-autocorrelation`, "
+          "`flux`, `energy-account`, `particle-speed`, `mean-free-path`, `halves`, "
+          "`mean-squared-displacement`, `velocity-autocorrelation`, "
           "`pair-correlation`, `free-path`, `free-time`, `orientational-order`, "
           "`return-distance`, `run-distance` or `profile`");
     CHECK(message_of(bars + ", compare: {seeds: 2}, seeds: 3}\n")

@@ -69,7 +69,10 @@ const std::vector<FilmCase> film_cases{
       "{kind: profile, quantity: temperature, over: start}",
       "{kind: orientational-order}",
       "{kind: flux, line: {x: 10}, over: {window: 3}}",
-      "{kind: counter, line: {x: 10}}"}},
+      "{kind: counter, line: {x: 10}}",
+      "{kind: particle-speed, of: [0, heavy], over: {window: 2}}",
+      "{kind: mean-free-path, of: [light, heavy]}",
+      "{kind: halves, component: y}"}},
     {parted,
      ", events: [{at: 4.3, open: wall}]",
      {"{kind: sides}", "{kind: sides, measure: temperature}", "{kind: counter}", "{kind: pressure}",
@@ -188,6 +191,45 @@ TEST_CASE("every kind of panel that measures is compared between films of differ
     for (const PanelKind& kind : panel_kinds()) {
         CAPTURE(kind.name);
         CHECK(compared.contains(kind.name));
+    }
+}
+
+namespace {
+
+const HistoryRecord* history_of(const Panel& panel) {
+    if (const auto* series = dynamic_cast<const SeriesPanel*>(&panel)) return &series->record();
+    if (const auto* dials = dynamic_cast<const DialPanel*>(&panel)) return &dials->record();
+    return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("a run reads the instruments of its scene as figures do, bit for bit") {
+    std::set<std::string> read;
+    for (const FilmCase& of : film_cases)
+        for (const std::string& panel : of.panels) {
+            const std::string kind = panel.substr(7, panel.find_first_of(",}") - 7);
+            if (kind_of(panel_kinds(), kind)->meter == nullptr ||
+                panel.find("origins") != std::string::npos)
+                continue;
+            CAPTURE(panel);
+            read.insert(kind);
+            if (panel.find("gauge: true") != std::string::npos) continue;  // of another time
+            const RunReport report = run_physics(
+                test::scene_from(film_scene(of, panel, 30, true) + "measure: [" + panel + "]\n"));
+            const FigureRun run = test::run_of(test::scene_from(film_scene(of, panel, 30, true)));
+            const HistoryRecord* record = history_of(*run.figures().front().panel);
+            REQUIRE(record != nullptr);
+            const Measured& frames = record->runs.front().frames;
+            REQUIRE(!report.readings.empty());
+            for (std::size_t k = 0; k < report.readings.size(); ++k) {
+                const double shown = frames.y.at(k).back(), value = report.readings[k].value;
+                CHECK((value == shown || (std::isnan(value) && std::isnan(shown))));
+            }
+        }
+    for (const PanelKind& kind : panel_kinds()) {
+        CAPTURE(kind.name);
+        if (kind.meter != nullptr && kind.name != "stopwatch") CHECK(read.contains(kind.name));
     }
 }
 

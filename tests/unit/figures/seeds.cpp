@@ -10,7 +10,7 @@
 #include "figures/figure_words.h"
 #include "panels/plots/histogram_panel.h"
 #include "panels/plots/series_panel.h"
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 #include "support/figure_run.h"
 #include "support/scene_text.h"
 

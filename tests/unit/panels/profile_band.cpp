@@ -9,7 +9,7 @@
 
 #include "panels/table.h"
 #include "scene/scene.h"
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 #include "support/scene_text.h"
 #include "support/seen_panel.h"
 

@@ -170,8 +170,9 @@ std::vector<std::string> all_kinds() {
         wire("panels: [{kind: phase, of: [0, 1]}, return-distance], flashes: true, camera: [{at: "
              "1, follow: 1, width: 5}], field: {of: density, cells: 5, over: 1}",
              "{length: 12, walls: periodic}", "velocity: 9"),
-        wire("panels: [piston, energy-account]", "{length: 12, walls: {right: {velocity: -0.2}}}"),
-        piston("panels: [piston, piston-histogram, pressure-volume, energy-account]"),
+        wire("panels: [piston, energy-account, mean-free-path, {kind: particle-speed, of: 0}]",
+             "{length: 12, walls: {right: {velocity: -0.2}}}"),
+        piston("panels: [piston, piston-histogram, pressure-volume, energy-account, halves]"),
     };
 }
 

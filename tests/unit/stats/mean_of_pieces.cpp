@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 #include "util/random.h"
 
 using namespace carom;

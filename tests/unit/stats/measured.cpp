@@ -1,5 +1,5 @@
 // Measurements as values: readings that grow, and means over runs against sums by hand.
-#include "stats/measured.h"
+#include "stats/means/measured.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "stats/measured.h"
+#include "stats/means/measured.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 
 #include <cmath>
 #include <limits>

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "stats/mean_error.h"
+#include "stats/means/mean_error.h"
 
 namespace carom {
 

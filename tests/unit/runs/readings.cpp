@@ -1,0 +1,132 @@
+// What the instruments of a scene read at the end of its run, and what their numbers are called.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "physics/mechanics.h"
+#include "runs/run.h"
+#include "runs/run_numbers.h"
+#include "scene/scene.h"
+#include "support/scene_text.h"
+
+using namespace carom;
+
+namespace {
+
+const std::string gas =
+    "title: T\nbox: {size: [30, 20]}\ngas: [{name: hot, count: 1, radius: 0.5, speed: 5}, "
+    "{name: cold, count: 40, radius: 0.5, temperature: 0.2}]\nrun: {until: 12}\n";
+
+Scene scene_that(const std::string& measures) {
+    return test::scene_from(gas + "measure: " + measures + "\n", {}, Wanted::physics);
+}
+
+std::map<std::string, double> readings_of(const RunReport& report) {
+    std::map<std::string, double> all;
+    for (const LastReading& one : report.readings) all[one.number.name] = one.value;
+    return all;
+}
+
+std::vector<std::string> names_of(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const RunNumber& number : numbers_of_runs(scene)) names.push_back(number.name);
+    return names;
+}
+
+std::string message_of(const std::string& measures) {
+    try {
+        numbers_of_runs(scene_that(measures));
+    } catch (const SceneError& error) {
+        return error.diagnostics().front().message;
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("instruments read what the last sample and all collisions say") {
+    std::vector<double> speed, energy, place, way(41), since(41);
+    std::vector<bool> is_hot;
+    double collisions = 0.0;
+    const auto take_samples = [&](const Particles& particles, const Sample& sample,
+                                  const std::vector<SurfaceState>&) {
+        const Eigen::ArrayXd its = speeds(sample), kinetic = kinetic_energies(particles, sample);
+        speed.assign(its.begin(), its.end());
+        energy.assign(kinetic.begin(), kinetic.end());
+        place.assign(sample.position.col(0).begin(), sample.position.col(0).end());
+    };
+    const auto add_way = [&](std::size_t particle, const Vec& velocity, double until) {
+        way[particle] += length(velocity) * (until - since[particle]);
+        since[particle] = until;
+    };
+    const auto take_collisions = [&](const Particles&, std::span<const Collision> all) {
+        for (const Collision& one : all) {
+            add_way(std::size_t(one.first), one.first_before, one.time);
+            if (!one.second.is_particle()) continue;
+            add_way(std::size_t(one.second.particle()), one.second_before, one.time);
+            collisions += 2.0;
+        }
+    };
+    const RunReport report = run_physics(
+        scene_that(
+            "[{kind: particle-speed, of: [3, hot]}, {kind: halves, title: part}, mean-free-path]"),
+        {.sample = take_samples, .collisions = take_collisions});
+    const auto found = readings_of(report);
+    CHECK(found.at("speed at the end (particle 3)") == speed[3]);
+    CHECK(found.at("speed at the end (hot)") == speed[0]);
+    double left = 0.0, right = 0.0, all = 0.0;
+    for (std::size_t i = 0; i < 41; ++i) {
+        (place[i] < 15.0 ? left : right) += energy[i];
+        all += way[i] + speed[i] * (12.0 - since[i]);
+    }
+    const double rounding = 1e-12;
+    CHECK(found.at("part (left half)") == doctest::Approx(left).epsilon(rounding));
+    CHECK(found.at("part (right half)") == doctest::Approx(right).epsilon(rounding));
+    REQUIRE(collisions > 40.0);
+    CHECK(found.at("mean free path at the end") ==
+          doctest::Approx(all / collisions).epsilon(rounding));
+}
+
+TEST_CASE("instruments do not change the run") {
+    const RunReport plain = run_physics(test::scene_from(gas));
+    const RunReport measured = run_physics(scene_that("[mean-free-path, particle-speed]"));
+    CHECK(measured.state == plain.state);
+    CHECK(measured.summary.temperature == plain.summary.temperature);
+    CHECK(plain.readings.empty());
+}
+
+TEST_CASE("readings follow the other numbers of a run, under the same names") {
+    const Scene scene = scene_that("[temperature, {kind: particle-speed, of: hot, title: v}]");
+    const std::vector<std::string> names = names_of(scene);
+    const std::size_t plain = names_of(test::scene_from(gas)).size();
+    REQUIRE(names.size() == plain + 2);
+    CHECK(names[plain] == "temperature at the end");
+    CHECK(names[plain + 1] == "v");
+    const RunReport report = run_physics(scene);
+    const std::vector<double> values = values_of(scene, report);
+    REQUIRE(values.size() == names.size());
+    CHECK(values[plain] == report.readings[0].value);
+    CHECK(values[plain + 1] == report.readings[1].value);
+}
+
+TEST_CASE("instruments whose numbers cannot be told apart are refused, and what reads none") {
+    CHECK(message_of("[temperature, {kind: temperature, over: start}]") ==
+          "another number is called `temperature at the end`, too");
+    CHECK(message_of("[{kind: particle-speed, title: mean speed}]") ==
+          "another number is called `mean speed`, too");
+    CHECK(message_of("[temperature, {kind: temperature, over: start, title: mean}]").empty());
+    CHECK(message_of("[{kind: mean-squared-displacement, origins: all}]") ==
+          "`mean-squared-displacement` reads no single numbers with these options");
+}
+
+TEST_CASE("theory is no reading") {
+    const Scene scene = test::scene_from(
+        "title: T\nbox: {size: [20, 20]}\ngas: [{count: 50, radius: 0.2, temperature: 1}]\n"
+        "run: {until: 10}\nmeasure: [{kind: flux, line: {x: 10}}]\n");
+    const RunReport report = run_physics(scene);
+    REQUIRE(report.readings.size() == 2);
+    CHECK(report.readings[0].number.name == "crossing rate at the end (to the right)");
+}

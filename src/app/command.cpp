@@ -10,9 +10,9 @@
 
 #include "app/film/film_request.h"
 #include "app/granted_cores.h"
-#include "app/own_files.h"
-#include "app/progress.h"
 #include "media/formats.h"
+#include "runs/own_files.h"
+#include "runs/progress.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"

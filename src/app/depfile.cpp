@@ -6,7 +6,7 @@
 #include <set>
 #include <system_error>
 
-#include "app/own_files.h"
+#include "runs/own_files.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
 

@@ -35,13 +35,13 @@ extern "C" {
 
 #include "app/film/film_motion.h"
 #include "app/film/film_plan.h"
-#include "app/own_files.h"
 #include "draw/canvas.h"
 #include "draw/disks/disks.h"
 #include "draw/text.h"
 #include "media/codecs.h"
 #include "media/yuv.h"
 #include "panels/frame.h"
+#include "runs/own_files.h"
 #include "scene/load.h"
 #include "util/random.h"
 

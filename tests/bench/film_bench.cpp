@@ -19,9 +19,9 @@ extern "C" {
 }
 
 #include "app/film/render.h"
-#include "app/own_files.h"
 #include "media/yuv.h"
 #include "panels/frame.h"
+#include "runs/own_files.h"
 #include "scene/load.h"
 #include "support/shot.h"
 

@@ -13,10 +13,10 @@
 
 #include "app/film/film_plan.h"
 #include "app/film/render.h"
-#include "app/own_files.h"
 #include "bench/process_cost.h"
 #include "draw/disks/disks.h"
 #include "draw/disks/small_disks.h"
+#include "runs/own_files.h"
 #include "scene/load.h"
 #include "util/random.h"
 

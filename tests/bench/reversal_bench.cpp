@@ -12,7 +12,7 @@
 #include <string>
 
 #include "app/film/render.h"
-#include "app/own_files.h"
+#include "runs/own_files.h"
 #include "scene/load.h"
 #include "scene/scene.h"
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "app/film/film_plan.h"
-#include "app/own_files.h"
-#include "app/progress.h"
 #include "bench/measured.h"
 #include "panels/recording.h"
 #include "physics/simulation.h"
+#include "runs/own_files.h"
+#include "runs/progress.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
 #include "util/stopwatch.h"

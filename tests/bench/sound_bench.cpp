@@ -9,9 +9,9 @@
 #include <limits>
 
 #include "app/film/render.h"
-#include "app/own_files.h"
-#include "app/progress.h"
 #include "bench/measured.h"
+#include "runs/own_files.h"
+#include "runs/progress.h"
 #include "scene/load.h"
 #include "scene/scene.h"
 #include "support/files.h"

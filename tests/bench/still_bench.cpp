@@ -10,8 +10,8 @@
 #include <string>
 
 #include "app/film/render.h"
-#include "app/own_files.h"
 #include "bench/process_cost.h"
+#include "runs/own_files.h"
 #include "runs/run.h"
 #include "scene/load.h"
 #include "scene/scene.h"

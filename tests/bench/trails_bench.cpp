@@ -5,9 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "app/own_files.h"
 #include "bench/measured.h"
 #include "panels/frame.h"
+#include "runs/own_files.h"
 #include "scene/load.h"
 #include "support/shot.h"
 

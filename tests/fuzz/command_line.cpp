@@ -2,8 +2,8 @@
 // contain a `=` are also tried as overrides of a scene and as the axis of a sweep.
 #include "app/commands/command_line.h"
 
-#include "app/own_files.h"
 #include "fuzz/fuzz.h"
+#include "runs/own_files.h"
 #include "scene/scene.h"
 #include "scene/sweep.h"
 

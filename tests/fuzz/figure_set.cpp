@@ -3,8 +3,8 @@
 #include "app/check/check_facts.h"
 #include "app/figures/figure_pages.h"
 #include "app/figures/set_loading.h"
-#include "app/own_files.h"
 #include "fuzz/fuzz.h"
+#include "runs/own_files.h"
 
 using namespace carom;
 

@@ -9,12 +9,12 @@
 
 #include "app/film/film_plan.h"
 #include "app/film/render.h"
-#include "app/own_files.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "fuzz/fuzz.h"
 #include "panels/registry.h"
 #include "physics/collision_error.h"
+#include "runs/own_files.h"
 #include "runs/run.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/time/timeline.h"

@@ -2,9 +2,9 @@
 // estimated, or it is rejected.
 #include "app/check/check_facts.h"
 #include "app/film/words/letters.h"
-#include "app/own_files.h"
 #include "fuzz/fuzz.h"
 #include "panels/words/text_panel.h"
+#include "runs/own_files.h"
 #include "scene/describe.h"
 
 using namespace carom;

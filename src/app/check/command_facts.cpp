@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "app/progress.h"
+#include "runs/progress.h"
 #include "util/joined.h"
 #include "util/text.h"
 

@@ -26,7 +26,7 @@
 #include "app/manual/page_text.h"
 #include "app/manual/shell_completions.h"
 #include "app/output.h"
-#include "app/progress.h"
+#include "runs/progress.h"
 #include "scene/yaml/scalar.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"

@@ -8,9 +8,9 @@
 #include <system_error>
 
 #include "app/command.h"
-#include "app/own_files.h"
 #include "app/report/schema_json.h"
 #include "panels/registry.h"
+#include "runs/own_files.h"
 #include "scene/manual/starter.h"
 #include "scene/scene.h"
 #include "scene/sets/set_reading.h"

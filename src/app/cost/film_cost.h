@@ -6,8 +6,8 @@
 
 #include "app/cost/work.h"
 #include "app/film/film_plan.h"
-#include "app/progress.h"
 #include "media/formats.h"
+#include "runs/progress.h"
 
 namespace carom {
 

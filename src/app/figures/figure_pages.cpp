@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include "app/own_files.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "media/base64.h"
 #include "media/formats.h"
 #include "runs/json.h"
+#include "runs/own_files.h"
 #include "scene/limits.h"
 #include "scene/words.h"
 #include "scene/yaml/file_text.h"

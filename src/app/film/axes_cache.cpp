@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/chunks/build_facts.h"
-#include "app/progress.h"
+#include "runs/progress.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"

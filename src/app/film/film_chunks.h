@@ -11,7 +11,7 @@
 #include "app/chunks/plan_folder.h"
 #include "app/film/film_plan.h"
 #include "app/film/render.h"
-#include "app/progress.h"
+#include "runs/progress.h"
 
 namespace carom {
 

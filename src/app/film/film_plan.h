@@ -13,10 +13,10 @@
 #include "app/film/film_options.h"
 #include "app/film/frame_span.h"
 #include "app/film/words/film_text.h"
-#include "app/progress.h"
 #include "media/formats.h"
 #include "panels/frame.h"
 #include "panels/recording.h"
+#include "runs/progress.h"
 #include "scene/scene.h"
 
 namespace carom {

@@ -11,9 +11,9 @@
 #include "app/film/film_options.h"
 #include "app/film/segment_workers.h"
 #include "app/film/words/film_text.h"
-#include "app/progress.h"
 #include "draw/canvas.h"
 #include "media/formats.h"
+#include "runs/progress.h"
 
 namespace carom {
 

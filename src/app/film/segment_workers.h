@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "app/film/in_order.h"
-#include "app/progress.h"
 #include "media/film_writer.h"
 #include "panels/frame.h"
+#include "runs/progress.h"
 
 namespace carom {
 

@@ -9,8 +9,8 @@
 #include <variant>
 
 #include "app/figures/figure_pages.h"
-#include "app/own_files.h"
 #include "panels/registry.h"
+#include "runs/own_files.h"
 #include "scene/reading/scene_reading.h"
 
 namespace carom {

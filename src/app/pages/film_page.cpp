@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/film/film_plan.h"
-#include "app/own_files.h"
 #include "media/base64.h"
+#include "runs/own_files.h"
 #include "util/files/input_file.h"
 #include "util/text.h"
 

@@ -6,8 +6,8 @@
 
 #include "app/film/render.h"
 #include "app/output.h"
-#include "app/progress.h"
 #include "figures/page.h"
+#include "runs/progress.h"
 
 namespace carom {
 

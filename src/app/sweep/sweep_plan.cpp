@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "app/chunks/build_facts.h"
-#include "app/own_files.h"
 #include "app/sweep/sweep_scenes.h"
 #include "runs/number_json.h"
+#include "runs/own_files.h"
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "app/chunks/plan_folder.h"
-#include "app/progress.h"
 #include "app/sweep/sweep_scenes.h"
+#include "runs/progress.h"
 #include "runs/sweep_summary.h"
 #include "scene/load.h"
 #include "scene/sweep.h"

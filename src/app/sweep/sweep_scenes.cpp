@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/own_files.h"
+#include "runs/own_files.h"
 #include "runs/sweep_runs.h"
 #include "util/stopwatch.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/progress.h"
+#include "runs/progress.h"
 #include "scene/load.h"
 #include "scene/scene.h"
 #include "scene/sweep.h"

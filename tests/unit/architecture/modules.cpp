@@ -66,8 +66,7 @@ const std::map<std::string, Parts> parts_of_module{
     {"app",
      {{"chunks", "sweep", "film", "cost", "figures", "pages", "report", "check", "manual",
        "commands", "app"},
-      {"command.h", "depfile.h", "json.h", "machine_resources.h", "output.h", "own_files.h",
-       "progress.h", "simulate.h"}}},
+      {"command.h", "depfile.h", "output.h"}}},
 };
 
 // What scene/ may know of physics/: its plain types, and what is known of them without a

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "app/film/words/film_notes.h"
-#include "app/progress.h"
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
+#include "runs/progress.h"
 #include "scene/describe.h"
 #include "scene/panel_kind.h"
 #include "scene/scene.h"

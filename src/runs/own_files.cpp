@@ -1,4 +1,4 @@
-#include "app/own_files.h"
+#include "runs/own_files.h"
 
 #ifdef __linux__
 #include <sys/auxv.h>

@@ -1,4 +1,4 @@
-#include "app/machine_resources.h"
+#include "draw/machine_resources.h"
 
 #include <fmt/format.h>
 

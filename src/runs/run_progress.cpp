@@ -1,4 +1,4 @@
-#include "app/simulate.h"
+#include "runs/run_progress.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
-// The simulation of a scene, ready at time 0.
+// The progress of a run, from the search for its precision to its end, shown to the user.
 #pragma once
 
-#include "app/progress.h"
 #include "panels/precision.h"
 #include "physics/simulation.h"
+#include "runs/progress.h"
 #include "runs/run.h"
 
 namespace carom {

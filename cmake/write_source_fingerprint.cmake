@@ -6,7 +6,7 @@ foreach(file IN LISTS files)
 endforeach()
 string(SHA256 all "${hashes}")
 string(SUBSTRING ${all} 0 32 all)
-file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[#include "app/chunks/source_fingerprint.h"
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT [[#include "works/source_fingerprint.h"
 
 namespace carom {
 const char* const source_fingerprint = "@all@";

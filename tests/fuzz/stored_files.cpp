@@ -7,10 +7,8 @@
 #include <array>
 #include <cstring>
 
-#include "app/chunks/plan_folder.h"
 #include "app/figures/figure_folder.h"
 #include "app/film/film_chunks.h"
-#include "app/sweep/sweep_plan.h"
 #include "fuzz/fuzz.h"
 #include "runs/json.h"
 #include "runs/sweep_summary.h"
@@ -19,6 +17,8 @@
 #include "util/files/atomic_file.h"
 #include "util/files/input_file.h"
 #include "util/fingerprint.h"
+#include "works/plan_folder.h"
+#include "works/sweep_plan.h"
 
 using namespace carom;
 using test::FuzzInput;

@@ -8,7 +8,6 @@
 #include "app/check/cut_distributions.h"
 #include "app/check/figure_facts.h"
 #include "app/check/theory_facts.h"
-#include "app/chunks/source_fingerprint.h"
 #include "app/command.h"
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
@@ -20,6 +19,7 @@
 #include "util/joined.h"
 #include "util/overloaded.h"
 #include "util/text.h"
+#include "works/source_fingerprint.h"
 
 namespace carom {
 namespace {

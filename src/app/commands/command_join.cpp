@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "app/chunks/plan_folder.h"
 #include "app/command.h"
 #include "app/commands/film_plans.h"
 #include "app/cost/work.h"
 #include "app/output.h"
-#include "app/sweep/sweep_plan.h"
 #include "util/csv.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/text.h"
+#include "works/plan_folder.h"
+#include "works/sweep_plan.h"
 
 namespace carom {
 namespace {

@@ -11,7 +11,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/chunks/plan_folder.h"
 #include "app/command.h"
 #include "app/commands/film_plans.h"
 #include "app/commands/render_words.h"
@@ -35,6 +34,7 @@
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
+#include "works/plan_folder.h"
 
 namespace carom {
 namespace {

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/chunks/build_facts.h"
 #include "app/command.h"
 #include "app/cost/work.h"
 #include "app/depfile.h"
@@ -20,13 +19,14 @@
 #include "app/report/samples_csv.h"
 #include "app/report/samples_xyz.h"
 #include "app/report/surfaces_csv.h"
-#include "app/sweep/sweep_plan.h"
 #include "runs/own_files.h"
 #include "runs/run.h"
 #include "runs/run_progress.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
 #include "util/text.h"
+#include "works/build_facts.h"
+#include "works/sweep_plan.h"
 
 namespace carom {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "app/chunks/plan_folder.h"
 #include "app/command.h"
 #include "app/film/film_plan.h"
+#include "works/plan_folder.h"
 
 namespace carom {
 

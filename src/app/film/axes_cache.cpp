@@ -6,7 +6,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/chunks/build_facts.h"
 #include "runs/progress.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
@@ -14,6 +13,7 @@
 #include "util/files/input_file.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
+#include "works/build_facts.h"
 
 namespace carom {
 namespace {

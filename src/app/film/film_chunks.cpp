@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/chunks/build_facts.h"
 #include "app/film/chunk_file.h"
 #include "media/formats.h"
 #include "panels/words_left_out.h"
@@ -24,6 +23,7 @@
 #include "util/files/utf8_names.h"
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
+#include "works/build_facts.h"
 
 namespace carom {
 namespace {

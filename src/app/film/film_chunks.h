@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/chunks/plan_folder.h"
 #include "app/film/film_plan.h"
 #include "app/film/render.h"
 #include "runs/progress.h"
+#include "works/plan_folder.h"
 
 namespace carom {
 

@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/chunks/plan_folder.h"
 #include "app/film/film_chunks.h"
-#include "app/sweep/sweep_plan.h"
 #include "panels/archived.h"
 #include "runs/json.h"
 #include "runs/sweep_summary.h"
@@ -17,6 +15,8 @@
 #include "util/archive.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
+#include "works/plan_folder.h"
+#include "works/sweep_plan.h"
 
 using namespace carom;
 namespace fs = std::filesystem;

@@ -1,4 +1,4 @@
-#include "app/chunks/plan_folder.h"
+#include "works/plan_folder.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,8 +13,6 @@
 #include <system_error>
 #include <utility>
 
-#include "app/chunks/build_facts.h"
-#include "app/chunks/plan_files.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/files/input_file.h"
@@ -24,6 +22,8 @@
 #include "util/files/utf8_names.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
+#include "works/build_facts.h"
+#include "works/plan_files.h"
 
 namespace carom {
 namespace {

@@ -1,5 +1,5 @@
 // A sweep as a plan in a folder: its runs, in chunks that any process can do, and the summary once
-// all chunks are done. For the folder of a plan see app/chunks/.
+// all chunks are done. For the folder of a plan see plan_folder.h.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "app/chunks/plan_folder.h"
-#include "app/sweep/sweep_scenes.h"
 #include "runs/progress.h"
 #include "runs/sweep_summary.h"
 #include "scene/load.h"
 #include "scene/sweep.h"
+#include "works/plan_folder.h"
+#include "works/sweep_scenes.h"
 
 namespace carom {
 

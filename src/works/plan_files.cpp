@@ -1,4 +1,4 @@
-#include "app/chunks/plan_files.h"
+#include "works/plan_files.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,9 @@
 #include <system_error>
 #include <vector>
 
-#include "app/chunks/plan_folder.h"
 #include "util/diagnostics.h"
 #include "util/files/input_file.h"
+#include "works/plan_folder.h"
 
 namespace carom {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/sweep/sweep_scenes.h"
+#include "works/sweep_scenes.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

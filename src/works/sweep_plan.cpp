@@ -1,4 +1,4 @@
-#include "app/sweep/sweep_plan.h"
+#include "works/sweep_plan.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,6 @@
 #include <map>
 #include <utility>
 
-#include "app/chunks/build_facts.h"
-#include "app/sweep/sweep_scenes.h"
 #include "runs/number_json.h"
 #include "runs/own_files.h"
 #include "util/archive.h"
@@ -21,6 +19,8 @@
 #include "util/interrupt.h"
 #include "util/stopwatch.h"
 #include "util/text.h"
+#include "works/build_facts.h"
+#include "works/sweep_scenes.h"
 
 namespace carom {
 namespace {

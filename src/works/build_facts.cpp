@@ -1,4 +1,4 @@
-#include "app/chunks/build_facts.h"
+#include "works/build_facts.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "app/chunks/source_fingerprint.h"
 #include "draw/canvas.h"
 #include "draw/disks/disks.h"
 #include "draw/text.h"
@@ -14,6 +13,7 @@
 #include "physics/simulation.h"
 #include "util/archive.h"
 #include "util/fingerprint.h"
+#include "works/source_fingerprint.h"
 
 namespace carom {
 namespace {

@@ -6,22 +6,17 @@
 #include <utility>
 #include <vector>
 
-#include "media/formats.h"
 #include "runs/json.h"
 
 namespace carom {
 
 /// Names and values, always in the same order: "carom", the version; "source", a fingerprint of the
 /// files that it was compiled from; "physics", a fingerprint of the final state of a short
-/// reference run. For films also "pictures" and "encoder": each gives the versions of libraries and
-/// a fingerprint of what they make of a reference picture.
+/// reference run. Other results may depend on more.
 using BuildFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// The facts that runs of the physics depend on. May be called from any thread.
 BuildFacts physics_build_facts();
-
-/// The facts that films in a format depend on. Throws SystemError.
-BuildFacts film_build_facts(const OutputFormat& format);
 
 Json to_json(const BuildFacts& facts);
 

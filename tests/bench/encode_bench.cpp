@@ -33,11 +33,11 @@ extern "C" {
 #include <thread>
 #include <vector>
 
-#include "app/film/film_motion.h"
-#include "app/film/film_plan.h"
 #include "draw/canvas.h"
 #include "draw/disks/disks.h"
 #include "draw/text.h"
+#include "films/film_motion.h"
+#include "films/film_plan.h"
 #include "media/codecs.h"
 #include "media/yuv.h"
 #include "panels/frame.h"

@@ -18,7 +18,7 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
-#include "app/film/render.h"
+#include "films/render.h"
 #include "media/yuv.h"
 #include "panels/frame.h"
 #include "runs/own_files.h"

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "app/film/film_plan.h"
-#include "app/film/render.h"
 #include "bench/process_cost.h"
 #include "draw/disks/disks.h"
 #include "draw/disks/small_disks.h"
+#include "films/film_plan.h"
+#include "films/render.h"
 #include "runs/own_files.h"
 #include "scene/load.h"
 #include "util/random.h"

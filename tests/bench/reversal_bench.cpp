@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-#include "app/film/render.h"
+#include "films/render.h"
 #include "runs/own_files.h"
 #include "scene/load.h"
 #include "scene/scene.h"

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <vector>
 
-#include "app/film/film_plan.h"
 #include "bench/measured.h"
+#include "films/film_plan.h"
 #include "panels/recording.h"
 #include "physics/simulation.h"
 #include "runs/own_files.h"

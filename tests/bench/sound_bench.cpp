@@ -8,8 +8,8 @@
 #include <cstring>
 #include <limits>
 
-#include "app/film/render.h"
 #include "bench/measured.h"
+#include "films/render.h"
 #include "runs/own_files.h"
 #include "runs/progress.h"
 #include "scene/load.h"

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <string>
 
-#include "app/film/render.h"
 #include "bench/process_cost.h"
+#include "films/render.h"
 #include "runs/own_files.h"
 #include "runs/run.h"
 #include "scene/load.h"

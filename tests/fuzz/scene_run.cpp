@@ -7,10 +7,10 @@
 #include <array>
 #include <csignal>
 
-#include "app/film/film_plan.h"
-#include "app/film/render.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
+#include "films/film_plan.h"
+#include "films/render.h"
 #include "fuzz/fuzz.h"
 #include "panels/registry.h"
 #include "physics/collision_error.h"

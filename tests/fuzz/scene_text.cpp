@@ -1,7 +1,7 @@
 // Fuzz target: the text of a scene, as `carom check` reads it. It is loaded, described and its cost
 // estimated, or it is rejected.
 #include "app/check/check_facts.h"
-#include "app/film/words/letters.h"
+#include "films/words/letters.h"
 #include "fuzz/fuzz.h"
 #include "panels/words/text_panel.h"
 #include "runs/own_files.h"

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "app/figures/figure_folder.h"
-#include "app/film/film_chunks.h"
+#include "films/chunks/film_chunks.h"
 #include "fuzz/fuzz.h"
 #include "runs/json.h"
 #include "runs/sweep_summary.h"

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/cost/work.h"
 #include "app/report/facts.h"
+#include "films/cost/work.h"
 #include "util/diagnostics.h"
 
 namespace carom {

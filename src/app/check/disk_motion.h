@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cost/trial_run.h"
 #include "app/report/facts.h"
+#include "films/cost/trial_run.h"
 #include "physics/particles.h"
 #include "physics/run.h"
 

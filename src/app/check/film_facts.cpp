@@ -7,7 +7,7 @@
 
 #include "app/check/disk_motion.h"
 #include "app/check/players.h"
-#include "app/film/frame_span.h"
+#include "films/frame_span.h"
 #include "media/formats.h"
 #include "panels/field/field_layer.h"
 #include "panels/frame.h"

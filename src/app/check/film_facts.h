@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cost/film_cost.h"
 #include "app/report/facts.h"
+#include "films/cost/film_cost.h"
 #include "physics/particles.h"
 
 namespace carom {

@@ -9,8 +9,8 @@
 
 #include "app/command.h"
 #include "app/commands/film_plans.h"
-#include "app/cost/work.h"
 #include "app/output.h"
+#include "films/cost/work.h"
 #include "util/csv.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"

@@ -8,9 +8,9 @@
 
 #include "app/command.h"
 #include "app/commands/film_plans.h"
-#include "app/cost/work.h"
 #include "app/film/film_request.h"
 #include "app/output.h"
+#include "films/cost/work.h"
 #include "util/diagnostics.h"
 #include "util/joined.h"
 #include "util/text.h"

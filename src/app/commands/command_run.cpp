@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/command.h"
-#include "app/cost/work.h"
 #include "app/depfile.h"
 #include "app/output.h"
 #include "app/report/collisions_csv.h"
@@ -19,6 +18,7 @@
 #include "app/report/samples_csv.h"
 #include "app/report/samples_xyz.h"
 #include "app/report/surfaces_csv.h"
+#include "films/cost/work.h"
 #include "runs/own_files.h"
 #include "runs/run.h"
 #include "runs/run_progress.h"

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "app/command.h"
-#include "app/cost/work.h"
 #include "app/depfile.h"
 #include "app/film/film_request.h"
-#include "app/film/render.h"
-#include "app/film/words/letters.h"
 #include "app/output.h"
 #include "draw/machine_resources.h"
+#include "films/cost/work.h"
+#include "films/render.h"
+#include "films/words/letters.h"
 #include "runs/own_files.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"

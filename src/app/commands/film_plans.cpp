@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "app/commands/render_words.h"
-#include "app/cost/work.h"
-#include "app/film/film_chunks.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/output.h"
+#include "films/chunks/film_chunks.h"
+#include "films/cost/work.h"
 #include "media/formats.h"
 #include "runs/own_files.h"
 #include "util/diagnostics.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/command.h"
-#include "app/film/film_plan.h"
+#include "films/film_plan.h"
 #include "works/plan_folder.h"
 
 namespace carom {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/film/render.h"
+#include "films/render.h"
 #include "media/formats.h"
 
 namespace carom {

@@ -9,12 +9,12 @@
 #include <set>
 
 #include "app/figures/figure_pages.h"
-#include "app/film/film_plan.h"
-#include "app/film/render.h"
 #include "draw/machine_resources.h"
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "figures/sweep_figure.h"
+#include "films/film_plan.h"
+#include "films/render.h"
 #include "media/formats.h"
 #include "panels/registry.h"
 #include "runs/run_progress.h"

@@ -7,7 +7,7 @@
 
 #include "app/command.h"
 #include "app/figures/figure_pages.h"
-#include "app/film/words/letters.h"
+#include "films/words/letters.h"
 #include "media/formats.h"
 #include "panels/registry.h"
 #include "runs/own_files.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cost/work.h"
 #include "app/figures/figure_set.h"
+#include "films/cost/work.h"
 
 namespace carom {
 

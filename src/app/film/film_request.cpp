@@ -5,7 +5,7 @@
 #include <cctype>
 #include <utility>
 
-#include "app/film/words/letters.h"
+#include "films/words/letters.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/command.h"
-#include "app/film/film_options.h"
+#include "films/film_options.h"
 #include "media/formats.h"
 
 namespace carom {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/film/film_plan.h"
+#include "films/film_plan.h"
 #include "media/base64.h"
 #include "runs/own_files.h"
 #include "util/files/input_file.h"

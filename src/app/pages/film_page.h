@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
-#include "app/film/render.h"
 #include "app/output.h"
 #include "figures/page.h"
+#include "films/render.h"
 #include "runs/progress.h"
 
 namespace carom {

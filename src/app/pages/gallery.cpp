@@ -9,11 +9,11 @@
 #include <system_error>
 #include <utility>
 
-#include "app/cost/work.h"
 #include "app/depfile.h"
 #include "app/figures/figure_folder.h"
 #include "app/film/film_request.h"
 #include "app/pages/film_page.h"
+#include "films/cost/work.h"
 #include "runs/json.h"
 #include "runs/own_files.h"
 #include "scene/sets/set_reading.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/film/film_plan.h"
+#include "films/film_plan.h"
 #include "scene/load.h"
 
 namespace carom {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/cost/trial_run.h"
+#include "films/cost/trial_run.h"
 #include "panels/layout.h"
 #include "panels/panel_set.h"
 #include "physics/placement/draws.h"

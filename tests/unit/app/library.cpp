@@ -13,9 +13,9 @@
 #include <numbers>
 #include <vector>
 
-#include "app/film/film_plan.h"
-#include "app/film/render.h"
-#include "app/film/words/letters.h"
+#include "films/film_plan.h"
+#include "films/render.h"
+#include "films/words/letters.h"
 #include "physics/theory/theory.h"
 #include "scene/load.h"
 #include "support/equilibrium.h"

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/film/words/film_text.h"
 #include "app/report/run_facts.h"
 #include "app/report/surfaces_csv.h"
+#include "films/words/film_text.h"
 #include "panels/recording.h"
 #include "runs/json.h"
 #include "runs/run.h"

@@ -29,10 +29,13 @@ const std::map<std::string, std::set<std::string>> allowed_modules{
     {"media", {"util", "draw", "sound"}},
     {"runs", {"util", "physics", "stats", "scene", "panels"}},
     {"figures", {"util", "physics", "stats", "scene", "draw", "panels", "runs"}},
-    {"works", {"util", "physics", "stats", "scene", "draw", "panels", "sound", "media", "runs"}},
-    {"app",
+    {"works", {"util", "physics", "stats", "scene", "panels", "runs"}},
+    {"films",
      {"util", "physics", "stats", "scene", "draw", "panels", "sound", "media", "runs", "figures",
       "works"}},
+    {"app",
+     {"util", "physics", "stats", "scene", "draw", "panels", "sound", "media", "runs", "figures",
+      "works", "films"}},
 };
 
 // The parts of a module that has folders, from the bottom up: a part includes only itself and parts
@@ -65,8 +68,9 @@ const std::map<std::string, Parts> parts_of_module{
        "correlations", "instruments", "dials", "sweep", "echo", "collision", "words", "panels"},
       {"archived.h", "chosen.h", "layout.h", "panel.h", "precision.h", "registry.h",
        "shared_panel.h", "table.h", "thinning.h"}}},
+    {"films", {{"words", "films", "chunks", "cost"}, {"frame_span.h"}}},
     {"app",
-     {{"film", "cost", "figures", "pages", "report", "check", "manual", "commands", "app"},
+     {{"film", "figures", "pages", "report", "check", "manual", "commands", "app"},
       {"command.h", "depfile.h", "output.h"}}},
 };
 
@@ -111,7 +115,7 @@ const std::vector<ThirdParty> third_party{
     {std::regex("unsupported/Eigen/.*"), {"stats/goodness.cpp"}},
     {std::regex("fmt/.*"),
      {"util/", "physics/", "stats/", "scene/", "draw/", "panels/", "media/", "runs/", "figures/",
-      "works/", "app/"}},
+      "works/", "films/", "app/"}},
 };
 
 struct Include {

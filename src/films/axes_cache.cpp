@@ -37,17 +37,20 @@ std::string fingerprint_of(const SceneSource& source) {
 }  // namespace
 
 RunBits bits_of(const Scene& scene) {
-    RunBits bits{scene.run.bits};
-    if (scene.film.beside) bits.beside = scene.film.beside->scene->run.bits;
+    RunBits bits;
+    for (const Scene* run : scenes_of_film(scene)) bits.push_back(run->run.bits);
     return bits;
 }
 
 Scene with_bits(Scene scene, const RunBits& bits) {
-    scene.run.bits = bits.own;
-    if (!scene.film.beside) return scene;
-    auto other = std::make_shared<Scene>(*scene.film.beside->scene);
-    other->run.bits = bits.beside;
-    scene.film.beside->scene = std::move(other);
+    auto next = bits.begin();
+    if (next != bits.end()) scene.run.bits = *next++;
+    for (ComparedRun& run : scene.film.runs.others) {
+        if (next == bits.end()) break;
+        auto other = std::make_shared<Scene>(*run.scene);
+        other->run.bits = *next++;
+        run.scene = std::move(other);
+    }
     return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "util/archive.h"
 #include "util/files/stored_file.h"
@@ -13,13 +14,9 @@ namespace carom {
 
 struct Scene;
 
-/// The precision of a run in bits, which takes long to find if the scene does not give it.
-struct RunBits {
-    std::optional<int> own;
-    std::optional<int> beside = {};  ///< of the second run shown next to it, if there is one
-
-    void archive(Archive& archive) { archive(own, beside); }
-};
+/// The precision in bits of each run that a film shows, which takes long to find if the scene does
+/// not give it.
+using RunBits = std::vector<std::optional<int>>;
 
 RunBits bits_of(const Scene& scene);
 Scene with_bits(Scene scene, const RunBits& bits);

@@ -15,7 +15,8 @@ double scale_of(const Scene& scene) {
     constexpr double of_width = 0.6, of_height = 0.8;
     const Film& film = scene.film;
     const Box& box = scene.gas.box;
-    const double across = of_width * film.size.width / (film.beside ? 2.0 : 1.0) / box.size[0];
+    const double across =
+        of_width * film.size.width / static_cast<double>(film.runs.count()) / box.size[0];
     return box.dimension == 1 ? across
                               : std::min(across, of_height * film.size.height / box.size[1]);
 }

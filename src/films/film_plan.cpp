@@ -25,45 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The palette of a film, chosen from `previews` of its frames, evenly spread.
-std::vector<std::uint32_t> chosen_colors(const FilmPlan& plan, int previews, Progress& progress) {
-    progress.begin("choosing colours", static_cast<double>(plan.span.end));
-    FilmFrames frames(plan);
-    FramePainter painter(frames.panels());
-    PaletteMaker maker(plan.scene.film.size.width, plan.scene.film.size.height);
-    const int wanted = std::min(previews, plan.frames());
-    int shown = 0;
-    frames.go_to(static_cast<std::size_t>(plan.span.end), [&](const FrameData& frame,
-                                                              const AdvanceResult&) {
-        const int next = plan.span.first + (plan.frames() - 1) * shown / std::max(1, wanted - 1);
-        if (frame.tick.frame == next && shown < wanted) {
-            maker.add(painter.paint(frame).pixels());
-            ++shown;
-        }
-        progress.advance();
-    });
-    const GifPalette palette = maker.finish();
-    return {palette.begin(), palette.end()};
-}
-
-// If the run is kept, one simulation serves both the first pass and the pictures.
-std::vector<std::string> passes_for(const Scene& asked, bool settled, bool kept, bool text,
-                                    bool sound, bool colors) {
-    std::vector<std::string> passes;
-    if (!asked.run.bits && !settled) passes.emplace_back("precision");
-    std::vector<std::string> first;
-    if (!settled) first.emplace_back("axes");
-    if (text) first.emplace_back("words");
-    if (sound) first.emplace_back("sound");
-    std::vector<std::string> later;
-    if (colors) later.emplace_back("colours");
-    later.emplace_back("pictures");
-    if (kept) first.insert(first.end(), later.begin(), later.end());
-    if (!first.empty()) passes.push_back(listed(first));
-    if (!kept) passes.insert(passes.end(), later.begin(), later.end());
-    return passes;
-}
-
 // The data from which a plan's scene is made again, and with which it is checked that nothing has
 // changed.
 struct SceneRecord {
@@ -105,26 +66,20 @@ void archive_options(Archive& archive, FilmOptions& options) {
 }
 
 void archive_shared(Archive& archive, FilmPlan& plan) {
-    archive(plan.span, plan.segments, plan.particles, plan.start, plan.axes, plan.colors, plan.text,
-            plan.passes);
-    if (!plan.scene.film.beside) return;
-    if (archive.is_reading()) plan.beside.emplace();
-    archive(plan.beside->start);
+    archive(plan.span, plan.segments, plan.starts, plan.axes, plan.colors, plan.text, plan.passes);
 }
 
 bool fits_together(const FilmPlan& plan) {
-    const auto is_start = [](const Scene& scene, const Particles& particles, const Sample& start) {
-        return are_of(particles, scene.gas.species.size()) &&
-               is_of(start, scene.gas.box, particles.count());
+    const auto is_start = [](const RunStart& start, const Scene* scene) {
+        return are_of(start.particles, scene->gas.species.size()) &&
+               is_of(start.sample, scene->gas.box, start.particles.count());
     };
     const std::vector<int>& segments = plan.segments;
     if (plan.span.first < 0 || plan.span.end > frame_count(plan.scene.film) || plan.frames() <= 0 ||
         segments.size() < 2 || segments.front() != 0 || segments.back() != plan.frames() ||
         std::ranges::adjacent_find(segments, std::ranges::greater_equal{}) != segments.end())
         return false;
-    return is_start(plan.scene, plan.particles, plan.start) &&
-           (!plan.beside || is_start(*plan.scene.film.beside->scene, plan.beside->start.particles,
-                                     plan.beside->start.sample));
+    return std::ranges::equal(plan.starts, scenes_of_film(plan.scene), is_start);
 }
 
 // The box as in a simulation of the gas: heat baths draw velocities with the seed of the gas.
@@ -136,10 +91,11 @@ Box box_of(const Gas& gas) {
 
 void archive_run(Archive& archive, FilmPlan& plan) {
     archive(plan.progress);
-    plan.run.archive(archive, box_of(plan.scene.gas), plan.particles, plan.scene.run);
-    if (!plan.beside) return;
-    const Scene& other = *plan.scene.film.beside->scene;
-    plan.beside->run.archive(archive, box_of(other.gas), plan.beside->start.particles, other.run);
+    const std::vector<const Scene*> scenes = scenes_of_film(plan.scene);
+    plan.runs.resize(scenes.size());
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        plan.runs[k].archive(archive, box_of(scenes[k]->gas), plan.starts.at(k).particles,
+                             scenes[k]->run);
 }
 
 // Bytes for stored parts of the paths of particles: for trails, and for panels that average over
@@ -170,20 +126,10 @@ double memory_of_ways(const Scene& scene, double particles) {
     return bytes;
 }
 
-// Prepares the second run, which its panels survey while it is recorded.
-void start_beside(FilmPlan& plan, std::optional<Simulation>& simulation, Progress& progress) {
-    if (!plan.scene.film.beside) return;
-    auto [scene, start] = start_scene(*plan.scene.film.beside->scene, progress);
-    plan.scene.film.beside->scene = std::make_shared<Scene>(std::move(scene));
-    plan.beside = RunBeside{{start.particles(), start.sample()}, {}};
-    simulation = std::move(start);
-}
-
 }  // namespace
 
 std::unique_ptr<PanelSet> FilmPlan::panels() const {
-    auto set =
-        std::make_unique<PanelSet>(scene, particles, start, beside ? &beside->start : nullptr);
+    auto set = std::make_unique<PanelSet>(scene, starts);
     Archive archive(axes, "what the first pass has fixed");
     set->archive(archive);
     archive.expect_end();
@@ -192,100 +138,27 @@ std::unique_ptr<PanelSet> FilmPlan::panels() const {
         set->archive_progress(so_far);
         so_far.expect_end();
     }
-    if (beside) set->play_beside(beside->run);
     return set;
 }
 
-FilmFrames::FilmFrames(const FilmPlan& plan) : panels_(plan.panels()), player_(plan.run) {}
+FilmFrames::FilmFrames(const FilmPlan& plan) : panels_(plan.panels()), player_(plan.runs) {}
 
 void FilmFrames::go_to(std::size_t end, const Taker& take, bool ends_still) {
     while (player_.shown() < end) {
         player_.next();
         const bool is_still = ends_still && player_.shown() == end;
-        take(panels_->frame_data(player_.tick(), player_.sample(), player_.advanced(), is_still),
-             player_.advanced());
+        const std::vector<RunFrame> runs = player_.frames();
+        take(panels_->frame_data(player_.tick(), runs, is_still), runs.front().advanced);
     }
 }
 
-FilmPlan FilmFrames::rest(FilmPlan without_run, std::size_t end) const {
-    FilmPlan part = std::move(without_run);
+FilmPlan FilmFrames::rest(FilmPlan without_runs, std::size_t end) const {
+    FilmPlan part = std::move(without_runs);
     Archive progress;
     panels_->archive_progress(progress);
     part.progress = progress.finished();
-    part.run = player_.rest(end);
-    if (part.beside) part.beside->run = *panels_->rest_beside(end);
+    part.runs = player_.rest(end);
     return part;
-}
-
-std::string fixed_axes(PanelSet& panels) {
-    panels.fix_axes();
-    Archive axes;
-    panels.archive(axes);
-    return axes.finished();
-}
-
-FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progress,
-                 const std::function<void(const FilmPlan&)>& when_placed) {
-    FilmPlan plan;
-    const AxesCache cache(options.cache, asked);
-    std::optional<SettledAxes> settled = cache.find();
-    const bool was_settled = settled.has_value();
-    auto [scene, start] = start_scene(settled ? with_bits(asked, settled->bits) : asked, progress);
-    plan.scene = std::move(scene);
-    plan.particles = start.particles();
-    plan.start = start.sample();
-    std::vector<Tick> ticks = timeline(plan.scene);
-    plan.span = frames_between(plan.scene.film, ticks, options.from, options.to);
-    plan.segments = segment_starts(plan.frames(), plan.particles.count());
-    std::optional<Simulation> other;
-    start_beside(plan, other, progress);
-    if (when_placed) when_placed(plan);
-
-    PanelSet panels(plan.scene, plan.particles, plan.start,
-                    plan.beside ? &plan.beside->start : nullptr);
-    Recording::Room room = options.room;
-    if (other) room = {room.memory / 2, room.file / 2};
-    // With fewer particles a separate thread for the panels does not pay.
-    constexpr Eigen::Index enough = 2000;
-    const bool aside = options.threads > 1 && plan.particles.count() >= enough;
-    std::optional<FilmTextMaker> text;
-    std::optional<FilmSound> sound;
-    if (has_sound(plan.scene, format_of_film(options.output)))
-        sound.emplace(plan.scene.film, ticks, plan.particles, start.energy_account(),
-                      plan.span.first, plan.span.end);
-    if (options.text || sound)
-        text.emplace(plan.scene, plan.span, ticks, plan.particles, options.joined_at,
-                     sound.has_value());
-    // Frames after the span are needed only for the axes, except one: the sound of the last frame
-    // is made from the collisions before the next frame.
-    if (settled) ticks.resize(std::min(ticks.size(), static_cast<std::size_t>(plan.span.end) + 1));
-    progress.begin("simulating", static_cast<double>((other ? 2 : 1) * ticks.size()));
-    if (other)
-        plan.beside->run = panels.record_beside(
-            std::move(*other), ticks,
-            [&](const Tick&, const Sample&, const AdvanceResult&) { progress.advance(); }, room,
-            aside);
-    plan.run = panels.record(
-        std::move(start), ticks,
-        [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-            if (text) text->see(tick, sample, advanced);
-            if (sound) sound->see(tick, advanced);
-            progress.advance();
-        },
-        room, aside, sound.has_value());
-    if (sound) plan.sound = sound->samples();
-    if (!settled) {
-        settled = SettledAxes{bits_of(plan.scene), fixed_axes(panels)};
-        cache.keep(*settled);
-    }
-    plan.axes = std::move(settled->axes);
-    if (text) plan.text = text->text();
-    const int previews = format_of_film(options.output).previews;
-    if (previews > 0) plan.colors = chosen_colors(plan, previews, progress);
-    const bool is_kept = plan.run.is_kept() && (!plan.beside || plan.beside->run.is_kept());
-    plan.passes =
-        passes_for(asked, was_settled, is_kept, options.text, !plan.sound.empty(), previews > 0);
-    return plan;
 }
 
 int frames_of(const Scene& scene, const FilmOptions& options) {
@@ -306,7 +179,8 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     constexpr double most_kept = static_cast<double>(Recording::most_bytes) + most_waiting_bytes;
     const double pixels = static_cast<double>(scene.film.size.width) * scene.film.size.height;
     const int frames = frame_count(scene.film);
-    const double disks = static_cast<double>(particles) * (scene.film.beside ? 2.0 : 1.0);
+    const double disks =
+        static_cast<double>(particles) * static_cast<double>(scene.film.runs.count());
     const std::vector<int> segments = segment_starts(frames, particles);
     const auto workers = static_cast<double>(std::clamp<std::size_t>(
         static_cast<std::size_t>(std::max(1, threads)), 1, segments.size() - 1));
@@ -330,12 +204,6 @@ std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std:
     return static_cast<std::int64_t>(
         of_program + of_particle * disks + memory_of_ways(scene, disks) + kept + of_one_frame +
         2.0 * encoded + sound + previews + workers * format.film->memory_per_pixel * pixels);
-}
-
-std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles) {
-    const bool kept = Recording::fits(static_cast<std::size_t>(frame_count(scene.film)), particles,
-                                      scene.gas.box.dimension);
-    return passes_for(scene, false, kept, false, false, false);
 }
 
 std::string shared_bytes(FilmPlan& plan, FilmOptions& options) {

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,22 +20,15 @@
 
 namespace carom {
 
-/// A second run that a film shows next to its own.
-struct RunBeside {
-    RunStart start;
-    Recording run;
-};
-
 struct FilmPlan {
-    Scene scene;  ///< with the precision (bits) that was found; also in the scene of the second run
-    FrameSpan span;             ///< the frames that are drawn
-    std::vector<int> segments;  ///< as segment_starts(), counted from span.first
-    Particles particles;
-    Sample start;                     ///< at time 0
-    Recording run;                    ///< of the whole film, or from a later frame on
-    std::optional<RunBeside> beside;  ///< the second run, if there is one, from the same frame on
-    std::string progress;  ///< archived state of the panels before the first frame of `run`; empty:
-                           ///< their initial state
+    Scene scene;     ///< with the precision (bits) that was found; also in the scenes of other runs
+    FrameSpan span;  ///< the frames that are drawn
+    std::vector<int> segments;     ///< as segment_starts(), counted from span.first
+    std::vector<RunStart> starts;  ///< of the runs that the film shows, its own first
+    std::vector<Recording> runs;   ///< in the same order: the frames of the whole film, or from a
+                                   ///< later frame on
+    std::string progress;  ///< archived state of the panels before the first frame of `runs`;
+                           ///< empty: their initial state
     std::string axes;  ///< archived axes and scales that the first pass has fixed for each panel
     std::vector<std::int16_t> sound;    ///< samples for the span; empty: silent
     std::vector<std::uint32_t> colors;  ///< palette, 0xffRRGGBB, for formats with few colours
@@ -45,9 +37,15 @@ struct FilmPlan {
 
     int frames() const { return span.frames(); }
 
-    /// The number of frames of `run` up to the end of the span.
+    /// The particles of the film's own run.
+    const Particles& particles() const { return starts.front().particles; }
+
+    /// The ticks of the frames of `runs`.
+    const std::vector<Tick>& ticks() const { return runs.front().ticks(); }
+
+    /// The number of frames of `runs` up to the end of the span.
     std::size_t frames_to_play() const {
-        return static_cast<std::size_t>(span.end - run.ticks().front().frame);
+        return static_cast<std::size_t>(span.end - ticks().front().frame);
     }
 
     /// The film's panels with fixed axes, ready for the second pass. They refer to the plan, which
@@ -64,39 +62,26 @@ class FilmFrames {
     using Taker = std::function<void(FrameData frame, const AdvanceResult& advanced)>;
 
     /// Goes on to all frames before number `end`, counted from the first one of the plan's
-    /// recording. With `ends_still` the last of them is that of a still. Throws as
-    /// Recording::Player::next().
+    /// recordings; `take` sees what has happened in the film's own run. With `ends_still` the last
+    /// of them is that of a still. Throws as Recording::Player::next().
     void go_to(std::size_t end, const Taker& take, bool ends_still = false);
 
     PanelSet& panels() const { return *panels_; }
 
     /// The frames from the next one up to but excluding number `end`, as a plan that continues this
     /// one in another process.
-    FilmPlan rest(FilmPlan without_run, std::size_t end) const;
+    FilmPlan rest(FilmPlan without_runs, std::size_t end) const;
 
   private:
     std::unique_ptr<PanelSet> panels_;
-    Recording::Player player_;
+    RunsPlayer player_;
 };
-
-/// The first pass: simulates the run of a scene and fixes everything that holds for the whole film.
-/// `when_placed` is called once the particles are placed, with a plan that contains what is known
-/// then: the scene, the span and the particles. Throws SceneError (the gas cannot be placed, or
-/// does not return), SystemError, Interrupted.
-FilmPlan prepare(const Scene& scene, const FilmOptions& options, Progress& progress,
-                 const std::function<void(const FilmPlan&)>& when_placed = {});
-
-/// Ends the first pass of panels; returns what it has fixed for each, as FilmPlan::axes.
-std::string fixed_axes(PanelSet& panels);
 
 /// The number of frames that are drawn of a scene's film with these options.
 int frames_of(const Scene& scene, const FilmOptions& options);
 
 /// Whether the film of a scene has sound in a format.
 bool has_sound(const Scene& scene, const OutputFormat& format);
-
-/// As FilmPlan::passes, predicted from the number of particles before the simulation.
-std::vector<std::string> expected_passes(const Scene& scene, std::int64_t particles);
 
 /// Number of collisions in all runs of a film, including those with walls.
 struct FilmCollisions {

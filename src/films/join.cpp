@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "draw/text.h"
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "panels/layout.h"
 #include "scene/time/timeline.h"
 #include "sound/rate.h"
@@ -153,6 +153,7 @@ FilmPlan plan_of_all(const std::vector<Scene>& scenes, int frames) {
     for (const Scene& scene : scenes)
         if (scene.film.sound) all.scene.film.sound = scene.film.sound;
     all.span = {0, frames};
+    all.starts.emplace_back();
     return all;
 }
 

@@ -3,17 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "draw/machine_resources.h"
 #include "draw/pages/pages.h"
-#include "films/axes_cache.h"
 #include "films/film_motion.h"
 #include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "panels/words_left_out.h"
-#include "runs/run_progress.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
 #include "util/interrupt.h"
@@ -92,74 +90,22 @@ RenderReport write_film(const FilmPlan& plan, const FilmOptions& options, FilmWr
     return report;
 }
 
-// A stored frame, with its collisions.
-struct KeptFrame {
-    Tick tick;
-    Sample sample;
-    AdvanceResult advanced;
-    std::vector<Collision> collisions;
-};
-
-// About `wanted` of the ticks, evenly spread, including the last one and that of the still.
-std::vector<Tick> some_of(const std::vector<Tick>& ticks, int still) {
-    constexpr std::size_t wanted = 30;
-    const std::size_t step = std::max<std::size_t>(1, ticks.size() / wanted);
-    std::vector<Tick> some;
-    for (std::size_t k = 0; k < ticks.size(); ++k)
-        if (k % step == 0 || k + 1 == ticks.size() || ticks[k].frame == still)
-            some.push_back(ticks[k]);
-    return some;
-}
-
-// Surveys the run at these times and, unless `only_frames`, at its samples, and returns the frames
-// that the still needs.
-std::vector<KeptFrame> survey(PanelSet& panels, Simulation start, const std::vector<Tick>& ticks,
-                              int still, bool are_kept, bool only_frames, Progress& progress) {
-    progress.begin("simulating", static_cast<double>(ticks.size()));
-    std::vector<KeptFrame> kept;
-    panels.survey_run(
-        std::move(start), ticks, are_kept ? still : -1,
-        [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-            if (are_kept && tick.frame <= still)
-                kept.push_back({tick,
-                                sample,
-                                advanced,
-                                {advanced.collisions.begin(), advanced.collisions.end()}});
+// Draws the frame before number `end` of a plan, as a still.
+Canvas draw_frame(const FilmPlan& plan, std::size_t end, const std::string& remark,
+                  const OutputFormat& format, Progress& progress) {
+    FilmFrames frames(plan);
+    progress.begin("preparing the frame", static_cast<double>(end));
+    FrameData still;
+    constexpr bool ends_still = true;
+    frames.go_to(
+        end,
+        [&](FrameData frame, const AdvanceResult&) {
+            still = std::move(frame);
             progress.advance();
         },
-        only_frames);
-    return kept;
-}
-
-FrameData frame_of(PanelSet& panels, std::vector<KeptFrame> kept) {
-    FrameData frame;
-    for (KeptFrame& its : kept) {
-        its.advanced.collisions = its.collisions;
-        const bool is_last = &its == &kept.back();
-        frame = panels.frame_data(its.tick, its.sample, its.advanced, is_last);
-        its = {};
-    }
-    return frame;
-}
-
-// The frame of the still, simulated again: for runs too large to be kept in memory.
-FrameData frame_of(PanelSet& panels, Simulation start, const std::vector<Tick>& ticks, int still) {
-    FrameData frame;
-    start.record_collisions(panels.wants_collisions());
-    for (const Tick& tick : ticks) {
-        if (tick.frame > still) break;
-        throw_if_interrupted();
-        const AdvanceResult advanced = start.advance_to(tick.time);
-        frame = panels.frame_data(tick, start.sample(), advanced, tick.frame == still);
-    }
-    return frame;
-}
-
-// Whether the frames fit into the memory that a film may use for its recording.
-bool fit(const std::vector<Tick>& ticks, int still, const Box& box, Eigen::Index particles) {
-    const auto frames =
-        std::ranges::count_if(ticks, [=](const Tick& tick) { return tick.frame <= still; });
-    return Recording::fits(static_cast<std::size_t>(frames), particles, box.dimension);
+        ends_still);
+    progress.finish();
+    return paint_still(frames.panels(), still, remark, format);
 }
 
 }  // namespace
@@ -187,7 +133,7 @@ void draw_frames(const FilmPlan& plan, int threads, FilmWriter& writer, Progress
         play([&](FrameData frame) { workers.frame(std::move(frame)); });
         seconds = workers.finish();
     }
-    const std::vector<std::string> cut = words_without_room(panels, plan.run.ticks());
+    const std::vector<std::string> cut = words_without_room(panels, plan.ticks());
     report.cut.insert(report.cut.end(), cut.begin(), cut.end());
     const std::vector<std::string> never = callouts.never_shown();
     report.never_shown.insert(report.never_shown.end(), never.begin(), never.end());
@@ -217,7 +163,7 @@ std::unique_ptr<FilmWriter> film_writer(const FilmPlan& plan, const FilmOptions&
                         .height = film.size.height,
                         .fps = film.fps,
                         .quality = options.quality,
-                        .motion = motion_of(scene, plan.particles, plan.start),
+                        .motion = motion_of(scene, plan.particles(), plan.starts.front().sample),
                         .transparent = film.transparent,
                         .behind = to_pixel(page_color(film)),
                         .metadata = {{"title", scene.title},
@@ -269,70 +215,16 @@ Canvas paint_still(const PanelSet& panels, const FrameData& frame, const OutputF
 }
 
 Canvas draw_still(const FilmPlan& plan, double at, const OutputFormat& format, Progress& progress) {
-    const auto end =
-        static_cast<std::size_t>(frame_nearest_to(plan.scene.film, plan.run.ticks(), at)) + 1;
-    FilmFrames frames(plan);
-    progress.begin("preparing the frame", static_cast<double>(end));
-    FrameData still;
-    constexpr bool ends_still = true;
-    frames.go_to(
-        end,
-        [&](FrameData frame, const AdvanceResult&) {
-            still = std::move(frame);
-            progress.advance();
-        },
-        ends_still);
-    progress.finish();
-    return paint_still(frames.panels(), still, format);
+    const int frame = frame_nearest_to(plan.scene.film, plan.ticks(), at);
+    return draw_frame(plan, static_cast<std::size_t>(frame) + 1, "", format, progress);
 }
 
-Still draw_still_alone(const Scene& asked, double at, bool is_quick,
-                       const std::filesystem::path& folder, const OutputFormat& format,
+Still draw_still_alone(const Scene& scene, double at, bool is_quick,
+                       const std::filesystem::path& cache, const OutputFormat& format,
                        Progress& progress) {
-    if (asked.film.beside) {
-        const FilmPlan plan = prepare(asked, {.cache = folder}, progress);
-        const std::size_t frames = plan.run.ticks().size();
-        return {draw_still(plan, at, format, progress), frames, frames};
-    }
-    const AxesCache cache(folder, asked);
-    std::optional<SettledAxes> settled = cache.find();
-    FilmPlan plan;
-    auto [scene, start] = start_scene(settled ? with_bits(asked, settled->bits) : asked, progress);
-    plan.scene = std::move(scene);
-    std::vector<Tick> ticks = timeline(plan.scene);
-    const std::size_t frames = ticks.size();
-    const int still =
-        ticks[static_cast<std::size_t>(frame_nearest_to(plan.scene.film, ticks, at))].frame;
-    plan.particles = start.particles();
-    plan.start = start.sample();
-    std::optional<Simulation> again;
-    std::vector<KeptFrame> kept;
-    if (settled) {
-        again = std::move(start);
-    } else {
-        std::optional<PanelSet> first_pass(std::in_place, plan.scene, plan.particles, plan.start);
-        const bool may_see_some = is_quick && !first_pass->wants_return_distances();
-        std::vector<Tick> seen = may_see_some ? some_of(ticks, still) : ticks;
-        const bool sees_some = seen.size() < ticks.size();
-        ticks = std::move(seen);
-        const bool are_kept = fit(ticks, still, plan.scene.gas.box, plan.particles.count());
-        if (are_kept)
-            plan.start = {};  // not needed: the first frame shows it as well
-        else
-            again = start;
-        kept = survey(*first_pass, std::move(start), ticks, still, are_kept, sees_some, progress);
-        settled = SettledAxes{bits_of(plan.scene), fixed_axes(*first_pass)};
-        first_pass.reset();
-        if (are_kept) plan.start = kept.front().sample;
-        if (!sees_some) cache.keep(*settled);
-    }
-    plan.axes = std::move(settled->axes);
-    const std::unique_ptr<PanelSet> panels = plan.panels();
-    const FrameData frame = again ? frame_of(*panels, std::move(*again), ticks, still)
-                                  : frame_of(*panels, std::move(kept));
-    progress.finish();
-    const std::string remark = remark_on(plan.scene.film.language, ticks.size(), frames);
-    return {paint_still(*panels, frame, remark, format), ticks.size(), frames};
+    const auto [plan, seen, frames] = prepare_still(scene, at, is_quick, cache, progress);
+    const std::string remark = remark_on(plan.scene.film.language, seen, frames);
+    return {draw_frame(plan, plan.ticks().size(), remark, format, progress), seen, frames};
 }
 
 }  // namespace carom

@@ -168,12 +168,12 @@ std::vector<std::string> FramePainter::cut_words() {
             draw_ghost_words(scratch, context_at(scene_.film.layout.gas), {}, boxes.front().width,
                              {mark.words, 0, {}}, 1.0);
         });
-    if (const auto& beside = scene_.film.beside)
-        for (std::size_t run = 0; run < boxes.size(); ++run) {
-            const PanelSet::Placed& line = panels_.line_of_run(run);
-            add(fmt::format("the label “{}”", run == 0 ? beside->own_label : beside->label),
-                [&] { line.panel->draw_ground(scratch, context_at(line.slot)); });
-        }
+    const std::vector<std::string> labels = scene_.film.runs.labels();
+    for (std::size_t run = 0; labels.size() > 1 && run < labels.size(); ++run) {
+        const PanelSet::Placed& line = panels_.line_of_run(run);
+        add(fmt::format("the label “{}”", labels[run]),
+            [&] { line.panel->draw_ground(scratch, context_at(line.slot)); });
+    }
     const std::vector<PanelSpec>& specs = scene_.film.panels;
     const std::size_t first = panels_.panels().size() - specs.size();
     for (std::size_t i = 0; i < specs.size(); ++i) {

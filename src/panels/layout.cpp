@@ -73,12 +73,15 @@ Slot on_plate(const Slot& slot, const LayoutSpec& layout, const Grid& grid) {
     return {slot.x + across, slot.y + up, slot.width - 2.0 * across, slot.height - 2.0 * up};
 }
 
-std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, const Grid& grid) {
+std::vector<PlaceBeside> places_beside(const Slot& place, double box_shape, const Grid& grid,
+                                       std::size_t count) {
     constexpr double between = 1.6;
     constexpr double least_height = 17.0, least_width = 24.0;  // of a line, with its world lines
     const double words = line_under_box(grid), gap = grid.height_of(between),
                  gap_across = grid.width_of(between), shape = grid.shape_of(box_shape);
-    const double across = 0.5 * (place.width - gap_across), up = 0.5 * (place.height - gap) - words;
+    const auto boxes = static_cast<double>(count);
+    const double across = (place.width - (boxes - 1.0) * gap_across) / boxes;
+    const double up = (place.height - (boxes - 1.0) * gap) / boxes - words;
     const double width_beside = shape > 0.0 ? std::min(across, (place.height - words) / shape) : 0;
     const double width_above = shape > 0.0 ? std::min(place.width, up / shape) : place.width;
     const bool is_line = shape == 0.0;
@@ -88,9 +91,9 @@ std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, co
     const double width = is_beside ? (is_line ? across : width_beside) : width_above;
     const double most = is_beside ? place.height - words : up;
     const double height = shape > 0.0 ? std::min(most, width * shape) : most;
-    const double used = is_beside ? height + words : 2.0 * (height + words) + gap;
-    std::array<PlaceBeside, 2> places;
-    for (std::size_t i = 0; i < 2; ++i) {
+    const double used = is_beside ? height + words : boxes * (height + words) + (boxes - 1.0) * gap;
+    std::vector<PlaceBeside> places(count);
+    for (std::size_t i = 0; i < count; ++i) {
         const auto k = static_cast<double>(i);
         Slot& box = places.at(i).box;
         box = {place.x, place.y + 0.5 * (place.height - used), width, height};
@@ -103,15 +106,16 @@ std::array<PlaceBeside, 2> places_beside(const Slot& place, double box_shape, co
     return places;
 }
 
-std::array<PlaceBeside, 2> places_overlaid(const Slot& place, double box_shape, const Grid& grid) {
+std::vector<PlaceBeside> places_overlaid(const Slot& place, double box_shape, const Grid& grid,
+                                         std::size_t count) {
     const double words = line_under_box(grid), shape = grid.shape_of(box_shape);
     const double width = std::min(place.width, (place.height - words) / shape);
     const Slot box{place.x, place.y, width, width * shape};
-    const double half = 0.5 * place.width;
-    std::array<PlaceBeside, 2> places;
-    for (std::size_t i = 0; i < 2; ++i)
-        places.at(i) = {box,
-                        {place.x + static_cast<double>(i) * half, box.y + box.height, half, words}};
+    const double share = place.width / static_cast<double>(count);
+    std::vector<PlaceBeside> places;
+    for (std::size_t i = 0; i < count; ++i)
+        places.push_back(
+            {box, {place.x + static_cast<double>(i) * share, box.y + box.height, share, words}});
     return places;
 }
 

@@ -2,7 +2,6 @@
 // panels in it. Draws nothing.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -52,19 +51,21 @@ std::vector<Slot> shared_slots(const std::vector<Slot>& slots, std::size_t count
 std::vector<Slot> with_heights(std::vector<Slot> slots,
                                const std::vector<std::optional<double>>& enough);
 
-/// The place of one of two boxes, and of a line of text below it.
+/// The place of one of several boxes, and of a line of text below it.
 struct PlaceBeside {
     Slot box, words;
 };
 
-/// Places for two boxes of the same aspect ratio `shape` (height over width in pixels; 0 for a
+/// Places for `count` boxes of the same aspect ratio `shape` (height over width in pixels; 0 for a
 /// line, which takes the available height): side by side or one above the other, whichever makes
 /// them larger; lines side by side where that alone leaves room for their world lines. They are
 /// centred vertically in `place` and left-aligned in their share of its width; the lines of text
 /// have the whole share.
-std::array<PlaceBeside, 2> places_beside(const Slot& place, double shape, const Grid& grid);
+std::vector<PlaceBeside> places_beside(const Slot& place, double shape, const Grid& grid,
+                                       std::size_t count);
 
-/// The places of two boxes in one, and of their lines of text side by side below it.
-std::array<PlaceBeside, 2> places_overlaid(const Slot& place, double shape, const Grid& grid);
+/// The places of `count` boxes in one, and of their lines of text side by side below it.
+std::vector<PlaceBeside> places_overlaid(const Slot& place, double shape, const Grid& grid,
+                                         std::size_t count);
 
 }  // namespace carom

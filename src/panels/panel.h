@@ -37,10 +37,10 @@ struct PanelContext {
     int frames;           ///< of the film
     const BoxedGas& gas;  ///< at the start, for law()
     bool in_film = true;  ///< then a present is marked, and names fade out after a while
-    /// Of two runs that share a box, the one whose colour its disks have: 0, or 1 for that drawn
-    /// over the other.
+    /// Of the runs that share a box, the number of the one whose colour its disks have; those
+    /// after the first are drawn over it.
     std::optional<std::size_t> run_in_box = {};
-    bool is_laid_over() const { return run_in_box == 1u; }
+    bool is_laid_over() const { return run_in_box.value_or(0) > 0; }
 
     // What most panels need of the scene, so that they need not know the rest of it.
     const Box& box() const;

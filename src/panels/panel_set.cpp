@@ -1,7 +1,6 @@
 #include "panels/panel_set.h"
 
 #include <algorithm>
-#include <array>
 
 #include "panels/archived.h"
 #include "panels/echo/echo_record.h"
@@ -12,7 +11,6 @@
 #include "panels/words/monitors_panel.h"
 #include "panels/words/text_panel.h"
 #include "scene/describe.h"
-#include "util/interrupt.h"
 
 namespace carom {
 namespace {
@@ -39,19 +37,15 @@ FrameInput PanelSet::Run::input(const Tick& tick, const Sample& sample,
     return {tick, sample, speed, energy, advanced};
 }
 
-PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start,
-                   const RunStart* beside) {
+PanelSet::PanelSet(const Scene& scene, const std::vector<RunStart>& starts) {
     refuse_long_words(scene);
-    runs_.push_back(std::make_unique<Run>(scene, particles, start));
-    if (beside != nullptr)
+    const std::vector<const Scene*> scenes = scenes_of_film(scene);
+    for (std::size_t run = 0; run < starts.size(); ++run)
         runs_.push_back(
-            std::make_unique<Run>(*scene.film.beside->scene, beside->particles, beside->sample));
+            std::make_unique<Run>(*scenes.at(run), starts[run].particles, starts[run].sample));
     add_boxes(scene.film.layout);
-    make_room(0, start);
-    if (beside != nullptr) {
-        make_room(1, beside->sample);
-        share_ranges_of_lines();
-    }
+    for (std::size_t run = 0; run < starts.size(); ++run) make_room(run, starts[run].sample);
+    if (is_compared()) share_ranges_of_lines();
     add_film_panels(scene.film.layout);
     std::vector<Slot> places;
     for (const Placed& placed : std::span(panels_).last(scene.film.panels.size()))
@@ -70,10 +64,10 @@ void PanelSet::make_room(std::size_t run, const Sample& start) {
 }
 
 void PanelSet::share_ranges_of_lines() {
-    const auto of = [&](std::size_t run) -> MonitorsPanel& {
-        return dynamic_cast<MonitorsPanel&>(*line_of_run(run).panel);
-    };
-    of(own).share_ranges(of(other));
+    std::vector<MonitorsPanel*> lines;
+    for (std::size_t run = 0; run < runs_.size(); ++run)
+        lines.push_back(&dynamic_cast<MonitorsPanel&>(*line_of_run(run).panel));
+    MonitorsPanel::share_ranges(lines);
 }
 
 PanelSet::PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
@@ -92,31 +86,31 @@ PanelContext PanelSet::context_of(std::size_t run) const {
     return {its.scene, its.particles, frame_count(scene().film), its.gas};
 }
 
-// Adds the box and the row of numbers. For two runs: a box for each, or one for both, with a line
-// of each run's numbers below, and the row shows the time only.
+// Adds the box and the row of numbers. For several runs: a box for each, or one for all, with a
+// line of each run's numbers below, and the row shows the time only.
 void PanelSet::add_boxes(const LayoutSpec& layout) {
     const Film& film = scene().film;
-    if (runs_.size() == 1) {
+    if (!is_compared()) {
         panels_.push_back({layout.gas, make_gas_panel(context_of(own))});
         return add_numbers(layout, film.monitors);
     }
     const Box& box = scene().gas.box;
     const double shape = box.dimension == 1 ? 0.0 : box.size[1] / box.size[0];
-    const Beside& beside = *film.beside;
+    const bool is_overlaid = film.runs.is_overlaid;
     const Grid grid(layout, film.size);
-    const std::array<PlaceBeside, 2> places = beside.is_overlaid
-                                                  ? places_overlaid(layout.gas, shape, grid)
-                                                  : places_beside(layout.gas, shape, grid);
-    for (const std::size_t run : {own, other}) {
+    const std::vector<PlaceBeside> places =
+        is_overlaid ? places_overlaid(layout.gas, shape, grid, runs_.size())
+                    : places_beside(layout.gas, shape, grid, runs_.size());
+    for (std::size_t run = 0; run < runs_.size(); ++run) {
         const PanelContext context = context_of(run);
         PanelContext of_box = context;
-        if (beside.is_overlaid) of_box.run_in_box = run;
+        if (is_overlaid) of_box.run_in_box = run;
         panels_.push_back({places.at(run).box, make_gas_panel(of_box), {}, run});
-        panels_.push_back(
-            {places.at(run).words,
-             make_run_line(context, film.monitors, {beside.own_label, beside.label}, run),
-             {},
-             run});
+        runs_[run]->line = panels_.size();
+        panels_.push_back({places.at(run).words,
+                           make_run_line(context, film.monitors, film.runs.labels(), run),
+                           {},
+                           run});
     }
     add_numbers(layout, {Monitor::time});
 }
@@ -140,14 +134,9 @@ void PanelSet::add_film_panels(const LayoutSpec& layout) {
     const Film& film = scene().film;
     std::vector<std::unique_ptr<Panel>> panels;
     std::vector<std::optional<double>> enough;
-    for (std::size_t i = 0; i < film.panels.size(); ++i) {
-        panels.push_back(make_panel(context_of(own), film.panels[i]));
+    for (const PanelSpec& spec : film.panels) {
+        panels.push_back(make_panel(context_of(own), spec));
         enough.push_back(panels.back()->enough_height());
-        if (runs_.size() == 1) continue;
-        const bool is_shared = dynamic_cast<SharedPanel*>(panels.back().get()) != nullptr;
-        of_other_.push_back(
-            is_shared ? make_panel(context_of(other), runs_[other]->scene.film.panels.at(i))
-                      : nullptr);
     }
     const std::vector<Slot> slots =
         with_heights(shared_slots(places_of_panels(layout), panels.size()), enough);
@@ -160,6 +149,10 @@ void PanelSet::add_film_panels(const LayoutSpec& layout) {
                                                         : Placed::Stand::beside_box;
         panels_.push_back({on_plate(slots[i], layout, grid), std::move(panels[i]),
                            showing_of(scene(), i), own, stand});
+        if (dynamic_cast<SharedPanel*>(panels_.back().panel.get()) == nullptr) continue;
+        for (std::size_t run = 1; run < runs_.size(); ++run)
+            panels_.back().of_others.push_back(
+                make_panel(context_of(run), runs_[run]->scene.film.panels.at(i)));
     }
 }
 
@@ -234,9 +227,10 @@ double PanelSet::scale(const Grid& grid) const {
 // Calls f(panel, run) for each panel with the index of the run that it sees.
 template <typename Function>
 void PanelSet::for_each_panel(Function&& f) const {
-    for (const Placed& placed : panels_) f(*placed.panel, placed.run);
-    for (const auto& panel : of_other_)
-        if (panel) f(*panel, other);
+    for (const Placed& placed : panels_) {
+        f(*placed.panel, placed.run);
+        for (std::size_t k = 0; k < placed.of_others.size(); ++k) f(*placed.of_others[k], k + 1);
+    }
 }
 
 bool PanelSet::wants_collisions() const {
@@ -252,42 +246,6 @@ bool PanelSet::wants_return_distances() const {
     for_each_panel(
         [&](const Panel& panel, std::size_t) { any = any || panel.wants_return_distances(); });
     return any;
-}
-
-void PanelSet::survey_run(Simulation simulation, const std::vector<Tick>& ticks, int last_whole,
-                          const Recording::Viewer& see, bool only_frames) {
-    bool are_positions_wanted = false;
-    for_each_panel([&](const Panel& panel, std::size_t its) {
-        are_positions_wanted = are_positions_wanted || (its == own && panel.surveys_positions());
-    });
-    with_places_of_errors(scene(), [&] {
-        simulation.record_collisions(wants_collisions());
-        simulation.measure_return(return_times(own, ticks));
-        VelocitySamples velocities;
-        JoinedCollisions since_frame;
-        for (const SeenMoment& moment : only_frames ? moments_of(ticks) : moments(own, ticks)) {
-            throw_if_interrupted();
-            const Tick& tick = moment.tick;
-            AdvanceResult advanced = simulation.advance_to(tick.time);
-            const bool is_whole =
-                are_positions_wanted || (moment.is_frame && tick.frame <= last_whole);
-            if (is_whole)
-                velocities.skip();
-            else
-                simulation.forget_sample();
-            const Sample& sample =
-                is_whole ? simulation.sample() : velocities.after(simulation, tick.time, advanced);
-            if (!moment.is_frame) {
-                survey(own, moment, sample, advanced, {});
-                since_frame.add(advanced.collisions);
-                continue;
-            }
-            const std::span<const Collision> since = since_frame.take(advanced.collisions);
-            survey(own, moment, sample, advanced, since);
-            advanced.collisions = since;
-            see(tick, sample, advanced);
-        }
-    });
 }
 
 // The samples of the run are moments only if a panel measures.
@@ -341,8 +299,8 @@ void PanelSet::survey(std::size_t run, const SeenMoment& moment, const Sample& s
 }
 
 void PanelSet::fix_axes() {
-    if (runs_.size() > 1)
-        fix_axes_of_both();
+    if (is_compared())
+        fix_axes_of_runs();
     else
         for (const Placed& placed : panels_) placed.panel->fix_axes();
     enter_with_collisions();
@@ -350,34 +308,39 @@ void PanelSet::fix_axes() {
 }
 
 // The boxes get common scales of colours and arrows, and each plot has common axes.
-void PanelSet::fix_axes_of_both() {
-    const Beside& beside = *scene().film.beside;
+void PanelSet::fix_axes_of_runs() {
     std::vector<ParticlePanel*> boxes;
-    const std::size_t before = panels_.size() - of_other_.size();
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-        Panel& panel = *panels_[i].panel;
-        Panel* partner = i < before ? nullptr : of_other_[i - before].get();
-        if (auto* box = dynamic_cast<ParticlePanel*>(&panel))
+    for (const Placed& placed : panels_) {
+        std::vector<Panel*> others;
+        for (const auto& panel : placed.of_others) others.push_back(panel.get());
+        if (auto* box = dynamic_cast<ParticlePanel*>(placed.panel.get()))
             boxes.push_back(box);
-        else if (partner == nullptr)
-            panel.fix_axes();
+        else if (others.empty())
+            placed.panel->fix_axes();
         else
-            dynamic_cast<SharedPanel&>(panel).fix_axes_of_runs({partner},
-                                                               {beside.own_label, beside.label});
+            dynamic_cast<SharedPanel&>(*placed.panel)
+                .fix_axes_of_runs(others, scene().film.runs.labels());
     }
-    boxes.at(own)->share_scales(*boxes.at(other));
+    ParticlePanel::share_scales(boxes);
     share_ranges_of_lines();
 }
 
 Recording PanelSet::record(std::size_t run, Simulation start, const std::vector<Tick>& ticks,
-                           const Recording::Viewer& see, const Recording::Room& room,
-                           Recording::Wanted wanted) {
-    wanted.collisions = wants_collisions();
-    wanted.return_times = return_times(run, ticks);
+                           const Recording::Viewer& see, const Survey& how) {
+    bool are_positions_wanted = false;
+    for_each_panel([&](const Panel& panel, std::size_t its) {
+        are_positions_wanted = are_positions_wanted || (its == run && panel.surveys_positions());
+    });
+    const Recording::Wanted wanted{.collisions = wants_collisions(),
+                                   .first_collisions = how.all_collisions,
+                                   .return_times = return_times(run, ticks),
+                                   .frames = how.frames,
+                                   .later_positions = !how.frames || are_positions_wanted,
+                                   .aside = how.aside};
     Recording recording;
     with_places_of_errors(runs_[run]->scene, [&] {
         recording = Recording(
-            std::move(start), moments(run, ticks), wanted,
+            std::move(start), how.only_frames ? moments_of(ticks) : moments(run, ticks), wanted,
             [&](const SeenMoment& moment, const Sample& sample, const AdvanceResult& advanced,
                 std::span<const Collision> since_frame) {
                 AdvanceResult surveyed = advanced;
@@ -389,7 +352,7 @@ Recording PanelSet::record(std::size_t run, Simulation start, const std::vector<
                 whole.collisions = since_frame;
                 see(moment.tick, sample, whole);
             },
-            room);
+            how.room);
     });
     return recording;
 }
@@ -412,32 +375,31 @@ bool PanelSet::refreshes_readouts(const Tick& tick) const {
            tick.frame % std::max(1, scene().film.fps / readouts_a_second) == 0;
 }
 
-PanelSet::States PanelSet::film_states(const Tick& tick, const Sample& sample,
-                                       const AdvanceResult& advanced, bool is_still) {
-    std::vector<FrameInput> inputs{runs_[own]->input(tick, sample, advanced)};
-    if (beside_)
-        inputs.push_back(runs_[other]->input(tick, beside_->sample(), beside_->advanced()));
+PanelSet::States PanelSet::film_states(const Tick& tick, const std::vector<RunFrame>& runs,
+                                       bool is_still) {
+    std::vector<FrameInput> inputs;
+    for (std::size_t run = 0; run < runs_.size(); ++run)
+        inputs.push_back(runs_[run]->input(tick, runs.at(run).sample, runs.at(run).advanced));
     for (FrameInput& input : inputs) {
         input.refreshes_readouts = is_still || refreshes_readouts(tick);
         input.is_still = is_still;
     }
     States states;
-    const std::size_t before = panels_.size() - of_other_.size();
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-        Panel& panel = *panels_[i].panel;
-        std::shared_ptr<const PanelState> state = panel.state(inputs.at(panels_[i].run));
-        if (Panel* partner = i < before ? nullptr : of_other_[i - before].get())
-            state = dynamic_cast<SharedPanel&>(panel).state_of_runs(
-                {state, partner->state(inputs.at(other))});
-        states.push_back(std::move(state));
+    for (const Placed& placed : panels_) {
+        States of_runs{placed.panel->state(inputs.at(placed.run))};
+        for (const auto& panel : placed.of_others)
+            of_runs.push_back(panel->state(inputs.at(of_runs.size())));
+        states.push_back(
+            of_runs.size() == 1
+                ? std::move(of_runs.front())
+                : dynamic_cast<const SharedPanel&>(*placed.panel).state_of_runs(of_runs));
     }
     return states;
 }
 
 // What is behind a card: the first frame of the gas, or the last. Panels do not keep that they were
 // asked for it, since cards are no part of what they see.
-PanelSet::States PanelSet::states_behind_card(const Tick& tick, const Sample& sample,
-                                              const AdvanceResult& advanced) {
+PanelSet::States PanelSet::states_behind_card(const Tick& tick, const std::vector<RunFrame>& runs) {
     const CardFrames cards = card_frames(scene().film);
     const bool is_title = tick.phase == Phase::title_card;
     Tick shown = tick;
@@ -448,20 +410,18 @@ PanelSet::States PanelSet::states_behind_card(const Tick& tick, const Sample& sa
         is_title ? 0.0 : static_cast<double>(shown.frame - cards.title) / scene().film.fps;
     Archive written;
     archive_progress(written);
-    States states = film_states(shown, sample, advanced, false);
+    States states = film_states(shown, runs, false);
     Archive read(written.finished(), "progress");
     archive_progress(read);
     return states;
 }
 
-FrameData PanelSet::frame_data(const Tick& tick, const Sample& sample,
-                               const AdvanceResult& advanced, bool is_still) {
+FrameData PanelSet::frame_data(const Tick& tick, const std::vector<RunFrame>& runs, bool is_still) {
     FrameData frame{tick, {}, 0};
-    if (beside_) beside_->next();
     if (!is_card(tick.phase)) {
-        frame.states = film_states(tick, sample, advanced, is_still);
+        frame.states = film_states(tick, runs, is_still);
     } else {
-        if (card_phase_ != tick.phase) behind_card_ = states_behind_card(tick, sample, advanced);
+        if (card_phase_ != tick.phase) behind_card_ = states_behind_card(tick, runs);
         card_phase_ = tick.phase;
         frame.states = behind_card_;
     }

@@ -37,15 +37,18 @@ struct RunStart {
 /// the run, or read from what another set has fixed; in the second pass they give the content of
 /// each frame.
 ///
-/// A film may compare its own run with another one (Film::beside): it shows the boxes of both, and
-/// plots have a line for each. Each run has its own first pass; in the second pass the set takes
-/// the frames of the other run from its recording.
+/// A film may compare its own run with others (Film::runs): it shows the boxes of all, and plots
+/// have a line for each. Runs are numbered in this order, the film's own is number 0. Each has its
+/// own first pass; in the second pass the set sees the frames of all runs together.
 class PanelSet {
   public:
-    /// `start` is the state at t = 0; `beside` is the start of the other run, if the film has one.
-    /// Throws SceneError if a text does not fit into its place. `scene` must outlive the set.
-    PanelSet(const Scene& scene, const Particles& particles, const Sample& start,
-             const RunStart* beside = nullptr);
+    /// `starts`: of each run. Throws SceneError if a text does not fit into its place. `scene` must
+    /// outlive the set.
+    PanelSet(const Scene& scene, const std::vector<RunStart>& starts);
+
+    /// The same for a film of its own run alone.
+    PanelSet(const Scene& scene, const Particles& particles, const Sample& start)
+        : PanelSet(scene, std::vector<RunStart>{{particles, start}}) {}
 
     /// Panels without places, as in figures, for a run of `frames` frames.
     PanelSet(const Scene& scene, const Particles& particles, const Sample& start, int frames,
@@ -60,41 +63,25 @@ class PanelSet {
     }
     void fix_axes();
 
+    /// How a run is surveyed.
+    struct Survey {
+        Recording::Room room = {};    ///< limits the bytes that the recording keeps
+        bool aside = false;           ///< panels and `see` on a thread besides the simulation
+        bool all_collisions = false;  ///< `see` gets them even if no panel needs them
+        std::optional<std::size_t> frames = {};  ///< that are recorded, the first ones; none: all.
+                                                 ///< Later samples have positions only if the
+                                                 ///< panels need them
+        bool only_frames = false;                ///< what is measured is measured at the frames
+    };
+
     /// Makes the first pass over a whole run, from a simulation at time 0, at its samples and at
     /// the frames of `ticks`; `see` is called for each frame after the panels. Errors are reported
-    /// with their places in the scene file. `room` limits the bytes that the recording keeps. With
-    /// `aside`, panels and `see` run on a separate thread while the run is simulated. With
-    /// `all_collisions`, `see` gets the collisions even if no panel needs them. Throws SceneError,
-    /// Interrupted.
+    /// with their places in the scene file. Throws SceneError, Interrupted.
+    Recording record(std::size_t run, Simulation start, const std::vector<Tick>& ticks,
+                     const Recording::Viewer& see, const Survey& how);
     Recording record(Simulation start, const std::vector<Tick>& ticks, const Recording::Viewer& see,
-                     const Recording::Room& room = {}, bool aside = false,
-                     bool all_collisions = false) {
-        return record(own, std::move(start), ticks, see, room,
-                      {.first_collisions = all_collisions, .aside = aside});
-    }
-
-    /// The same for the other run.
-    Recording record_beside(Simulation start, const std::vector<Tick>& ticks,
-                            const Recording::Viewer& see, const Recording::Room& room = {},
-                            bool aside = false) {
-        return record(other, std::move(start), ticks, see, room, {.aside = aside});
-    }
-
-    /// Makes the first pass without keeping a recording; there must be no other run. `see` is
-    /// called for each frame after the panels; samples have positions up to the frame `last_whole`,
-    /// and beyond it only if the panels need them. With `only_frames`, what is measured is measured
-    /// at the frames, for a quick still. Throws SceneError, Interrupted.
-    void survey_run(Simulation start, const std::vector<Tick>& ticks, int last_whole,
-                    const Recording::Viewer& see, bool only_frames = false);
-
-    /// Sets the recording from which the second pass takes the frames of the other run, one for
-    /// each frame_data(). `recording` must outlive the second pass.
-    void play_beside(const Recording& recording) { beside_.emplace(recording); }
-
-    /// The frames of the other run that coming calls of frame_data() will take, up to but excluding
-    /// number `end` (Player::rest()). None without another run.
-    std::optional<Recording> rest_beside(std::size_t end) const {
-        return beside_ ? std::optional(beside_->rest(end)) : std::nullopt;
+                     const Recording::Room& room = {}) {
+        return record(own, std::move(start), ticks, see, {.room = room});
     }
 
     /// Writes or reads what the first pass has fixed.
@@ -102,15 +89,20 @@ class PanelSet {
 
     /// Writes or reads the progress of the second pass: all state that the frames so far have left
     /// in the panels. A set that has read it after archive() gives, from the next frame on, exactly
-    /// the same frames as a set that has given all frames before. The recording of play_beside() is
-    /// not included: it must begin with that next frame.
+    /// the same frames as a set that has given all frames before.
     void archive_progress(Archive& archive);
 
-    /// Second pass, every frame in order. Numbers in texts are refreshed every fifth of a second,
-    /// so that they can be read. In a still they are those of its frame, and spotlights and
-    /// callouts are at full strength.
-    FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
+    /// Second pass, every frame in order, with what it shows of each run. Numbers in texts are
+    /// refreshed every fifth of a second, so that they can be read. In a still they are those of
+    /// its frame, and spotlights and callouts are at full strength.
+    FrameData frame_data(const Tick& tick, const std::vector<RunFrame>& runs,
                          bool is_still = false);
+
+    /// The same for a film of its own run alone.
+    FrameData frame_data(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
+                         bool is_still = false) {
+        return frame_data(tick, {{sample, advanced}}, is_still);
+    }
 
     /// Second pass of figures, every frame in order: the states of the panels for which
     /// `is_shown(number)`; the others are empty.
@@ -129,12 +121,14 @@ class PanelSet {
         Slot slot;
         std::unique_ptr<Panel> panel;
         std::optional<Showing> showing = {};  ///< none: always shown
-        std::size_t run = 0;                  ///< that it sees: 0 the film's own, 1 the other one
+        std::size_t run = 0;  ///< that it sees, or whose panel it is if it shows all runs
         /// Where it stands. In the gas's place, a panel comes with the first collision, unless the
         /// scene says when it is shown; over the box it lies on a plate, which is larger than its
         /// place by plate_margin.
         enum class Stand { own_place, beside_box, over_box };
         Stand stand = Stand::own_place;
+        /// The panels of the same kind that see the other runs, of one that shows all runs.
+        std::vector<std::unique_ptr<Panel>> of_others = {};
         bool is_over_box() const { return stand == Stand::over_box; }
         bool is_box() const;  ///< of one of the runs
         /// The opacity of the panel in a frame, from 0 to 1.
@@ -143,8 +137,8 @@ class PanelSet {
     /// All panels: in a film the gas is the first, and the panels that the scene lists are the
     /// last.
     const std::vector<Placed>& panels() const { return panels_; }
-    /// With two runs: the panel of the line of text below the box of one of them.
-    const Placed& line_of_run(std::size_t run) const { return panels_[2 * run + 1]; }
+    /// With several runs: the panel of the line of text below the box of one of them.
+    const Placed& line_of_run(std::size_t run) const { return panels_[runs_[run]->line]; }
     const Panel& gas() const { return *panels_.front().panel; }
     const Scene& scene() const { return runs_.front()->scene; }
 
@@ -158,7 +152,7 @@ class PanelSet {
     const carom::Run& run_in(std::size_t box) const;
 
   private:
-    static constexpr std::size_t own = 0, other = 1;
+    static constexpr std::size_t own = 0;
 
     /// The data of one of the runs.
     struct Run {
@@ -168,6 +162,7 @@ class PanelSet {
         BoxedGas gas;                            ///< refers to the particles
         Eigen::ArrayXd speed = {}, energy = {};  ///< of the present frame
         JoinedCollisions since_sample = {};      ///< in the first pass
+        std::size_t line = 0;                    ///< index of the panel of its line, if it has one
         FrameInput input(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
     };
 
@@ -177,31 +172,24 @@ class PanelSet {
     void add_film_panels(const LayoutSpec& layout);
     void make_room(std::size_t run, const Sample& start);
     void share_ranges_of_lines();
+    bool is_compared() const { return runs_.size() > 1; }
     template <typename Function>
     void for_each_panel(Function&& f) const;
     void survey(std::size_t run, const SeenMoment& moment, const Sample& sample,
                 const AdvanceResult& advanced, std::span<const Collision> since_frame);
     std::vector<SeenMoment> moments(std::size_t run, const std::vector<Tick>& ticks) const;
-    Recording record(std::size_t run, Simulation start, const std::vector<Tick>& ticks,
-                     const Recording::Viewer& see, const Recording::Room& room,
-                     Recording::Wanted wanted);
     std::vector<double> return_times(std::size_t run, const std::vector<Tick>& ticks) const;
-    void fix_axes_of_both();
+    void fix_axes_of_runs();
     bool refreshes_readouts(const Tick& tick) const;
     void enter_with_collisions();
     void share_colors();
     std::vector<Slot> places_of_panels(const LayoutSpec& layout) const;
     using States = std::vector<std::shared_ptr<const PanelState>>;
-    States film_states(const Tick& tick, const Sample& sample, const AdvanceResult& advanced,
-                       bool is_still);
-    States states_behind_card(const Tick& tick, const Sample& sample,
-                              const AdvanceResult& advanced);
+    States film_states(const Tick& tick, const std::vector<RunFrame>& runs, bool is_still);
+    States states_behind_card(const Tick& tick, const std::vector<RunFrame>& runs);
 
-    std::vector<std::unique_ptr<Run>> runs_;  ///< one, or the film's own and the other
+    std::vector<std::unique_ptr<Run>> runs_;  ///< the film's own first
     std::vector<Placed> panels_;
-    std::vector<std::unique_ptr<Panel>>
-        of_other_;  ///< for each panel of a film with two runs, the panel of the other one
-    std::optional<Recording::Player> beside_;
     std::optional<double> first_collision_;  ///< simulated time of the first frame after it
     bool is_film_ = true;
     States behind_card_;               ///< of the last card of which a frame was seen,

@@ -91,8 +91,10 @@ Recording::Recording(Simulation start, const std::vector<SeenMoment>& moments, c
                      const FirstViewer& see, const Room& room)
     : with_collisions_(wanted.collisions), start_(std::move(start)) {
     for (const SeenMoment& moment : moments)
-        if (moment.is_frame) ticks_.push_back(moment.tick);
+        if (moment.is_frame && ticks_.size() < wanted.frames.value_or(moments.size()))
+            ticks_.push_back(moment.tick);
     bool kept = true;
+    std::size_t seen = 0;  // frames
     JoinedCollisions since_frame;
     const auto see_and_keep = [&](const SeenMoment& moment, const Sample& sample,
                                   const AdvanceResult& advanced) {
@@ -102,7 +104,7 @@ Recording::Recording(Simulation start, const std::vector<SeenMoment>& moments, c
         }
         AdvanceResult whole = advanced;
         whole.collisions = since_frame.take(advanced.collisions);
-        if (kept && !keep(sample, whole, room)) {
+        if (kept && seen++ < ticks_.size() && !keep(sample, whole, room)) {
             kept = false;
             forget();
         }
@@ -111,15 +113,11 @@ Recording::Recording(Simulation start, const std::vector<SeenMoment>& moments, c
     };
     Simulation first = *start_;
     first.measure_return(wanted.return_times);
-    const bool with_collisions = wanted.collisions || wanted.first_collisions;
     if (wanted.aside)
-        see_aside(
-            [&](const Advances& send) {
-                simulate(std::move(first), moments, with_collisions, send);
-            },
-            see_and_keep);
+        see_aside([&](const Advances& send) { simulate(std::move(first), moments, wanted, send); },
+                  see_and_keep);
     else
-        simulate(std::move(first), moments, with_collisions, see_and_keep);
+        simulate(std::move(first), moments, wanted, see_and_keep);
     if (kept) start_.reset();
 }
 
@@ -219,12 +217,23 @@ void Recording::read_sample(std::size_t number, Sample& to) const {
 }
 
 void Recording::simulate(Simulation simulation, const std::vector<SeenMoment>& moments,
-                         bool with_collisions, const Advances& see) {
-    simulation.record_collisions(with_collisions);
+                         const Wanted& wanted, const Advances& see) {
+    simulation.record_collisions(wanted.collisions || wanted.first_collisions);
+    VelocitySamples velocities;
+    std::size_t left = wanted.later_positions ? moments.size() : wanted.frames.value_or(0);
     for (const SeenMoment& moment : moments) {
         throw_if_interrupted();
         const AdvanceResult advanced = simulation.advance_to(moment.tick.time);
-        see(moment, simulation.sample(), advanced);
+        const bool is_whole = wanted.later_positions || (moment.is_frame && left > 0);
+        if (is_whole)
+            velocities.skip();
+        else
+            simulation.forget_sample();
+        if (moment.is_frame && left > 0) --left;
+        see(moment,
+            is_whole ? simulation.sample()
+                     : velocities.after(simulation, moment.tick.time, advanced),
+            advanced);
     }
 }
 
@@ -261,6 +270,19 @@ void Recording::Player::show_sample(std::size_t number) {
     if (read_ != number) recording_->read_sample(number, from_file_);
     read_ = number;
     sample_ = &from_file_;
+}
+
+std::vector<RunFrame> RunsPlayer::frames() const {
+    std::vector<RunFrame> frames;
+    for (const Recording::Player& player : players_)
+        frames.push_back({player.sample(), player.advanced()});
+    return frames;
+}
+
+std::vector<Recording> RunsPlayer::rest(std::size_t end) const {
+    std::vector<Recording> all;
+    for (const Recording::Player& player : players_) all.push_back(player.rest(end));
+    return all;
 }
 
 Recording Recording::Player::rest(std::size_t end) const {

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -79,16 +80,23 @@ class Recording {
     using Room = RecordingRoom;
     static constexpr std::size_t most_bytes = Room::most_memory;
 
-    /// What is recorded besides the samples.
+    /// What is recorded besides the samples, and how much of the run.
     struct Wanted {
         bool collisions = false;
-        bool first_collisions = false;          ///< in the first pass only
-        std::vector<double> return_times = {};  ///< in the first pass only
+        bool first_collisions = false;           ///< in the first pass only
+        std::vector<double> return_times = {};   ///< in the first pass only
+        std::optional<std::size_t> frames = {};  ///< that are kept and replayed, the first ones;
+                                                 ///< none: all
+        bool later_positions = true;  ///< in samples of the first pass after these frames
         bool aside = false;  ///< frames of the first pass are seen on a separate thread, in
                              ///< parallel with the simulation
     };
 
     Recording() = default;
+
+    /// A run that is simulated whenever it is played, without a first pass.
+    Recording(Simulation start, std::vector<Tick> ticks, bool with_collisions)
+        : ticks_(std::move(ticks)), with_collisions_(with_collisions), start_(std::move(start)) {}
 
     /// Simulates the run at the times of `ticks`, which must not decrease, from a simulation at
     /// time 0, and calls `see` for each frame. Throws Interrupted, and what `see` and the
@@ -199,7 +207,7 @@ class Recording {
     void forget();
     using Advances = std::function<void(const SeenMoment&, const Sample&, const AdvanceResult&)>;
     static void simulate(Simulation simulation, const std::vector<SeenMoment>& moments,
-                         bool with_collisions, const Advances& see);
+                         const Wanted& wanted, const Advances& see);
     static void see_aside(const std::function<void(const Advances&)>& simulate,
                           const Advances& see);
     void keep_part(const Recording& whole, std::size_t first, std::size_t end);
@@ -215,6 +223,38 @@ class Recording {
     std::shared_ptr<ScratchFile> file_;      ///< none: all is in memory
     Eigen::Index particles_ = 0, axes_ = 0;  ///< of a sample in the file
     std::optional<Simulation> start_;        ///< of a run that is not kept, before its first frame
+};
+
+/// What a frame shows of one run: its state, and what happened since the frame before.
+struct RunFrame {
+    const Sample& sample;
+    const AdvanceResult& advanced;
+};
+
+/// Replays recordings with the same ticks, those of the runs that a film shows, in step. Holds
+/// references to them; there must be at least one.
+class RunsPlayer {
+  public:
+    explicit RunsPlayer(std::span<const Recording> runs) {
+        for (const Recording& run : runs) players_.emplace_back(run);
+    }
+
+    /// Advances to the next frame; the first call, to the first frame. Throws as
+    /// Recording::Player::next().
+    void next() {
+        for (Recording::Player& player : players_) player.next();
+    }
+
+    /// The present frame; valid until next().
+    const Tick& tick() const { return players_.front().tick(); }
+    std::vector<RunFrame> frames() const;
+
+    /// As Recording::Player::shown(), and the rest of each recording as Recording::Player::rest().
+    std::size_t shown() const { return players_.front().shown(); }
+    std::vector<Recording> rest(std::size_t end) const;
+
+  private:
+    std::deque<Recording::Player> players_;
 };
 
 }  // namespace carom

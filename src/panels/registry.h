@@ -3,7 +3,6 @@
 // follow.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 #include <string>
@@ -39,12 +38,12 @@ std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& 
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
                                       const std::optional<View>& view = {});
 
-/// Makes the line of text under the box of run number `run` of two: its label, in the colour that
-/// the run has in plots, and as many of the numbers, except the time, as there is room for in the
-/// lines of both runs.
+/// Makes the line of text under the box of run number `run` of several: its label, in the colour
+/// that the run has in plots, and as many of the numbers, except the time, as there is room for in
+/// the lines of all runs.
 std::unique_ptr<Panel> make_run_line(const PanelContext& context,
                                      const std::vector<Monitor>& numbers,
-                                     const std::array<std::string, 2>& labels, std::size_t run);
+                                     const std::vector<std::string>& labels, std::size_t run);
 
 /// Makes the clock of a film; the line of its other numbers; and a row of numbers with their names.
 std::unique_ptr<Panel> make_clock(const PanelContext& context);

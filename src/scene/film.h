@@ -91,10 +91,20 @@ struct CameraMove {
     double seconds = 1.5;  ///< of film, duration of the move
 };
 
-/// The second run that a film shows side by side with the scene's own, at the same times.
-struct Beside : ComparedRun {
-    std::string own_label;     ///< of the scene's own run
-    bool is_overlaid = false;  ///< both in one box, each in its own colour
+/// The runs that a film shows side by side, at the same times: first the scene's own.
+struct FilmRuns {
+    std::string own_label;            ///< of the scene's own run, if there are others
+    std::vector<ComparedRun> others;  ///< empty: the scene's own run alone
+    bool is_overlaid = false;         ///< all in one box, each in its own colour
+
+    std::size_t count() const { return 1 + others.size(); }
+
+    /// The labels of all runs, in order.
+    std::vector<std::string> labels() const {
+        std::vector<std::string> all{own_label};
+        for (const ComparedRun& run : others) all.push_back(run.label);
+        return all;
+    }
 };
 
 /// The sound of a film: a click for each collision of its run.
@@ -134,7 +144,7 @@ struct Film {
     std::vector<Callout> callouts;
     std::vector<CameraMove> camera;  ///< in order of time; empty: the whole box throughout
     std::optional<Field> field;
-    std::optional<Beside> beside;
+    FilmRuns runs;
     std::optional<Sound> sound;             ///< none: the film is silent
     Language language = Language::english;  ///< of carom's own words, not the scene's
 };

@@ -111,7 +111,7 @@ void take_shared(Scene& other, const Film& film) {
     its.camera = std::move(other.film.camera);
     its.trails = std::move(other.film.trails);
     its.callouts.clear();
-    its.beside.reset();
+    its.runs = {};
     other.film = std::move(its);
     other.captions.clear();
 }
@@ -154,8 +154,8 @@ void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompare
 
 void load_beside(Scene& scene, const Node& root, const Overrides& overrides,
                  const ReloadBeside& reload) {
-    if (!scene.film.beside) return;
-    Beside& beside = *scene.film.beside;
+    if (scene.film.runs.others.empty()) return;
+    ComparedRun& beside = scene.film.runs.others.front();
     const Node &film = *find(root, "film"), &run = *find(root, "run");
     const Node* file = find(*find(film, "beside"), "scene");
     Overrides changes = file == nullptr ? overrides : Overrides{};

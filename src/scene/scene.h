@@ -77,6 +77,13 @@ struct Scene {
                                             ///< empty message, for errors found later
 };
 
+/// The scenes of the runs that the film of a scene shows, in the order of FilmRuns.
+inline std::vector<const Scene*> scenes_of_film(const Scene& scene) {
+    std::vector<const Scene*> all{&scene};
+    for (const ComparedRun& run : scene.film.runs.others) all.push_back(run.scene.get());
+    return all;
+}
+
 /// A scene as `carom check` sees it.
 struct LoadedScene {
     Scene scene;

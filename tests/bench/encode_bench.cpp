@@ -37,7 +37,7 @@ extern "C" {
 #include "draw/disks/disks.h"
 #include "draw/text.h"
 #include "films/film_motion.h"
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "media/codecs.h"
 #include "media/yuv.h"
 #include "panels/frame.h"
@@ -143,7 +143,7 @@ struct ConvertedFrames {
         Progress silent(Progress::Form::silent, "");
         const FilmPlan plan = prepare(load_scene(scene, scene_resources(), {"film.size=1080p"}),
                                       {.output = "film.mp4"}, silent);
-        motion = motion_of(plan.scene, plan.particles, plan.start);
+        motion = motion_of(plan.scene, plan.particles(), plan.starts.front().sample);
         FilmFrames film(plan);
         FramePainter painter(film.panels());
         const int first = std::max(0, (plan.frames() - count) / 2),

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bench/measured.h"
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "panels/recording.h"
 #include "physics/simulation.h"
 #include "runs/own_files.h"

@@ -125,9 +125,9 @@ const Course& course_beside(const std::string& name) {
     static std::map<std::string, Course> courses;
     const auto found = courses.find(name);
     if (found != courses.end()) return found->second;
-    const auto& beside = course(name).scene.film.beside;
-    if (!beside) throw std::invalid_argument(name + " shows no run beside its own");
-    return courses.emplace(name, run_of(name, *beside->scene)).first->second;
+    const std::vector<ComparedRun>& others = course(name).scene.film.runs.others;
+    if (others.empty()) throw std::invalid_argument(name + " shows no run beside its own");
+    return courses.emplace(name, run_of(name, *others.front().scene)).first->second;
 }
 
 Which all() {

@@ -9,7 +9,7 @@
 
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "films/render.h"
 #include "fuzz/fuzz.h"
 #include "panels/registry.h"

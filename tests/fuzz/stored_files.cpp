@@ -9,6 +9,7 @@
 
 #include "app/figures/figure_folder.h"
 #include "films/chunks/film_chunks.h"
+#include "films/first_pass.h"
 #include "fuzz/fuzz.h"
 #include "runs/json.h"
 #include "runs/sweep_summary.h"

@@ -20,11 +20,9 @@ namespace carom::test {
 /// A film after its first pass. Its panels hold references to it, so it is not copyable.
 struct SurveyedFilm {
     Scene scene;
-    Particles particles;
-    Sample start;                          ///< at time 0
-    std::optional<RunStart> start_beside;  ///< of the run shown beside the film's own, if any
-    Recording run, beside;
-    std::string axes;  ///< the archive of what the first pass has fixed
+    std::vector<RunStart> starts = {};  ///< of the runs that it shows, its own first
+    std::vector<Recording> runs = {};
+    std::string axes = {};  ///< the archive of what the first pass has fixed
 
     /// `room`: how much room the recording of each run may take.
     explicit SurveyedFilm(const Scene& loaded, const Recording::Room& room = {})
@@ -34,32 +32,29 @@ struct SurveyedFilm {
 
     /// Panels that have restored what the first pass has fixed, ready for the second pass.
     std::unique_ptr<PanelSet> read_panels() const {
-        auto panels = std::make_unique<PanelSet>(scene, particles, start,
-                                                 start_beside ? &*start_beside : nullptr);
+        auto panels = std::make_unique<PanelSet>(scene, starts);
         Archive read(axes, "axes");
         panels->archive(read);
         read.expect_end();
-        if (start_beside) panels->play_beside(beside);
         return panels;
     }
 
   private:
     SurveyedFilm(StartedScene started, const Recording::Room& room)
-        : scene(std::move(started.scene)),
-          particles(started.simulation.particles()),
-          start(started.simulation.sample()) {
-        std::optional<StartedScene> other;
-        if (scene.film.beside) {
-            other = start_scene(*scene.film.beside->scene);
-            start_beside = {other->simulation.particles(), other->simulation.sample()};
-            scene.film.beside->scene = std::make_shared<Scene>(other->scene);
+        : scene(std::move(started.scene)) {
+        std::vector<Simulation> simulations{std::move(started.simulation)};
+        for (ComparedRun& run : scene.film.runs.others) {
+            StartedScene other = start_scene(*run.scene);
+            run.scene = std::make_shared<Scene>(std::move(other.scene));
+            simulations.push_back(std::move(other.simulation));
         }
-        PanelSet first(scene, particles, start, start_beside ? &*start_beside : nullptr);
-        const auto ignore = [](const Tick&, const Sample&, const AdvanceResult&) {};
-        if (other)
-            beside =
-                first.record_beside(std::move(other->simulation), timeline(scene), ignore, room);
-        run = first.record(std::move(started.simulation), timeline(scene), ignore, room);
+        for (Simulation& simulation : simulations)
+            starts.push_back({simulation.particles(), simulation.sample()});
+        PanelSet first(scene, starts);
+        for (Simulation& simulation : simulations)
+            runs.push_back(first.record(runs.size(), std::move(simulation), timeline(scene),
+                                        [](const Tick&, const Sample&, const AdvanceResult&) {},
+                                        {.room = room}));
         first.fix_axes();
         Archive written;
         first.archive(written);
@@ -75,10 +70,11 @@ struct Shot : SurveyedFilm {
 
     explicit Shot(const Scene& loaded, std::size_t most = std::numeric_limits<std::size_t>::max())
         : SurveyedFilm(loaded), panels(read_panels()) {
-        run.play(std::min(run.ticks().size(), most),
-                 [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                     frames.push_back(panels->frame_data(tick, sample, advanced));
-                 });
+        RunsPlayer player(runs);
+        while (player.shown() < std::min(runs.front().ticks().size(), most)) {
+            player.next();
+            frames.push_back(panels->frame_data(player.tick(), player.frames()));
+        }
     }
 };
 

@@ -7,6 +7,7 @@
 
 #include "app/check/disk_motion.h"
 #include "app/check/players.h"
+#include "films/first_pass.h"
 #include "films/frame_span.h"
 #include "media/formats.h"
 #include "panels/field/field_layer.h"
@@ -114,27 +115,19 @@ Json sound_value(const Film& film) {
             {"reference", reference ? Json(*reference) : Json()}};
 }
 
-// The other run's gas, drawn and not placed.
-std::optional<RunStart> start_beside(const Film& film) {
-    if (!film.beside) return std::nullopt;
-    auto [particles, state] = draw_gas(film.beside->scene->gas);
-    return RunStart{std::move(particles), std::move(state)};
-}
-
-// Of both runs of a film.
+// Of all runs of a film.
 std::vector<DiskMotion> disks_of(const Scene& scene, const CheckedFilm& checked,
-                                 const PanelSet& panels, const Particles& drawn,
-                                 const std::optional<RunStart>& beside) {
+                                 const PanelSet& panels, const std::vector<RunStart>& starts) {
     if (scene.gas.box.dimension == 1) return {};
     const double scale = panels.scale(Grid(scene.film.layout, scene.film.size));
-    std::vector<DiskMotion> all = disk_motion(scene, drawn, checked.counts.own.speeds, scale);
-    if (!beside) return all;
-    for (DiskMotion& one : all) one.run = scene.film.beside->own_label;
-    for (DiskMotion& one : disk_motion(*scene.film.beside->scene, beside->particles,
-                                       checked.counts.beside.speeds, scale)) {
-        one.run = scene.film.beside->label;
-        all.push_back(std::move(one));
-    }
+    const std::vector<const Scene*> scenes = scenes_of_film(scene);
+    std::vector<DiskMotion> all;
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+        for (DiskMotion& one :
+             disk_motion(*scenes[k], starts[k].particles, checked.counts.at(k).speeds, scale)) {
+            if (scenes.size() > 1) one.run = scene.film.runs.labels()[k];
+            all.push_back(std::move(one));
+        }
     return all;
 }
 
@@ -144,7 +137,7 @@ Facts rows_of_film(const Scene& scene, const CheckedFilm& checked, std::int64_t 
     const Film& film = scene.film;
     const FilmOptions& options = checked.options;
     const int frames = frames_of(scene, options);
-    const int runs = film.beside ? 2 : 1;
+    const auto runs = static_cast<std::int64_t>(film.runs.count());
     const std::vector<std::string> passes = expected_passes(scene, runs * particles);
     const std::vector<FilmCost> costs = estimated_costs(scene, checked, collisions);
     const double seconds = static_cast<double>(frames) / film.fps;
@@ -177,9 +170,9 @@ Facts rows_of_film(const Scene& scene, const CheckedFilm& checked, std::int64_t 
          {for_people("memory", memory_words(costs, options.threads))},
          motion_rows(film, scene.run, disks),
          player_rows(film, checked.formats)});
-    if (film.beside)
-        facts.push_back({"beside", Json::array({film.beside->own_label, film.beside->label}),
-                         "side by side", film.beside->own_label + " | " + film.beside->label});
+    if (const std::vector<std::string> labels = film.runs.labels(); labels.size() > 1)
+        facts.push_back(
+            {"beside", labels, "side by side", fmt::format("{}", fmt::join(labels, " | "))});
     return facts;
 }
 
@@ -195,13 +188,18 @@ std::vector<const OutputFormat*> formats_with_costs() {
 Facts film_facts(const Scene& scene, const CheckedFilm& checked, const Particles& drawn,
                  const Sample& start, double expected) {
     const std::int64_t particles = drawn.count();
-    const std::optional<RunStart> beside = start_beside(scene.film);
-    const PanelSet panels(scene, drawn, start, beside ? &*beside : nullptr);
-    const FilmCollisions collisions{checked.collisions.value_or((beside ? 2.0 : 1.0) * expected),
-                                    panels.wants_collisions()};
+    std::vector<RunStart> starts{{drawn, start}};  // of other runs drawn and not placed
+    for (const ComparedRun& run : scene.film.runs.others) {
+        auto [others, state] = draw_gas(run.scene->gas);
+        starts.push_back({std::move(others), std::move(state)});
+    }
+    const PanelSet panels(scene, starts);
+    const FilmCollisions collisions{
+        checked.collisions.value_or(static_cast<double>(starts.size()) * expected),
+        panels.wants_collisions()};
     std::vector<std::string> cut = FramePainter(panels).cut_words();
     cut.insert(cut.end(), checked.cut.begin(), checked.cut.end());
-    const std::vector<DiskMotion> disks = disks_of(scene, checked, panels, drawn, beside);
+    const std::vector<DiskMotion> disks = disks_of(scene, checked, panels, starts);
     return joined<Fact>({rows_of_film(scene, checked, particles, collisions, disks),
                          field_rows(scene, particles), rows_of("cut", "cut", cut),
                          rows_of("keys", "keys", checked.in_keys)});

@@ -70,9 +70,11 @@ std::optional<double> collisions_of_film(const Scene& scene, const SceneCounts& 
         const auto most = static_cast<double>(collision_ceiling(one.run, total_count(one.gas)));
         return std::min(most, its.collisions.value_or(0.0));
     };
-    if (!counts.own.collisions) return std::nullopt;
-    const double own = limited(scene, counts.own);
-    return scene.film.beside ? own + limited(*scene.film.beside->scene, counts.beside) : own;
+    if (!counts.front().collisions) return std::nullopt;
+    double all = 0.0;
+    const std::vector<const Scene*> scenes = scenes_of_film(scene);
+    for (std::size_t k = 0; k < scenes.size(); ++k) all += limited(*scenes[k], counts.at(k));
+    return all;
 }
 
 // The words on the title cards of the set's joined film.
@@ -227,12 +229,12 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
         return facts_of(scene, std::nullopt, own, works, refused);
     }
     find_barriers(arguments, scene, found);
-    SceneCounts counts{.own = own, .beside = {}};
-    if (scene.film.beside) counts.beside = counts_of(*scene.film.beside->scene);
+    SceneCounts counts{own};
+    for (const ComparedRun& run : scene.film.runs.others) counts.push_back(counts_of(*run.scene));
     CheckedFilm film = checked_film(arguments, path, scene, counts, refused);
     hold_to_limits(scene, works, refused);
     hold_to_limits(arguments, scene, film, refused);
-    find_words_without_room(scene, counts.own, film);
+    find_words_without_room(scene, own, film);
     works.emplace_back("render",
                        work_of_film(scene, arguments.film, *film.formats.front(), counts));
     return facts_of(scene, film, own, works, refused);

@@ -13,7 +13,7 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "figures/sweep_figure.h"
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "films/render.h"
 #include "media/formats.h"
 #include "panels/registry.h"

@@ -21,7 +21,7 @@ Work work_of_set(const FigureSet& set, const std::vector<std::string>& only, boo
         const SceneCounts counts = counts_of_film(part.scene);
         const std::vector<std::string> names = chosen(part, only);
         if (!names.empty())
-            work = together(work, work_of_figures(part.scene, names, set.formats, counts.own));
+            work = together(work, work_of_figures(part.scene, names, set.formats, counts.front()));
         if (films && !part.compares)
             work = together(work, work_of_film(part.scene, {}, output_format("mp4"), counts));
     }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "media/base64.h"
 #include "runs/own_files.h"
 #include "util/files/input_file.h"

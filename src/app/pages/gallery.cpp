@@ -14,6 +14,7 @@
 #include "app/film/film_request.h"
 #include "app/pages/film_page.h"
 #include "films/cost/work.h"
+#include "films/first_pass.h"
 #include "runs/json.h"
 #include "runs/own_files.h"
 #include "scene/sets/set_reading.h"

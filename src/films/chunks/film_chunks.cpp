@@ -13,6 +13,7 @@
 
 #include "films/chunks/chunk_file.h"
 #include "films/chunks/film_build_facts.h"
+#include "films/first_pass.h"
 #include "media/formats.h"
 #include "panels/words_left_out.h"
 #include "scene/load.h"
@@ -63,14 +64,14 @@ double pixels_of(const FilmPlan& plan) {
     return static_cast<double>(plan.scene.film.size.width) * plan.scene.film.size.height;
 }
 
-double disks_of(const FilmPlan& plan) { return static_cast<double>(plan.particles.count()); }
+double disks_of(const FilmPlan& plan) { return static_cast<double>(plan.particles().count()); }
 
 // Seconds on one core that a frame takes: measured for the simulation, from the table of formats
 // for drawing and encoding.
 double seconds_of_frame(const FilmPlan& plan, const FormatCost& cost, Quality quality,
                         double simulated) {
     return cost.frame_seconds(disks_of(plan), pixels_of(plan), quality) +
-           (plan.run.is_kept() ? 0.0 : simulated / std::max(1, plan.span.end));
+           (plan.runs.front().is_kept() ? 0.0 : simulated / std::max(1, plan.span.end));
 }
 
 struct Memory {
@@ -99,12 +100,11 @@ int chunks_wanted(const FilmDivision& division, int frames, double seconds_of_on
         std::clamp(std::ceil(frames * seconds_of_one / *division.seconds), 1.0, double(frames)));
 }
 
-// The part of a plan that a chunk draws, without its run.
-FilmPlan without_run(const FilmPlan& plan) {
+// The part of a plan that a chunk draws, without its runs.
+FilmPlan without_runs(const FilmPlan& plan) {
     FilmPlan part;
     part.scene = plan.scene;
-    part.particles = plan.particles;
-    if (plan.beside) part.beside = RunBeside{plan.beside->start, {}};
+    part.starts = plan.starts;
     return part;
 }
 
@@ -135,12 +135,12 @@ class StartWriter {
     }
 
     std::vector<std::string> cut_words() const {
-        return words_without_room(frames_.panels(), plan_.run.ticks());
+        return words_without_room(frames_.panels(), plan_.ticks());
     }
 
   private:
     void write_start(PlannedChunk& chunk) {
-        FilmPlan part = frames_.rest(without_run(plan_), static_cast<std::size_t>(chunk.end));
+        FilmPlan part = frames_.rest(without_runs(plan_), static_cast<std::size_t>(chunk.end));
         const std::string bytes = run_bytes(part);
         chunk.start = name_of_start(chunk.number);
         const Memory memory = memory_of_chunk(plan_, chunk, cost_, quality_, bytes.size());
@@ -177,7 +177,7 @@ Json facts_of(const FilmPlan& plan, const OutputFormat& format) {
               {"frames", plan.frames()},
               {"fps", film.fps},
               {"size", {film.size.width, film.size.height}},
-              {"particles", plan.particles.count()}}}};
+              {"particles", plan.particles().count()}}}};
 }
 
 // The segment starts of a chunk, counted like those of the plan.
@@ -222,7 +222,7 @@ FilmPlan plan_of_chunk(const PlanFolder& folder, const FilmPlan& whole, const Pl
     const fs::path start = folder.path() / chunk.start;
     read_run(plan, folder.read(chunk.start), start.string());
     plan.segments = segments_of(whole, chunk);
-    const std::vector<Tick>& ticks = plan.run.ticks();
+    const std::vector<Tick>& ticks = plan.ticks();
     if (plan.segments.size() < 2 || whole.span.first + plan.segments.front() != chunk.first ||
         whole.span.first + plan.segments.back() != chunk.end || ticks.front().frame > chunk.first ||
         ticks.back().frame + 1 < chunk.end)

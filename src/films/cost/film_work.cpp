@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "films/cost/film_cost.h"
 #include "films/cost/panel_seconds.h"
 #include "films/cost/work_parts.h"
+#include "films/first_pass.h"
 #include "scene/time/timeline.h"
 
 namespace carom {
@@ -17,7 +19,7 @@ constexpr double pixels_of_formats = 1920.0 * 1080.0;  // of the frames that for
 
 // How often the run of a film is simulated for its axes and pictures.
 double passes_of_film(const Scene& scene) {
-    const double runs = scene.film.beside ? 2.0 : 1.0;
+    const auto runs = static_cast<double>(scene.film.runs.count());
     const std::vector<std::string> passes =
         expected_passes(scene, static_cast<std::int64_t>(runs * count_of(scene)));
     return static_cast<double>(
@@ -40,22 +42,23 @@ double moments_seen(const Scene& scene, double frames, bool sees_samples) {
 // The first pass of a film.
 std::vector<WorkPart> first_pass(const Scene& scene, double passes, double frames,
                                  bool sees_samples, const SceneCounts& counts) {
-    std::vector<WorkPart> parts =
-        panel_parts(scene, panels_of_film(scene, frames), moments_seen(scene, frames, sees_samples),
-                    counts.own, 1.0);
-    parts.push_back(simulation_part(scene, counts.own, passes + scene.film.trails.seeds));
-    if (!scene.film.beside) return parts;
-    const Scene& other = *scene.film.beside->scene;
-    std::ranges::move(panel_parts(other, panels_of_film(other, frames),
-                                  moments_seen(other, frames, sees_samples), counts.beside, 1.0),
-                      std::back_inserter(parts));
-    parts.push_back(simulation_part(other, counts.beside, passes));
+    std::vector<WorkPart> parts;
+    double seeds = scene.film.trails.seeds;  // of the film's own run, which comes first
+    const std::vector<const Scene*> scenes = scenes_of_film(scene);
+    for (std::size_t k = 0; k < scenes.size(); ++k) {
+        const Scene& run = *scenes[k];
+        std::ranges::move(panel_parts(run, panels_of_film(run, frames),
+                                      moments_seen(run, frames, sees_samples), counts.at(k), 1.0),
+                          std::back_inserter(parts));
+        parts.push_back(simulation_part(run, counts.at(k), passes + std::exchange(seeds, 0.0)));
+    }
     return parts;
 }
 
-FilmCollisions film_collisions(const Scene& scene, const SceneCounts& counts) {
-    const double other = scene.film.beside ? collisions_of(counts.beside) : 0.0;
-    return {.count = collisions_of(counts.own) + other, .kept = true};
+FilmCollisions film_collisions(const SceneCounts& counts) {
+    double all = 0.0;
+    for (const RunCounts& run : counts) all += collisions_of(run);
+    return {.count = all, .kept = true};
 }
 
 }  // namespace
@@ -80,8 +83,8 @@ std::vector<WorkPart> panel_parts(const Scene& scene, const std::vector<SeeingPa
 }
 
 SceneCounts counts_of_film(const Scene& scene) {
-    SceneCounts counts{.own = counts_of(scene), .beside = {}};
-    if (scene.film.beside) counts.beside = counts_of(*scene.film.beside->scene);
+    SceneCounts counts;
+    for (const Scene* run : scenes_of_film(scene)) counts.push_back(counts_of(*run));
     return counts;
 }
 
@@ -89,11 +92,11 @@ Work work_of_film(const Scene& scene, const FilmOptions& options, const OutputFo
                   const SceneCounts& counts) {
     const Film& film = scene.film;
     const double frames = frames_of(scene, options);
-    const double disks = count_of(scene) * (film.beside ? 2.0 : 1.0);
+    const double disks = count_of(scene) * static_cast<double>(film.runs.count());
     const double pixels = static_cast<double>(film.size.width) * film.size.height;
     Work work{.parts = first_pass(scene, passes_of_film(scene), frame_count(film), true, counts),
               .memory = static_cast<double>(memory_of_film(scene, format, total_count(scene.gas),
-                                                           film_collisions(scene, counts), 1)),
+                                                           film_collisions(counts), 1)),
               .bytes = frames * format.film->frame_bytes(disks, pixels, options.quality) +
                        bytes_of_sound(scene, format, static_cast<int>(frames)),
               .reduces_memory = "`film.size` or the particles",

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "films/cost/film_cost.h"
+#include "films/first_pass.h"
 #include "films/render.h"
 #include "util/archive.h"
 #include "util/interrupt.h"
@@ -37,7 +38,7 @@ class FrameSampler {
     // The cost of the whole film, in which each segment begins with a key frame.
     FilmCost measure() {
         const auto end =
-            static_cast<std::size_t>(firsts_.back() + row_ - plan_.run.ticks().front().frame);
+            static_cast<std::size_t>(firsts_.back() + row_ - plan_.ticks().front().frame);
         FramePainter painter(frames_.panels());
         progress_.begin("measuring", static_cast<double>(end));
         const Stopwatch watch;
@@ -109,11 +110,10 @@ FilmCost measured_cost(const Scene& scene, const FilmOptions& options, Progress&
     cost.format = format.name;
     cost.bytes += bytes_of_sound(scene, format, plan.frames());
     cost.seconds = prepared_seconds + sampler.played_seconds() + cost.seconds / options.threads;
-    const FilmCollisions collisions{
-        plan.run.collision_count() + (plan.beside ? plan.beside->run.collision_count() : 0.0),
-        plan.run.keeps_collisions()};
+    FilmCollisions collisions{.kept = plan.runs.front().keeps_collisions()};
+    for (const Recording& run : plan.runs) collisions.count += run.collision_count();
     cost.memory = static_cast<double>(
-        memory_of_film(scene, format, plan.particles.count(), collisions, options.threads));
+        memory_of_film(scene, format, plan.particles().count(), collisions, options.threads));
     return cost;
 }
 

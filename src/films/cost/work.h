@@ -44,10 +44,8 @@ struct Work {
 /// Both works, one after the other.
 Work together(const Work& first, const Work& second);
 
-/// What the runs of a scene calculate: its own, and the second one of its film.
-struct SceneCounts {
-    RunCounts own, beside;
-};
+/// What the runs of a scene's film calculate, its own first.
+using SceneCounts = std::vector<RunCounts>;
 
 /// Counts the runs of a scene by trials. Throws what try_run() throws.
 SceneCounts counts_of_film(const Scene& scene);

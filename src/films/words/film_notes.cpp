@@ -60,11 +60,11 @@ void add_spotlights(const Scene& scene, std::vector<FilmNote>& notes) {
 std::vector<FilmNote> film_notes(const Scene& scene, const std::vector<Tick>& ticks) {
     const Language language = scene.film.language;
     std::vector<FilmNote> notes;
-    if (const auto& beside = scene.film.beside)
+    if (const FilmRuns& runs = scene.film.runs; runs.count() > 1)
         notes.push_back({0.0, say(language,
                                   "Two runs are shown side by side: “{}” and “{}”; the numbers are "
                                   "those of the first",
-                                  beside->own_label, beside->label)});
+                                  runs.own_label, runs.others.front().label)});
     if (scene.film.field) notes.push_back({0.0, words_of_field(scene)});
     for (const PanelSpec& panel : scene.film.panels) {
         if (panel.show.from > 0.0)

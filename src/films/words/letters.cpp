@@ -61,9 +61,9 @@ class Words {
         for (const PanelSpec& panel : film.panels) add(panel);
         for (const Callout& callout : film.callouts) all += plain(callout.words);
         all += plain(film.end_card);
-        if (!film.beside) return;
-        all += film.beside->own_label + film.beside->label;
-        if (film.beside->scene) add(*film.beside->scene);
+        for (const std::string& label : film.runs.labels()) all += label;
+        for (const ComparedRun& run : film.runs.others)
+            if (run.scene) add(*run.scene);
     }
 
     void add(const PanelSpec& panel) {

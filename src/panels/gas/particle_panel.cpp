@@ -35,16 +35,22 @@ void ParticlePanel::draw_key(Canvas& canvas, const Key& key) const {
     colors_.draw_key(canvas, left, key.has_ramp);
 }
 
-void ParticlePanel::share_scales(ParticlePanel& other) {
-    colors_.add_survey(other.colors_);
-    arrows_.add_survey(other.arrows_);
-    field_.add_survey(other.field_);
-    fix_axes();
-    other.fix_axes();
-    other.colors_.take_scale(colors_);
-    other.arrows_.take_scale(arrows_);
-    other.field_.take_scale(field_);
-    share_span(other);
+void ParticlePanel::share_scales(const std::vector<ParticlePanel*>& boxes) {
+    ParticlePanel& first = *boxes.front();
+    const std::vector<ParticlePanel*> others(boxes.begin() + 1, boxes.end());
+    for (const ParticlePanel* other : others) {
+        first.colors_.add_survey(other->colors_);
+        first.arrows_.add_survey(other->arrows_);
+        first.field_.add_survey(other->field_);
+    }
+    first.fix_axes();
+    for (ParticlePanel* other : others) {
+        other->fix_axes();
+        other->colors_.take_scale(first.colors_);
+        other->arrows_.take_scale(first.arrows_);
+        other->field_.take_scale(first.field_);
+    }
+    first.share_span(others);
 }
 
 bool ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,

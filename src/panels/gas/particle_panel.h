@@ -62,9 +62,9 @@ class ParticlePanel : public Panel {
     Rect place_of_key(const Key& key) const override { return key_row(key).place(); }
     const GasColors& colors() const { return colors_; }
 
-    /// Replaces fix_axes() for the boxes of two runs, which get common scales of colours, arrows
-    /// and field, and world lines a common span of time.
-    void share_scales(ParticlePanel& other);
+    /// Replaces fix_axes() for the boxes of several runs, which get common scales of colours,
+    /// arrows and field, and world lines a common span of time.
+    static void share_scales(const std::vector<ParticlePanel*>& boxes);
 
     /// Pixels per unit length.
     virtual double scale_in(const DrawContext& own) const = 0;
@@ -86,7 +86,7 @@ class ParticlePanel : public Panel {
     KeyRow key_row(const Key& key) const;
 
     /// Gives this panel and that of the other run a common span of time.
-    virtual void share_span(ParticlePanel&) {}
+    virtual void share_span(const std::vector<ParticlePanel*>& others) { (void)others; }
 
     /// Fills the common members of a state; `places` are the positions as drawn. Second pass, every
     /// frame in order. Returns whether the membership differs from that of the frame before.

@@ -86,10 +86,12 @@ void LinePanel::fix_axes() {
     lines_.emplace(context_, *map_, colors_, memory_);
 }
 
-void LinePanel::share_span(ParticlePanel& other) {
-    auto& its = dynamic_cast<LinePanel&>(other);
-    const double memory = std::max(memory_, its.memory_);
-    for (LinePanel* panel : {this, &its}) {
+void LinePanel::share_span(const std::vector<ParticlePanel*>& others) {
+    std::vector<LinePanel*> all{this};
+    for (ParticlePanel* other : others) all.push_back(&dynamic_cast<LinePanel&>(*other));
+    double memory = 0.0;
+    for (const LinePanel* panel : all) memory = std::max(memory, panel->memory_);
+    for (LinePanel* panel : all) {
         panel->memory_ = memory;
         panel->lines_.emplace(panel->context_, *panel->map_, panel->colors_, memory);
     }

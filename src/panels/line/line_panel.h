@@ -59,7 +59,7 @@ class LinePanel : public ParticlePanel {
     View part_of(const View& whole, const CameraView& seen, const DrawContext& dc) const;
     View view(const DrawContext& dc, const State& state) const;
     double scale_in(const DrawContext& own) const override;
-    void share_span(ParticlePanel& other) override;
+    void share_span(const std::vector<ParticlePanel*>& others) override;
     void survey_places(const FrameInput& input);
     double usual_rate() const;  // bends of one world line in a unit of time
     bool is_ring() const { return context_.box().is_periodic(0); }

@@ -257,10 +257,16 @@ void MonitorsPanel::expect(const Eigen::ArrayXd& speed, const Eigen::ArrayXd& en
     }
 }
 
-void MonitorsPanel::share_ranges(MonitorsPanel& other) {
-    for (std::size_t i = 0; i < largest_.size(); ++i) {
-        largest_[i] = other.largest_[i] = std::max(largest_[i], other.largest_[i]);
-        smallest_[i] = other.smallest_[i] = std::min(smallest_[i], other.smallest_[i]);
+void MonitorsPanel::share_ranges(const std::vector<MonitorsPanel*>& panels) {
+    MonitorsPanel& first = *panels.front();
+    for (std::size_t i = 0; i < first.largest_.size(); ++i)
+        for (const MonitorsPanel* panel : panels) {
+            first.largest_[i] = std::max(first.largest_[i], panel->largest_[i]);
+            first.smallest_[i] = std::min(first.smallest_[i], panel->smallest_[i]);
+        }
+    for (MonitorsPanel* panel : panels) {
+        panel->largest_ = first.largest_;
+        panel->smallest_ = first.smallest_;
     }
 }
 

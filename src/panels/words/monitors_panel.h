@@ -60,8 +60,8 @@ class MonitorsPanel : public Panel {
     /// Makes room for the numbers of a gas at its start, before any survey.
     void expect(const Eigen::ArrayXd& speed, const Eigen::ArrayXd& energy);
 
-    /// Gives the numbers of both panels the same digits and places.
-    void share_ranges(MonitorsPanel& other);
+    /// Gives the numbers of all these panels the same digits and places.
+    static void share_ranges(const std::vector<MonitorsPanel*>& panels);
 
   protected:
     // The names of the numbers that the scene lists, from index `shown` on.

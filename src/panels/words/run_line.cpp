@@ -1,6 +1,5 @@
-// The line of text under the box of one of two runs: its name and its numbers.
+// The line of text under the box of one of several runs: its name and its numbers.
 #include <algorithm>
-#include <array>
 
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
@@ -15,7 +14,7 @@ namespace {
 class RunLinePanel : public MonitorsPanel {
   public:
     RunLinePanel(const PanelContext& context, const std::vector<Monitor>& numbers,
-                 const std::array<std::string, 2>& labels, std::size_t run)
+                 const std::vector<std::string>& labels, std::size_t run)
         : MonitorsPanel(context, numbers), labels_(labels), run_(run) {
         std::erase(numbers_, Monitor::time);
     }
@@ -36,7 +35,7 @@ class RunLinePanel : public MonitorsPanel {
     TextStyle name_style(const DrawContext& dc) const;
     void draw_name_of_number(Canvas& canvas, const DrawContext& dc, Point at, Monitor number) const;
 
-    std::array<std::string, 2> labels_;  ///< of both runs
+    std::vector<std::string> labels_;  ///< of all runs
     std::size_t run_;
 };
 
@@ -49,8 +48,8 @@ TextStyle RunLinePanel::name_style(const DrawContext& dc) const {
     return style;
 }
 
-// The same in the lines of both runs, so that these show the same numbers at the same places: after
-// the longer of the two names.
+// The same in the lines of all runs, so that these show the same numbers at the same places: after
+// the longest of the names.
 RunLinePanel::Line RunLinePanel::line(const DrawContext& dc) const {
     constexpr double gap = 1.4, after_words = 0.4, least = 0.2;  // units
     const TextStyle style = label_style(dc);
@@ -105,7 +104,7 @@ void RunLinePanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState&
 
 std::unique_ptr<Panel> make_run_line(const PanelContext& context,
                                      const std::vector<Monitor>& numbers,
-                                     const std::array<std::string, 2>& labels, std::size_t run) {
+                                     const std::vector<std::string>& labels, std::size_t run) {
     return std::make_unique<RunLinePanel>(context, numbers, labels, run);
 }
 

@@ -391,8 +391,9 @@ std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
 
 // The file is named as templates are: it lies in the scene's folder.
 Binding<Film> beside_key() {
-    struct Written : Beside {
-        std::string file;
+    struct Written : ComparedRun {
+        std::string own_label, file;
+        bool is_overlaid = false;
     };
     const auto check_file = [](const std::string& name, const Node& node, Reading& reading) {
         if (name.find('/') != std::string::npos || !name.ends_with(".yaml"))
@@ -428,10 +429,10 @@ Binding<Film> beside_key() {
                  "Another scene in the same folder, whose gas and run are shown as the other run.")
             .default_text("the scene itself")};
     const std::vector own_label{
-        bind_key("own_label", &Beside::own_label, text(1, most_name_letters),
+        bind_key("own_label", &Written::own_label, text(1, most_name_letters),
                  "The words under the scene's own run.")
             .required(),
-        bind_key("overlaid", &Beside::is_overlaid, checked(flag(), check_box),
+        bind_key("overlaid", &Written::is_overlaid, checked(flag(), check_box),
                  "Whether both runs are shown in one box: the disks of the "
                  "scene's own filled, those of the other as rings, each in "
                  "the colour that the run has in plots. Not with a camera "
@@ -442,9 +443,11 @@ Binding<Film> beside_key() {
                                 own_label),
         .choices = {{.names = {"set", "scene"}, .required = true}},
         .rule = check};
-    const auto made = [](const Written& written) { return std::optional<Beside>(written); };
+    const auto made = [](const Written& written) {
+        return FilmRuns{written.own_label, {written}, written.is_overlaid};
+    };
     return bind_key(
-               "beside", &Film::beside,
+               "beside", &Film::runs,
                mapped(complete_mapping(table, "{label: words, own_label: words, set: ...}"), made),
                "Another run that the film shows beside its own, at the same times, with the "
                "same colours and axes: the same scene with other values, or another scene.")
@@ -455,16 +458,16 @@ void check_beside(const Film& film, const Node& node, PanelKinds kinds, Errors& 
     const Node* panels = find(node, "panels");
     for (const PanelSpec& panel : film.panels)
         if (const PanelKind* kind = kind_of(kinds, panel.kind);
-            !film.beside && kind != nullptr && kind->can(Ability::two_runs))
+            film.runs.others.empty() && kind != nullptr && kind->can(Ability::two_runs))
             errors.add(panels != nullptr ? *panels : node,
                        fmt::format("a panel of kind `{}` needs a second run", panel.kind),
                        "give the film `beside`");
     for (const char* key : {"camera", "field"})
-        if (const Node* written = given(node, key);
-            written && film.beside && film.beside->is_overlaid)
+        if (const Node* written = given(node, key); written && film.runs.is_overlaid)
             errors.add(*written, fmt::format("two runs in one box have no `{}`", key),
                        "leave it out, or leave out `overlaid`");
-    if (!film.beside || panels == nullptr || panels->source->origin == Origin::template_file ||
+    if (film.runs.others.empty() || panels == nullptr ||
+        panels->source->origin == Origin::template_file ||
         film.panels.size() != panels->items.size())  // one could not be read
         return;
     const std::vector<std::string> able = kinds_that_can(kinds, Ability::comparison);

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <vector>
 
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "films/render.h"
 #include "films/words/letters.h"
 #include "physics/theory/theory.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "films/chunks/film_chunks.h"
+#include "films/first_pass.h"
 #include "panels/archived.h"
 #include "runs/json.h"
 #include "support/files.h"
@@ -137,9 +138,9 @@ TEST_CASE("the parts of a film's plan fit together, and its output leads nowhere
     plan.span.first = -1;
     is_refused(plan);
     plan = good;
-    plan.particles.species[0] = 7;
+    plan.starts.front().particles.species[0] = 7;
     is_refused(plan);
     plan = good;
-    plan.start.position.resize(2, 2);
+    plan.starts.front().sample.position.resize(2, 2);
     is_refused(plan);
 }

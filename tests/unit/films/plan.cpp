@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "films/chunks/film_chunks.h"
+#include "films/first_pass.h"
 #include "films/render.h"
 #include "scene/load.h"
 #include "support/file_size_limit.h"
@@ -328,17 +329,17 @@ TEST_CASE("a run that is too large for memory is simulated again, to the same pi
     const Scene scene = plane();
     FilmPlan plan = prepare(scene, {}, silent());
     Simulation start(scene.gas, scene.run);
-    const Recording small_memory(start, plan.run.ticks(), {true},
+    const Recording small_memory(start, plan.ticks(), {true},
                                  [](const Tick&, const Sample&, const AdvanceResult&) {},
                                  {.memory = 10'000, .file = 0});
     CHECK_FALSE(small_memory.is_kept());
     const OutputFormat& png = output_format("png");
     const std::vector<std::uint8_t> kept = draw_still(plan, 4.0, png, silent()).file();
-    plan.run = small_memory;
+    plan.runs = {small_memory};
     CHECK(draw_still(plan, 4.0, png, silent()).file() == kept);
     FilmOptions options;
     FilmPlan read = read_shared(shared_bytes(plan, options), "film.plan", options);
     read_run(read, run_bytes(plan), "film.start");
-    CHECK_FALSE(read.run.is_kept());
+    CHECK_FALSE(read.runs.front().is_kept());
     CHECK(draw_still(read, 4.0, png, silent()).file() == kept);
 }

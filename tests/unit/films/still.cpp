@@ -1,10 +1,13 @@
 // A still drawn alone, against the frame of the whole plan.
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
-#include "films/film_plan.h"
+#include "films/first_pass.h"
 #include "films/render.h"
+#include "support/files.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -36,6 +39,40 @@ TEST_CASE("a still drawn alone is the frame of the film") {
     const Scene echo = scene_of("{until: 4, events: [{at: 2, reverse: velocities}]}",
                                 "seconds: 6, title_card: 1, panels: [return-distance]");
     CHECK(is_the_frame_of_the_film(echo, 3.5, is_quick));
+}
+
+TEST_CASE("so is one of two runs, which takes as little from the cache") {
+    const Scene both = scene_of("{until: 20}",
+                                "seconds: 6, panels: [temperature], "
+                                "beside: {own_label: A, label: B, set: gas.0.speed=3}");
+    for (const double at : {0.0, 7.0}) CHECK(is_the_frame_of_the_film(both, at, false));
+    const test::TemporaryFolder cache;
+    Progress silent(Progress::Form::silent, "");
+    const auto at_seven = [&] {
+        Still still =
+            draw_still_alone(both, 7.0, false, cache.path(), output_format("png"), silent);
+        CHECK(still.frames_seen == still.frames);
+        return still.picture.file();
+    };
+    const std::vector<std::uint8_t> first = at_seven();
+    CHECK_FALSE(std::filesystem::is_empty(cache.path()));
+    CHECK(at_seven() == first);
+}
+
+TEST_CASE("the plan of a still has its frames only, and of later ones what its panels saw") {
+    const Scene both = scene_of("{until: 20}",
+                                "seconds: 6, panels: [temperature], "
+                                "beside: {own_label: A, label: B, set: gas.0.speed=3}");
+    Progress silent(Progress::Form::silent, "");
+    const StillPlan still = prepare_still(both, 5.0, false, "", silent);
+    const FilmPlan whole = prepare(both, {}, silent);
+    CHECK(still.plan.axes == whole.axes);
+    REQUIRE(still.plan.runs.size() == 2);
+    for (const Recording& run : still.plan.runs) {
+        CHECK(run.is_kept());
+        CHECK(run.ticks().back().time == doctest::Approx(5.0).epsilon(0.02));
+    }
+    CHECK(still.plan.ticks().size() < whole.ticks().size() / 2);
 }
 
 TEST_CASE("a quick still sees thirty frames, all of a film that has no more") {

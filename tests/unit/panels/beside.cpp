@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -98,6 +99,30 @@ TEST_CASE("two boxes have one scale of colours, that of both runs") {
     CHECK(highest(alone) > 150);
     CHECK(highest(fast) > 150);
     CHECK(highest(slow) < highest(alone) / 2);
+}
+
+TEST_CASE("a film shows as many runs as it lists, each in a box and in every plot") {
+    Scene scene = test::scene_from(text_of(hot));
+    scene.film.runs.others.push_back(scene.film.runs.others.front());
+    scene.film.runs.others.back().label = "hot again";
+    for (const bool is_overlaid : {false, true}) {
+        scene.film.runs.is_overlaid = is_overlaid;
+        const test::Shot shot(scene);
+        const std::vector<PanelSet::Placed>& panels = shot.panels->panels();
+        CHECK(shot.panels->boxes(Grid(scene.film.layout, scene.film.size)).size() == 3);
+        const Table table = table_at(shot, 30, panels.size() - 1);
+        const std::vector<TableCell> names = column(table, "run"), values = column(table, "temp");
+        std::map<std::string, std::vector<TableCell>> lines;
+        for (std::size_t row = 0; row < names.size(); ++row)
+            lines[std::get<std::string>(names[row])].push_back(values[row]);
+        REQUIRE(lines.size() == 3);
+        CHECK(lines.at("hot again") == lines.at("hot run"));
+        CHECK(lines.at("hot again") != lines.at("cold run"));
+        FramePainter painter(*shot.panels);
+        const TextLog log;
+        painter.paint(shot.frames[30]);
+        CHECK(painter.cut_words().empty());
+    }
 }
 
 TEST_CASE("panels show both runs with their labels, and the words under the boxes name them") {

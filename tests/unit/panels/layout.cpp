@@ -136,7 +136,7 @@ TEST_CASE("two boxes share a place, of one size, with words below each") {
     layout.grid_width = 64;
     layout.grid_height = 36;
     const Grid square(layout, {640, 360});
-    const auto wide = places_beside({1, 2, 50, 20}, 0.5, square);
+    const auto wide = places_beside({1, 2, 50, 20}, 0.5, square, 2);
     for (const PlaceBeside& one : wide) {
         CHECK(one.box.width == wide[0].box.width);
         CHECK(one.box.height == doctest::Approx(0.5 * one.box.width));
@@ -150,15 +150,19 @@ TEST_CASE("two boxes share a place, of one size, with words below each") {
     CHECK(wide[0].box.x == 1.0);
     CHECK(wide[1].box.x > wide[0].box.x + wide[0].box.width);
     CHECK(wide[1].box.x + wide[1].box.width == doctest::Approx(51.0));
+    const auto three = places_beside({1, 2, 50, 20}, 0.5, square, 3);
+    REQUIRE(three.size() == 3);
+    CHECK(three[2].box.x + three[2].words.width == doctest::Approx(51.0));
+    CHECK(three[2].box.x - three[1].box.x == doctest::Approx(three[1].box.x - three[0].box.x));
     // A tall place, or a line: one above the other.
-    for (const auto& tall : {places_beside({0, 0, 20, 50}, 0.75, square),
-                             places_beside({0, 0, 40, 20}, 0.0, square)}) {
+    for (const auto& tall : {places_beside({0, 0, 20, 50}, 0.75, square, 2),
+                             places_beside({0, 0, 40, 20}, 0.0, square, 2)}) {
         CHECK(tall[0].box.x == tall[1].box.x);
         CHECK(tall[1].box.y > tall[0].words.y + tall[0].words.height);
         CHECK(tall[0].box.height == tall[1].box.height);
     }
     // Lines for which that is too low, in a wide place.
-    const auto lines = places_beside({0, 0, 60, 20}, 0.0, square);
+    const auto lines = places_beside({0, 0, 60, 20}, 0.0, square, 2);
     CHECK(lines[0].box.y == lines[1].box.y);
     CHECK(lines[1].box.x > lines[0].box.x + lines[0].box.width);
     CHECK(lines[0].words.y + lines[0].words.height == doctest::Approx(20.0));
@@ -167,7 +171,7 @@ TEST_CASE("two boxes share a place, of one size, with words below each") {
         const Grid grid(layout, size);
         for (const double shape : {0.3, 1.0, 2.0}) {
             const Slot place{2, 4, 60, 24};
-            const auto both = places_beside(place, shape, grid);
+            const auto both = places_beside(place, shape, grid, 2);
             const Rect whole = grid.place(place);
             double area = 0.0;
             for (const PlaceBeside& one : both) {

@@ -119,23 +119,23 @@ TEST_CASE("in a still a spotlight and a callout are whole from their first frame
                  "this one}]"));
     const std::unique_ptr<PanelSet> panels = shot.read_panels();
     int faint = 0, with_spotlight = 0;
-    shot.run.play(shot.frames.size(),
-                  [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                      const FrameData still = panels->frame_data(tick, sample, advanced, true);
-                      const auto& gas = dynamic_cast<const ParticleState&>(*still.states[0]);
-                      const auto& moving = dynamic_cast<const ParticleState&>(
-                          *shot.frames[static_cast<std::size_t>(tick.frame)].states[0]);
-                      REQUIRE(gas.callouts.size() == moving.callouts.size());
-                      REQUIRE(gas.light.size() == moving.light.size());
-                      for (std::size_t i = 0; i < gas.callouts.size(); ++i) {
-                          CHECK(gas.callouts[i].share == 1.0);
-                          faint += moving.callouts[i].share < 0.5;
-                      }
-                      if (gas.light.empty()) return;
-                      ++with_spotlight;
-                      CHECK(gas.light[7] == doctest::Approx(0.35));
-                      CHECK(gas.rings.front().share == 1.0);
-                  });
+    shot.runs.front().play(shot.frames.size(), [&](const Tick& tick, const Sample& sample,
+                                                   const AdvanceResult& advanced) {
+        const FrameData still = panels->frame_data(tick, sample, advanced, true);
+        const auto& gas = dynamic_cast<const ParticleState&>(*still.states[0]);
+        const auto& moving = dynamic_cast<const ParticleState&>(
+            *shot.frames[static_cast<std::size_t>(tick.frame)].states[0]);
+        REQUIRE(gas.callouts.size() == moving.callouts.size());
+        REQUIRE(gas.light.size() == moving.light.size());
+        for (std::size_t i = 0; i < gas.callouts.size(); ++i) {
+            CHECK(gas.callouts[i].share == 1.0);
+            faint += moving.callouts[i].share < 0.5;
+        }
+        if (gas.light.empty()) return;
+        ++with_spotlight;
+        CHECK(gas.light[7] == doctest::Approx(0.35));
+        CHECK(gas.rings.front().share == 1.0);
+    });
     CHECK(faint > 0);
     CHECK(with_spotlight > 0);
 }

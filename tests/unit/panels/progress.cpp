@@ -40,44 +40,46 @@ struct WholeFilm {
     std::vector<std::string> progress = {};  // before each frame, and after the last
 
     explicit WholeFilm(const Scene& scene, const Recording::Room& room = {}) : film(scene, room) {
-        film.run.play(size(),
-                      [&](const Tick& tick, const Sample& sample, const AdvanceResult& advanced) {
-                          progress.push_back(progress_of(*panels));
-                          frames.push_back(panels->frame_data(tick, sample, advanced));
-                      });
+        RunsPlayer player(film.runs);
+        while (player.shown() < size()) {
+            player.next();
+            progress.push_back(progress_of(*panels));
+            frames.push_back(panels->frame_data(player.tick(), player.frames()));
+        }
         progress.push_back(progress_of(*panels));
     }
-    std::size_t size() const { return film.run.ticks().size(); }
+    std::size_t size() const { return film.runs.front().ticks().size(); }
     Picture picture(std::size_t frame) { return test::pixels_of(painter.paint(frames[frame])); }
 };
+
+std::vector<Recording> parts_of(const std::vector<Recording>& runs, std::size_t first,
+                                std::size_t end) {
+    std::vector<Recording> parts;
+    for (const Recording& run : runs) parts.push_back(run.part(first, end));
+    return parts;
+}
 
 // The frames of a part, as panels give them that have seen no frame before.
 struct Part {
     const WholeFilm& whole;
-    Recording run, beside = {};
+    std::vector<Recording> runs;
     std::unique_ptr<PanelSet> panels;
-    Recording::Player player{run};
+    RunsPlayer player{runs};
 
-    Part(const WholeFilm& of, Recording its, std::optional<Recording> other, std::size_t first)
-        : whole(of), run(std::move(its)), panels(of.film.read_panels()) {
-        if (other) {
-            beside = std::move(*other);
-            panels->play_beside(beside);
-        }
+    Part(const WholeFilm& of, std::vector<Recording> its, std::size_t first)
+        : whole(of), runs(std::move(its)), panels(of.film.read_panels()) {
         Archive read(whole.progress[first], "progress");
         panels->archive_progress(read);
         read.expect_end();
     }
     Part(const WholeFilm& of, std::size_t first, std::size_t end)
-        : Part(of, of.film.run.part(first, end),
-               of.film.start_beside ? std::optional(of.film.beside.part(first, end)) : std::nullopt,
-               first) {}
+        : Part(of, parts_of(of.film.runs, first, end), first) {}
     Part(const Part&) = delete;  // its panels refer to its recording
     Part& operator=(const Part&) = delete;
 
     FrameData next() {
         player.next();
-        return panels->frame_data(player.tick(), player.sample(), player.advanced());
+        return panels->frame_data(player.tick(), player.frames());
     }
 };
 
@@ -85,7 +87,7 @@ struct Part {
 void check_frames(WholeFilm& whole, Part& part, std::size_t first, std::size_t end) {
     CAPTURE(first);
     REQUIRE((progress_of(*part.panels) == whole.progress[first]));
-    REQUIRE(part.run.ticks().size() == end - first);
+    REQUIRE(part.runs.front().ticks().size() == end - first);
     constexpr std::size_t drawn = 2;
     for (std::size_t i = first; i < end; ++i) {
         const FrameData frame = part.next();
@@ -190,24 +192,20 @@ Recording written_and_read(Recording recording, const Scene& scene, const Partic
 // The second pass of a run that is too large for memory: parts of it in order, from one simulation.
 void check_parts_of_long_run(const Scene& scene) {
     WholeFilm whole(scene, {.memory = 0, .file = 0});
-    REQUIRE_FALSE(whole.film.run.is_kept());
-    Recording::Player player(whole.film.run);
     const test::SurveyedFilm& its = whole.film;
-    std::optional<Recording::Player> other;
-    if (its.start_beside) other.emplace(its.beside);
-    const auto beside_until = [&](std::size_t end) -> std::optional<Recording> {
-        if (!other) return std::nullopt;
-        return written_and_read(other->rest(end), *its.scene.film.beside->scene,
-                                its.start_beside->particles);
-    };
+    REQUIRE_FALSE(its.runs.front().is_kept());
+    RunsPlayer player(its.runs);
+    const std::vector<const Scene*> scenes = scenes_of_film(its.scene);
     for (std::size_t first = 0; first < whole.size(); ++first) {
         const std::size_t end = std::min(first + 2, whole.size());
-        Part part(whole, written_and_read(player.rest(end), its.scene, its.particles),
-                  beside_until(end), first);
-        CHECK_FALSE(part.run.is_kept());
+        std::vector<Recording> rest = player.rest(end);
+        for (std::size_t run = 0; run < rest.size(); ++run)
+            rest[run] =
+                written_and_read(std::move(rest[run]), *scenes[run], its.starts[run].particles);
+        Part part(whole, std::move(rest), first);
+        CHECK_FALSE(part.runs.front().is_kept());
         check_frames(whole, part, first, end);
         player.next();
-        if (other) other->next();
     }
 }
 
@@ -253,18 +251,24 @@ TEST_CASE("a first pass has positions only where panels ask for them, and fixes 
         texts.push_back(plane("panels: [" + keys));
     for (const std::string& text : texts) {
         const Scene scene = test::scene_from(text);
-        if (scene.film.beside) continue;  // not surveyed alone
         CAPTURE(text);
         const test::SurveyedFilm recorded(scene);
-        for (const int last_whole : {-1, 7}) {
-            PanelSet panels(recorded.scene, recorded.particles, recorded.start);
+        for (const std::size_t whole : {1U, 8U}) {
+            PanelSet panels(recorded.scene, recorded.starts);
             int without = 0;
-            panels.survey_run(start_scene(scene).simulation, timeline(recorded.scene), last_whole,
-                              [&](const Tick& tick, const Sample& sample, const AdvanceResult&) {
-                                  if (sample.position.size() > 0) return;
-                                  CHECK(tick.frame > last_whole);
-                                  ++without;
-                              });
+            std::size_t run = 0;
+            for (const Scene* one : scenes_of_film(scene)) {
+                const Recording frames = panels.record(
+                    run++, start_scene(*one).simulation, timeline(recorded.scene),
+                    [&](const Tick& tick, const Sample& sample, const AdvanceResult&) {
+                        if (sample.position.size() > 0) return;
+                        CHECK(tick.frame >= static_cast<int>(whole));
+                        ++without;
+                    },
+                    {.frames = whole});
+                CHECK(frames.ticks().size() == whole);
+                CHECK(frames.is_kept());
+            }
             panels.fix_axes();
             Archive written;
             panels.archive(written);
@@ -312,7 +316,7 @@ TEST_CASE("the film of every scene can be drawn from a frame on, to its end") {
         const fs::path& path = files[k];
         CAPTURE(path.string());
         WholeFilm whole(short_film(path));
-        for (const std::size_t first : starts_of_parts(whole.film.run.ticks())) {
+        for (const std::size_t first : starts_of_parts(whole.film.runs.front().ticks())) {
             Part part(whole, first, whole.size());
             check_frames(whole, part, first, whole.size());
         }

@@ -306,7 +306,7 @@ TEST_CASE("figures are of the scene itself, not of the run beside") {
                    "figures: [{name: a, kind: speed-histogram, test: true}]\n");
     const Scene scene = load_scene_text(text, "test.yaml", test::resources());
     CHECK(scene.figures.size() == 1);
-    CHECK(scene.film.beside->scene->figures.empty());
+    CHECK(scene.film.runs.others.front().scene->figures.empty());
 }
 
 TEST_CASE("callouts are about the scene's own run, not about that beside it") {
@@ -317,7 +317,7 @@ TEST_CASE("callouts are about the scene's own run, not about that beside it") {
                    "beside: {label: few, own_label: many, set: gas.0.count=5}}\n"),
         "test.yaml", test::resources());
     CHECK(scene.film.callouts.size() == 1);
-    CHECK(scene.film.beside->scene->film.callouts.empty());
+    CHECK(scene.film.runs.others.front().scene->film.callouts.empty());
 }
 
 TEST_CASE("a template is looked for beside the scene, then in carom's own folder") {

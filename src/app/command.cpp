@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "app/film/film_request.h"
 #include "app/granted_cores.h"
+#include "films/film_checks.h"
 #include "media/formats.h"
 #include "runs/own_files.h"
 #include "runs/progress.h"

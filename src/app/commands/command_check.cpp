@@ -17,6 +17,7 @@
 #include "figures/figure_drawing.h"
 #include "figures/sweep_figure.h"
 #include "films/cost/trial_run.h"
+#include "films/film_checks.h"
 #include "films/render.h"
 #include "films/words/letters.h"
 #include "panels/words/text_panel.h"

@@ -22,10 +22,10 @@
 
 #include "app/command.h"
 #include "app/commands/suggestions.h"
-#include "app/film/film_request.h"
 #include "app/manual/page_text.h"
 #include "app/manual/shell_completions.h"
 #include "app/output.h"
+#include "films/film_checks.h"
 #include "runs/progress.h"
 #include "scene/yaml/scalar.h"
 #include "util/diagnostics.h"

@@ -1,12 +1,10 @@
 // carom render: the films of scenes.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,15 +17,15 @@
 #include "app/film/film_request.h"
 #include "app/output.h"
 #include "app/pages/film_page.h"
-#include "films/chunks/film_chunks.h"
-#include "films/cost/film_cost.h"
 #include "films/cost/film_shape.h"
+#include "films/cost/fitted_scenes.h"
+#include "films/cost/work.h"
+#include "films/film_checks.h"
 #include "films/join.h"
 #include "films/render.h"
 #include "films/words/letters.h"
 #include "media/formats.h"
 #include "panels/registry.h"
-#include "runs/own_files.h"
 #include "runs/run.h"
 #include "scene/limits.h"
 #include "scene/sets/set_reading.h"
@@ -46,41 +44,11 @@ struct RenderArguments : SceneOptions {
     FilmDestination destination;
     FilmOptions film;      ///< without the path
     std::string max_size;  // empty: any
-    std::string page;      // kind of the page that contains the film; empty: no page
     std::string depfile, cache;
     bool join = false;
     int chunk = 0;  // number of a chunk of a plan; 0: all missing ones
     bool force = false, allow_mixed = false;
 };
-
-// The path of the film of a scene, or of the page that contains it.
-fs::path output_of(const RenderArguments& arguments, const std::string& scene) {
-    const FilmDestination& its = arguments.destination;
-    if (arguments.page.empty()) return film_path(its, scene);
-    if (Output::is_standard_output(its.output)) return its.output;
-    return output_path(its.output, its.several, scene, {"." + arguments.page});
-}
-
-// The film path from which the format is determined.
-fs::path film_at(const RenderArguments& arguments, const fs::path& output) {
-    if (arguments.page.empty()) return output;
-    const std::string& format = arguments.destination.format;
-    return "film." + (format.empty() ? "mp4" : format);
-}
-
-std::vector<fs::path> outputs_of(const RenderArguments& arguments) {
-    std::vector<fs::path> outputs;
-    if (arguments.join) return {film_path(arguments.destination, arguments.scenes.front())};
-    for (const std::string& scene : arguments.scenes) {
-        const fs::path path = output_of(arguments, scene);
-        if (std::ranges::find(outputs, path) != outputs.end())
-            throw UsageError(
-                fmt::format("two scenes would be written to {}; render them one by one with -o",
-                            path.string()));
-        outputs.push_back(path);
-    }
-    return outputs;
-}
 
 // A scene to be rendered, and the values that a list of scenes overrides in it.
 struct ListedScene {
@@ -133,31 +101,15 @@ void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& sce
     if (scenes.size() < 2)
         throw UsageError(
             "--join makes one film of several scenes; give two, or a figure set that lists them");
-    for (const Scene& scene : scenes)
-        if (scene.film.transparent)
-            throw UsageError("--join: scenes fade into their ground, and the ground is none");
-    double seconds = 0.0;
-    for (const Scene& scene : scenes) seconds += scene.film.seconds;
-    if (arguments.is_classroom && seconds > most_classroom_seconds.value)
-        throw UsageError(fmt::format("--join: the scenes together are a film of {:.6g} seconds; {}",
-                                     seconds, to_text(most_classroom_seconds)));
-    const OutputFormat& format =
-        format_of_film(film_path(arguments.destination, arguments.scenes.front()));
-    if (format.in_one_piece)
-        throw UsageError(
-            "--join: the pages of a PDF do not fade into one another; write a .mp4, a .webm or a "
-            "folder of frames");
-    if (format.previews > 0)
-        throw UsageError(
-            "--join: a GIF has its colours from one scene; write a .mp4, a .webm or a folder of "
-            "frames");
+    refuse_unjoinable(scenes,
+                      format_of_film(film_path(arguments.destination, arguments.scenes.front())));
 }
 
 // Refuses options that are incompatible with a page, or with the pages of a PDF.
 void refuse_page_options(const RenderArguments& arguments, const OutputFormat& format) {
     if (!arguments.max_size.empty() && format.in_one_piece)
         throw UsageError("--max-size: the pages of a PDF have no pixels, and no size is foreseen");
-    if (arguments.page.empty()) return;
+    if (arguments.destination.page.empty()) return;
     if (arguments.join)
         throw UsageError("--page: a page shows the film of one scene; leave --join out");
     if (arguments.film.text)
@@ -204,18 +156,10 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
     if (arguments.quiet && !arguments.timings) return;
     const std::string& output = arguments.destination.output;
     const bool streamed = Output::is_stream(output);
-    std::string text = fmt::format(
-        "{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n",
-        Output::is_standard_output(output) ? "standard output"
-                                           : printable(streamed ? output : report.path.string()),
-        counted(report.frames, "frame"),
-        clock_text(static_cast<double>(report.frames) / scene.film.fps),
-        1e-6 * static_cast<double>(report.bytes), counted(report.collisions.particle, "collision"),
-        report.wall_seconds);
-    if (!arguments.max_size.empty())
-        text += fmt::format("  {} by {}, {} frames a second, for --max-size {}\n",
-                            scene.film.size.width, scene.film.size.height, scene.film.fps,
-                            arguments.max_size);
+    const std::string name = Output::is_standard_output(output) ? "standard output"
+                             : streamed                         ? output
+                                                                : report.path.string();
+    std::string text = words_of(report, scene.film, name, arguments.max_size);
     if (arguments.timings) text += timings_of(report);
     if (streamed) return print_to_stderr(text);
     fmt::print("{}", text);
@@ -235,13 +179,6 @@ RenderReport render_to_stream(Output& stream, const std::vector<Scene>& scenes,
     return render_all(scenes, title, options, progress);
 }
 
-// The scenes with another picture size and frame rate, overriding their own.
-std::vector<Scene> in_shape(const std::vector<Scene>& scenes, const FilmShape& shape) {
-    const Overrides values{fmt::format("film.size=[{}, {}]", shape.size.width, shape.size.height),
-                           fmt::format("film.fps={}", shape.fps)};
-    return all_made(scenes, [&](const Scene& scene) { return scene_from(scene.source, values); });
-}
-
 double seconds_of(const std::vector<Scene>& scenes, const JoinedTitle& title,
                   const FilmOptions& options) {
     double seconds = seconds_of_title(title);
@@ -254,23 +191,13 @@ double seconds_of(const std::vector<Scene>& scenes, const JoinedTitle& title,
 std::vector<Scene> fitted(const RenderArguments& arguments, const std::vector<Scene>& scenes,
                           const JoinedTitle& title, double most, const FilmOptions& options,
                           Progress& progress) {
-    const Film& film = scenes.front().film;
-    std::map<std::pair<int, int>, std::vector<Scene>> tried;  // by width and rate
-    const auto bytes_in = [&](const FilmShape& shape) {
-        std::vector<Scene>& its = tried[{shape.size.width, shape.fps}];
-        its = in_shape(scenes, shape);
-        double bytes = bytes_of_title(its, title, options);
-        for (const Scene& scene : its) bytes += measured_cost(scene, options, progress).bytes;
-        return bytes;
-    };
-    const auto shape =
-        fitting_shape({film.size, film.fps}, *format_of_film(options.output).film, most, bytes_in);
-    if (!shape)
+    auto found = fitted_scenes(scenes, title, most, options, progress);
+    if (!found)
         throw UsageError(
             fmt::format("--max-size {}: a film of {:.6g} seconds takes more, even of small frames "
                         "and few of them; make it shorter (--seconds), or allow more",
                         arguments.max_size, seconds_of(scenes, title, options)));
-    return tried.at({shape->size.width, shape->fps});
+    return *std::move(found);
 }
 
 // Renders the film of one scene, or the joined film of several.
@@ -280,14 +207,14 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     FilmOptions options = arguments.film;
     options.cache = arguments.cache;
-    options.output = film_at(arguments, output);
+    options.output = film_at(arguments.destination, output);
     options.threads = threads_of(arguments);
     options.most_bytes = most_bytes(arguments);
     std::vector<Scene> scenes = asked;
     RenderReport report;
     // A page or a stream is opened only once, because the reader of a pipe ends when it is closed.
     std::optional<Output> whole;
-    const bool is_page = !arguments.page.empty();
+    const bool is_page = !arguments.destination.page.empty();
     const std::string target = is_page ? output.string() : arguments.destination.output;
     // The size measured on a few frames may be slightly less than that of the whole film: if the
     // film is too large, aim lower.
@@ -312,7 +239,7 @@ void refuse_film_options(const RenderArguments& arguments) {
     const bool changes = !arguments.destination.output.empty() ||
                          !arguments.destination.format.empty() || changes_film(arguments.film) ||
                          arguments.film.text || arguments.join || !arguments.max_size.empty() ||
-                         !overrides_of(arguments).empty() || !arguments.page.empty() ||
+                         !overrides_of(arguments).empty() || !arguments.destination.page.empty() ||
                          !arguments.depfile.empty() || !arguments.cache.empty();
     if (changes)
         throw UsageError(
@@ -320,28 +247,15 @@ void refuse_film_options(const RenderArguments& arguments) {
             "and -o and --words to carom join");
 }
 
-void render_chunks(const RenderArguments& arguments) {
+void render_plan(const RenderArguments& arguments) {
     refuse_film_options(arguments);
     if (arguments.scenes.size() != 1)
         throw UsageError("the chunks of one plan are rendered at a time; give one folder");
-    const PlanFolder folder(arguments.scenes.front());
-    folder.require(PlanKind::film, "render");
-    if (arguments.is_classroom) refuse_much_plan(folder);
-    Progress progress(Progress::fitting_form(arguments.quiet), folder.path().filename().string());
-    const ChunkOptions options{threads_of(arguments), arguments.force, arguments.allow_mixed};
-    std::vector<int> numbers{arguments.chunk};
-    if (arguments.chunk == 0) {
-        numbers = arguments.force ? std::vector<int>{} : folder.missing();
-        if (arguments.force)
-            for (const PlannedChunk& chunk : folder.chunks()) numbers.push_back(chunk.number);
-    }
-    for (const int number : numbers) {
-        const PlannedChunk& chunk = folder.chunk(number);
-        const bool is_new = render_chunk(folder, chunk, options, progress);
-        if (!arguments.quiet)
-            fmt::print("{}: {}, {}\n", printable(folder.output(chunk).path().string()),
-                       counted(chunk.count(), "frame"), is_new ? "done" : "was there already");
-    }
+    render_chunks({.plan = arguments.scenes.front(),
+                   .chunk = arguments.chunk,
+                   .how = {threads_of(arguments), arguments.force, arguments.allow_mixed},
+                   .is_classroom = arguments.is_classroom,
+                   .quiet = arguments.quiet});
 }
 
 void render_loaded(const RenderArguments& arguments, const std::vector<Scene>& scenes,
@@ -366,8 +280,9 @@ void refuse_used(const RenderArguments& arguments, const std::vector<Scene>& sce
     if (Output::is_stream(arguments.destination.output)) return;
     const auto has_words = [&](const std::string& what) {
         if (arguments.film.text) return true;
-        const OutputFormat& format = format_of_film(film_at(arguments, outputs.front()));
-        return what == "captions" && arguments.page.empty() &&
+        const OutputFormat& format =
+            format_of_film(film_at(arguments.destination, outputs.front()));
+        return what == "captions" && arguments.destination.page.empty() &&
                std::ranges::any_of(scenes,
                                    [&](const Scene& scene) { return has_sound(scene, format); });
     };
@@ -386,7 +301,7 @@ void refuse_much_work(const RenderArguments& arguments, const std::vector<Scene>
     Work all;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         const OutputFormat& format =
-            format_of_film(film_at(arguments, outputs[arguments.join ? 0 : i]));
+            format_of_film(film_at(arguments.destination, outputs[arguments.join ? 0 : i]));
         if (arguments.join)
             all = together(
                 all, work_of_film(scenes[i], arguments.film, format, counts_of_film(scenes[i])));
@@ -397,14 +312,15 @@ void refuse_much_work(const RenderArguments& arguments, const std::vector<Scene>
 }
 
 void render_scenes(RenderArguments& arguments) {
-    if (std::ranges::any_of(arguments.scenes, is_plan)) return render_chunks(arguments);
+    if (std::ranges::any_of(arguments.scenes, is_plan)) return render_plan(arguments);
     if (arguments.chunk > 0 || arguments.force || arguments.allow_mixed)
         throw UsageError(
             "--chunk, --force and --allow-mixed apply to the folder of a plan; make one with carom "
             "plan SCENE -o PLAN/");
     refuse_second_standard_input(arguments.scenes);
     arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
-    const std::vector<fs::path> outputs = outputs_of(arguments);
+    const std::vector<fs::path> outputs =
+        outputs_of(arguments.destination, arguments.scenes, arguments.join);
     most_bytes(arguments);  // refused before any work
     if (arguments.film.text && Output::is_stream(arguments.destination.output))
         throw UsageError(
@@ -419,13 +335,14 @@ void render_scenes(RenderArguments& arguments) {
         require_letters(title.title + title.words, arguments.scenes.front());
         listed_scenes = scenes_of(set);
     }
-    refuse_page_options(arguments, format_of_film(film_at(arguments, outputs.front())));
+    refuse_page_options(arguments, format_of_film(film_at(arguments.destination, outputs.front())));
     const std::vector<Scene> scenes = load_all(arguments, listed_scenes);
     for (const Scene& scene : scenes) say_notes(arguments, scene);
     if (arguments.join) refuse_join(arguments, scenes);
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        refuse_unfit(scenes[i], arguments.film,
-                     format_of_film(film_at(arguments, outputs[arguments.join ? 0 : i])));
+        refuse_unfit(
+            scenes[i], arguments.film,
+            format_of_film(film_at(arguments.destination, outputs[arguments.join ? 0 : i])));
     refuse_much_work(arguments, scenes, outputs);
     const std::string made_from = depfile_of(arguments, outputs, listed_scenes, scenes);
     std::optional<Output> depfile;  // before the work
@@ -473,7 +390,7 @@ Command render_command() {
                &its.film.text},
               {"--page",
                "html: write a page that contains the film, its chapters, transcript and scene",
-               &its.page,
+               &its.destination.page,
                {"html"}},
               {"--join",
                "make one film of all scenes, or those of a figure set, each fading into the next",

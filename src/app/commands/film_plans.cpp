@@ -9,8 +9,8 @@
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/output.h"
-#include "films/chunks/film_chunks.h"
 #include "films/cost/work.h"
+#include "films/film_checks.h"
 #include "media/formats.h"
 #include "runs/own_files.h"
 #include "util/diagnostics.h"
@@ -115,6 +115,26 @@ void refuse_much_plan(const PlanFolder& folder) {
                      output_format(format_of_plan(folder)));
 }
 
+void render_chunks(const FilmChunkArguments& arguments) {
+    const PlanFolder folder(arguments.plan);
+    folder.require(PlanKind::film, "render");
+    if (arguments.is_classroom) refuse_much_plan(folder);
+    Progress progress(Progress::fitting_form(arguments.quiet), folder.path().filename().string());
+    std::vector<int> numbers{arguments.chunk};
+    if (arguments.chunk == 0) {
+        numbers = arguments.how.force ? std::vector<int>{} : folder.missing();
+        if (arguments.how.force)
+            for (const PlannedChunk& chunk : folder.chunks()) numbers.push_back(chunk.number);
+    }
+    for (const int number : numbers) {
+        const PlannedChunk& chunk = folder.chunk(number);
+        const bool is_new = render_chunk(folder, chunk, arguments.how, progress);
+        if (!arguments.quiet)
+            fmt::print("{}: {}, {}\n", printable(folder.output(chunk).path().string()),
+                       counted(chunk.count(), "frame"), is_new ? "done" : "was there already");
+    }
+}
+
 void join_film(const PlanFolder& folder, const FilmJoinArguments& arguments) {
     if (Output::is_standard_output(arguments.output))
         throw UsageError("-o -: name a file; the film of a plan is not written to standard output");
@@ -122,7 +142,8 @@ void join_film(const PlanFolder& folder, const FilmJoinArguments& arguments) {
     if (is_video(arguments.output) && format_of_film(arguments.output).name != format)
         throw UsageError(fmt::format("-o {}: {} was planned with --format {}", arguments.output,
                                      folder.path().string(), format));
-    const fs::path output = film_path({arguments.output, format}, scene_of_plan(folder));
+    const fs::path output =
+        film_path({.output = arguments.output, .format = format}, scene_of_plan(folder));
     Progress progress(Progress::fitting_form(arguments.quiet), output.filename().string());
     const RenderReport report = join_film(folder,
                                           {.output = output,

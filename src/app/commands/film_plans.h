@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/command.h"
-#include "films/film_plan.h"
+#include "films/chunks/film_chunks.h"
 #include "works/plan_folder.h"
 
 namespace carom {
@@ -31,6 +31,17 @@ void plan_films(const std::vector<std::string>& scenes, const std::string& outpu
 /// Throws SceneError if the film of a plan, all of its chunks together, exceeds the limits of a
 /// classroom.
 void refuse_much_plan(const PlanFolder& folder);
+
+/// Arguments of `carom render` for the chunks of a film.
+struct FilmChunkArguments {
+    std::string plan;  ///< its folder
+    int chunk = 0;     ///< its number; 0: all that are missing, or all if they are forced
+    ChunkOptions how = {};
+    bool is_classroom = false, quiet = false;
+};
+
+/// Draws and encodes chunks of a film.
+void render_chunks(const FilmChunkArguments& arguments);
 
 /// Arguments of `carom join` for films.
 struct FilmJoinArguments {

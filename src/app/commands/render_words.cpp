@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/film/film_request.h"
 #include "app/pages/film_page.h"
+#include "films/film_checks.h"
+#include "runs/progress.h"
 #include "runs/run.h"
+#include "scene/film.h"
 #include "util/text.h"
 
 namespace carom {
@@ -38,6 +40,19 @@ std::string warning_of_callouts(const std::vector<std::string>& never_shown) {
 }
 
 }  // namespace
+
+std::string words_of(const RenderReport& report, const Film& film, const std::string& name,
+                     const std::string& max_size) {
+    std::string text = fmt::format(
+        "{}: {}, {}, {:.1f} MB, {} between particles, made in {:.1f} s\n", printable(name),
+        counted(report.frames, "frame"), clock_text(static_cast<double>(report.frames) / film.fps),
+        1e-6 * static_cast<double>(report.bytes), counted(report.collisions.particle, "collision"),
+        report.wall_seconds);
+    if (!max_size.empty())
+        text += fmt::format("  {} by {}, {} frames a second, for --max-size {}\n", film.size.width,
+                            film.size.height, film.fps, max_size);
+    return text;
+}
 
 std::string timings_of(const RenderReport& report) {
     std::string text;

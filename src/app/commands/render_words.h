@@ -9,6 +9,13 @@
 
 namespace carom {
 
+struct Film;
+
+/// What was made, in a line; with --max-size (empty: not given) also in which shape. `name`: of the
+/// output.
+std::string words_of(const RenderReport& report, const Film& film, const std::string& name,
+                     const std::string& max_size);
+
 /// A table of the seconds of each stage, and what they were spent on.
 std::string timings_of(const RenderReport& report);
 

@@ -7,11 +7,12 @@
 
 namespace carom {
 
-/// -o and --format as given; either may be empty.
+/// -o, --format and --page as given; each may be empty.
 struct FilmDestination {
     std::string output;
     std::string format;
-    bool several = false;  ///< the command renders several scenes
+    std::string page = {};  ///< kind of the page that contains the film
+    bool several = false;   ///< the command renders several scenes
 };
 
 /// Whether a path has the ending of a film format that is a single file.
@@ -21,5 +22,15 @@ bool is_video(const std::filesystem::path& path);
 /// output, a device or a pipe, the path that the film would have as a file. Throws UsageError if -o
 /// and --format contradict each other or what already exists at the path.
 std::filesystem::path film_path(const FilmDestination& destination, const std::string& scene);
+
+/// The paths of the films of scenes, or of the pages that contain them; with `is_joined` that of
+/// the one film of all. Throws UsageError as film_path(), and if two would be the same.
+std::vector<std::filesystem::path> outputs_of(const FilmDestination& destination,
+                                              const std::vector<std::string>& scenes,
+                                              bool is_joined);
+
+/// The path from which the format of such a film is determined.
+std::filesystem::path film_at(const FilmDestination& destination,
+                              const std::filesystem::path& output);
 
 }  // namespace carom

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/film/film_request.h"
+#include "films/film_checks.h"
 #include "util/text.h"
 
 namespace carom {

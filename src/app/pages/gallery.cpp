@@ -11,9 +11,9 @@
 
 #include "app/depfile.h"
 #include "app/figures/figure_folder.h"
-#include "app/film/film_request.h"
 #include "app/pages/film_page.h"
 #include "films/cost/work.h"
+#include "films/film_checks.h"
 #include "films/first_pass.h"
 #include "runs/json.h"
 #include "runs/own_files.h"

@@ -15,7 +15,6 @@
 #include "media/formats.h"
 #include "panels/frame.h"
 #include "panels/recording.h"
-#include "runs/progress.h"
 #include "scene/scene.h"
 
 namespace carom {
@@ -82,19 +81,6 @@ int frames_of(const Scene& scene, const FilmOptions& options);
 
 /// Whether the film of a scene has sound in a format.
 bool has_sound(const Scene& scene, const OutputFormat& format);
-
-/// Number of collisions in all runs of a film, including those with walls.
-struct FilmCollisions {
-    double count = 0.0;
-    bool kept = false;  ///< the panels need them, so they are recorded; for sound they are seen but
-                        ///< not recorded
-};
-
-/// The memory in bytes that render() takes at most for a film in a format, at any quality, with
-/// `particles` particles in each of its runs: an upper estimate from measured peaks
-/// (docs/scaling.md).
-std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
-                            const FilmCollisions& collisions, int threads);
 
 /// What all parts of a film share, and its options, as bytes: everything except its sound and the
 /// frames of its runs.

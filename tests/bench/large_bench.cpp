@@ -14,6 +14,7 @@
 #include "bench/process_cost.h"
 #include "draw/disks/disks.h"
 #include "draw/disks/small_disks.h"
+#include "films/cost/film_cost.h"
 #include "films/film_plan.h"
 #include "films/render.h"
 #include "runs/own_files.h"

@@ -20,6 +20,19 @@ struct FilmCost {
     double memory = 0.0;   ///< upper estimate in bytes, for any quality
 };
 
+/// Number of collisions in all runs of a film, including those with walls.
+struct FilmCollisions {
+    double count = 0.0;
+    bool kept = false;  ///< the panels need them, so they are recorded; for sound they are seen but
+                        ///< not recorded
+};
+
+/// The memory in bytes that render() takes at most for a film in a format, at any quality, with
+/// `particles` particles in each of its runs: an upper estimate from measured peaks
+/// (docs/scaling.md).
+std::int64_t memory_of_film(const Scene& scene, const OutputFormat& format, std::int64_t particles,
+                            const FilmCollisions& collisions, int threads);
+
 /// Bytes of the sound of `frames` frames; 0 for a film without sound.
 double bytes_of_sound(const Scene& scene, const OutputFormat& format, int frames);
 

@@ -1,5 +1,5 @@
 // The part of the event loop that finds which particles and surfaces touch each other at the
-// present. Included only by event_loop.cpp.
+// present. Included only by event_loop_steps.h.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The part of the event loop that carries out contacts that coincide, in rounds (contact_rounds.h).
-// Included only by event_loop.cpp.
+// Included only by event_loop_steps.h.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <map>
 
 #include "physics/events/event_loop_contacts.h"
+#include "physics/events/event_loop_vectors.h"
 
 namespace carom {
 

@@ -1,5 +1,5 @@
 // The part of the event loop that refuses to go on: collisions without end, or too many. Included
-// only by event_loop.cpp.
+// only by event_loop_steps.h.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // The part of the event loop that returns the state of all particles at a time between two events.
-// Included only by event_loop.cpp.
+// Included only by event_loop_steps.h.
 #pragma once
 
 #include <cstddef>

@@ -1,11 +1,14 @@
 // The part of the event loop needed only in boxes with active surfaces: hits of surfaces, events of
-// the surfaces themselves, and changes by events of the run. Included only by event_loop.cpp.
+// the surfaces themselves, and changes by events of the run. Included only by event_loop_steps.h.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "physics/events/event_loop.h"
+#include "physics/events/event_loop_vectors.h"
 #include "physics/mechanics.h"
 
 namespace carom {

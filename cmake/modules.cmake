@@ -4,8 +4,8 @@
 # USES: libraries that its headers may expose. PRIVATE: libraries used only in its .cpp files.
 # QUICK: it has no inner loop of simulation or drawing and is compiled with little optimisation
 # (carom_quick_options).
-# LOOPS: files of a QUICK module with loops over all particles of a frame; these are compiled with
-# -O3, in a unity build as one unit.
+# LOOPS: files of a QUICK module with inner loops: each takes more than about 1 % of the instructions
+# of a run or a film. These are compiled with -O3, in a unity build as one unit.
 # UNITS: without ccache (CAROM_UNITY) the files of several folders are compiled as one unit, in half
 # the time. Each entry lists folders of src/NAME (. is src/NAME itself) and single files; a folder
 # that is in no entry is a unit of its own. Names in unnamed namespaces must be unique within a
@@ -25,7 +25,8 @@ function(carom_module name)
         list(APPEND libraries carom_${name}_loops)
         set(loops $<TARGET_OBJECTS:carom_${name}_loops>)
     endif()
-    add_library(carom_${name} STATIC ${sources} ${loops})
+    # Loops first: of an inline function that is compiled in several units, the linker takes the first.
+    add_library(carom_${name} STATIC ${loops} ${sources})
     add_library(carom::${name} ALIAS carom_${name})
     foreach(library IN LISTS libraries)
         target_include_directories(${library} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
 
 #include "util/text.h"
 
@@ -40,6 +44,33 @@ std::string_view phrases::translated(Language language, std::string_view english
                                                 [](std::uint16_t k) { return table[k][0]; });
     if (found == in_order.end() || table[*found][0] != english) return english;
     return table[*found][static_cast<std::size_t>(language)];
+}
+
+// Values are formatted where their types are no longer known, which keeps the many calls of say()
+// small.
+std::string phrases::filled(Language language, std::string_view english, fmt::format_args values) {
+    using Value = fmt::format_args::format_arg;
+    std::vector<Value> shown;
+    std::deque<std::string> numbers;  // which `shown` refers to
+    const auto text_of_number = [&](auto value) -> std::optional<std::string> {
+        if constexpr (std::floating_point<decltype(value)>)
+            return localised(language, fmt::format("{}", value));
+        else
+            return std::nullopt;
+    };
+    for (int k = 0; const Value value = values.get(k); ++k) {
+        if (const std::optional<std::string> number =
+                fmt::visit_format_arg(text_of_number, value)) {
+            const std::string& kept = numbers.emplace_back(*number);
+            const auto store = fmt::make_format_args(kept);
+            shown.push_back(fmt::format_args(store).get(0));
+        } else {
+            shown.push_back(value);
+        }
+    }
+    const std::string_view words = translated(language, english);
+    return fmt::vformat(fmt::string_view(words.data(), words.size()),
+                        fmt::format_args(shown.data(), static_cast<int>(shown.size())));
 }
 
 std::string say(Language language, Phrase phrase) {

@@ -11,7 +11,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -55,16 +54,12 @@ using Row = std::array<std::string_view, language_count>;
 std::span<const Row> all();
 std::string_view translated(Language language, std::string_view english);
 
-template <class Arg>
-auto shown(Language language, const Arg& arg) {
-    if constexpr (std::floating_point<Arg>)
-        return localised(language, fmt::format("{}", arg));
-    else
-        return std::decay_t<const Arg>(arg);
-}
+/// Fills the values into a phrase in a language.
+std::string filled(Language language, std::string_view english, fmt::format_args values);
 
+/// What a value is formatted as.
 template <class Arg>
-using Shown = decltype(shown(Language::english, std::declval<const Arg&>()));
+using Shown = std::conditional_t<std::floating_point<Arg>, std::string, Arg>;
 
 }  // namespace phrases
 
@@ -74,14 +69,7 @@ template <class... Args>
 std::string say(Language language, fmt::format_string<phrases::Shown<Args>...> english,
                 const Args&... args) {
     const fmt::string_view key = english;
-    const std::string_view words = phrases::translated(language, {key.data(), key.size()});
-    const auto shown = std::tuple(phrases::shown(language, args)...);
-    return std::apply(
-        [&](const auto&... each) {
-            return fmt::vformat(fmt::string_view(words.data(), words.size()),
-                                fmt::make_format_args(each...));
-        },
-        shown);
+    return phrases::filled(language, {key.data(), key.size()}, fmt::make_format_args(args...));
 }
 
 /// Returns a count with its noun, "1 collision" or "30 collisions", from a phrase for one and a

@@ -168,6 +168,8 @@ TEST_CASE("numbers and lists are those of the language") {
     CHECK(say(Language::german, "at time {}", 2.5) == "zur Zeit 2,5");
     CHECK(say(Language::english, "at time {}", 2.5) == "at time 2.5");
     CHECK(say(Language::german, "particle {}", 3) == "Teilchen 3");
+    CHECK(say(Language::french, "{}: {}", "a", 2.5) == "a\u00A0: 2,5");
+    CHECK(say(Language::german, "{}, {}", 0.1f, std::string("1.5")) == "0,1, 1.5");
     const std::vector<std::string> three{"a", "b", "c"}, islands{"mar", "isla"};
     CHECK(listed(Language::english, three) == "a, b and c");
     CHECK(listed(Language::german, three) == "a, b und c");

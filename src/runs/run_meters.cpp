@@ -12,6 +12,7 @@
 #include "panels/recording.h"
 #include "panels/registry.h"
 #include "physics/mechanics.h"
+#include "physics/placement/draws.h"
 #include "runs/run_numbers.h"
 #include "scene/panel_kind.h"
 #include "scene/scene.h"
@@ -113,14 +114,12 @@ std::vector<LastReading> RunMeters::readings() const {
 
 std::vector<RunNumber> numbers_of_instruments(const Scene& scene) {
     if (scene.measure.empty()) return {};
-    Scene placed = scene;
-    placed.run.equilibrate = 0.0;
-    placed.run.bits = bits_of_double;
-    StartedScene started = start_scene(placed);
-    const RunMeters meters(started.scene, started.simulation.particles(),
-                           started.simulation.sample());
     std::vector<RunNumber> numbers;
-    for (LastReading& reading : meters.readings()) numbers.push_back(std::move(reading.number));
+    with_places_of_errors(scene, [&] {
+        const auto [particles, sample] = draw_gas(scene.gas);
+        for (LastReading& reading : RunMeters(scene, particles, sample).readings())
+            numbers.push_back(std::move(reading.number));
+    });
     return numbers;
 }
 

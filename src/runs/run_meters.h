@@ -38,8 +38,8 @@ class RunMeters {
     std::unique_ptr<Parts> parts_;
 };
 
-/// The numbers that a scene's instruments read. Places the particles, since what there is to read
-/// depends on them. Throws SceneError if they cannot be placed, and as RunMeters.
+/// The numbers that a scene's instruments read. Draws the particles, since what there is to read
+/// depends on them. Throws SceneError as RunMeters.
 std::vector<RunNumber> numbers_of_instruments(const Scene& scene);
 
 }  // namespace carom

@@ -12,8 +12,7 @@ struct Scene;
 
 /// The numbers of a scene's runs, in the order of lists and tables. Which numbers there are depends
 /// on the scene's box, species, surfaces, reversals and instruments, not on what happens in a run.
-/// To know what instruments read, the particles are placed: throws SceneError if they cannot be, or
-/// if what an instrument reads has no name of its own.
+/// Throws SceneError if what an instrument reads has no name of its own.
 std::vector<RunNumber> numbers_of_runs(const Scene& scene);
 
 /// Those of them that are the same for all scenes of such a gas, without instruments.

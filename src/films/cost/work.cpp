@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "films/cost/panel_seconds.h"
 #include "films/cost/work_parts.h"
 #include "physics/theory/collision_rate.h"
 #include "scene/limits.h"
@@ -135,6 +136,12 @@ Work work_of_run(const Scene& scene, const RunCounts& counts, const RunTables& t
          .reduce = "`run.sample_every` or the particles",
          .seconds = rows * (seconds_of_sample(scene, counts.bits) + files * of_row) +
                     collisions * of_event_row});
+    for (const PanelSpec& spec : scene.measure)
+        work.parts.push_back(
+            {.what = fmt::format("the instrument `{}`", spec.kind),
+             .reduce = reduces_panel(spec, scene.run),
+             .seconds = panel_seconds(scene, spec, samples_of(scene.run), 1.0, counts),
+             .place = spec.place});
     work.bytes =
         rows * ((tables.samples ? of_sample_row : 0.0) + (tables.trajectory ? of_place_row : 0.0)) +
         collisions * of_collision_row;

@@ -121,16 +121,6 @@ void CurvePanel::finish_record() {
     surveyed_ = nullptr;
 }
 
-void CurvePanel::take_axes(const RecordPanel& of) {
-    record_ = of.record();
-    make_axes();
-}
-
-void CurvePanel::archive(Archive& archive) {
-    archive(record_);
-    if (archive.is_reading()) make_axes();
-}
-
 plot::Axis CurvePanel::axis_up() const {
     double least = 0.0, most = 0.0, least_positive = 1.0;
     for (const CurveRun& run : record_.runs) {
@@ -191,9 +181,7 @@ void CurvePanel::make_plot() {
     else
         whole_.columns = {subject_.along, subject_.up};
     if (record_.runs_in_mean > 1) whole_.columns.push_back(standard_error_of(subject_.up));
-    std::vector<std::string> names;
-    for (const CurveRun& run : record_.runs) names.push_back(run.name);
-    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    if (record_.compares()) plot::name_runs(whole_, record_.names());
     std::vector<double> levels;
     if (subject_.level) levels.push_back(*subject_.level);
     if (whole_.y.low < 0.0 && !subject_.logarithmic) levels.push_back(0.0);

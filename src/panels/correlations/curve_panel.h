@@ -128,7 +128,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
 
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::samples; }
-    void archive(Archive& archive) override;
+    void archive(Archive& archive) override { archive_record(archive); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void see(const FrameInput& input) override { shown_->see(input); }
     void archive_progress(Archive& archive) override;
@@ -142,7 +142,7 @@ class CurvePanel : public RecordPanel<CurveRecord> {
   protected:
     void finish_record() override;
     void make_axes() override;
-    void take_axes(const RecordPanel& of) override;
+    void take_axes(const RecordPanel& of) override { take_record(of); }
 
   private:
     void take_in(const Measured& values);

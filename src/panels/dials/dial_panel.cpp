@@ -152,11 +152,6 @@ void DialPanel::make_axes() {
         for (const double value : line) scale_.high = std::max(scale_.high, value);
 }
 
-void DialPanel::archive(Archive& archive) {
-    archive(record_);
-    if (archive.is_reading()) make_axes();
-}
-
 std::shared_ptr<const PanelState> DialPanel::state(const FrameInput& input) {
     if (input.refreshes_readouts || seen_ == 0) said_ = seen_;
     auto state = std::make_shared<DialState>();

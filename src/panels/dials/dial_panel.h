@@ -45,7 +45,7 @@ class DialPanel : public RecordPanel<HistoryRecord, SharedPanel> {
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::both; }
     bool surveys_collisions() const override { return reader_.meter().needs_collisions; }
-    void archive(Archive& archive) override;
+    void archive(Archive& archive) override { archive_record(archive); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override { archive(seen_, said_); }
     std::shared_ptr<const PanelState> state_of_runs(

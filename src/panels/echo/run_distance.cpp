@@ -125,10 +125,7 @@ class RunDistancePanel : public FramesPanel<RunDistanceRecord> {
 
   protected:
     void make_axes() override;
-    void take_axes(const RecordPanel& of) override {
-        record_ = of.record();
-        make_axes();
-    }
+    void take_axes(const RecordPanel& of) override { take_record(of); }
 
   private:
     plot::Polyline line_until(std::size_t shown) const;

@@ -113,16 +113,6 @@ void ProfilePanel::finish_record() {
     surveyed_ = {};
 }
 
-void ProfilePanel::take_axes(const RecordPanel& of) {
-    record_ = of.record();
-    make_axes();
-}
-
-void ProfilePanel::archive(Archive& archive) {
-    archive(record_);
-    if (archive.is_reading()) make_axes();
-}
-
 std::shared_ptr<const PanelState> ProfilePanel::state(const FrameInput& input) {
     auto state = std::make_shared<ProfileState>();
     Measured& now = state->runs.emplace_back();

@@ -59,10 +59,10 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
 
     void survey(const FrameInput& input) override;
     SurveyedAt surveyed_at() const override { return SurveyedAt::samples; }
-    void archive(Archive& archive) override;
     std::optional<std::array<double, 2>> time_shown(double at) const override;
     bool surveys_collisions() const override { return window_of(over_) != 0.0; }
     bool wants_collisions() const override { return surveys_collisions(); }
+    void archive(Archive& archive) override { archive_record(archive); }
     std::shared_ptr<const PanelState> state(const FrameInput& input) override;
     void archive_progress(Archive& archive) override {
         for (CellQuantity& one : shown_) archive(one);
@@ -74,7 +74,7 @@ class ProfilePanel : public RecordPanel<ProfileRecord> {
   protected:
     void finish_record() override;
     void make_axes() override;
-    void take_axes(const RecordPanel& of) override;
+    void take_axes(const RecordPanel& of) override { take_record(of); }
 
   private:
     void add_laws();

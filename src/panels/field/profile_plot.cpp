@@ -125,9 +125,7 @@ void ProfilePanel::make_axes() {
                           is_up() ? of_place : of_value}};
     if (record_.has_errors()) whole_.columns.push_back(standard_error_of(of_value));
     whole_.language = language;
-    std::vector<std::string> names;
-    for (const ProfileRun& run : record_.runs) names.push_back(run.name);
-    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    if (record_.compares()) plot::name_runs(whole_, record_.names());
     whole_.notes.push_back(note());
     for (std::size_t run = 0; run < record_.runs.size(); ++run)
         for (std::size_t k = 0; k < record_.runs[run].laws.y.size(); ++k)

@@ -205,9 +205,7 @@ void PressureVolumePanel::make_axes() {
     whole_.y =
         plot::axis_of(language, quantities::pressure(dimension), 0.0, round_up_for_axis(most));
     whole_.columns = {*whole_.x.quantity, *whole_.y.quantity};
-    std::vector<std::string> names;
-    for (const PressureVolumeRun& run : record_.runs) names.push_back(run.name);
-    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    if (record_.compares()) plot::name_runs(whole_, record_.names());
     for (std::size_t run = 0; run < record_.runs.size(); ++run)
         whole_.layers.emplace_back(whole_path(run));
     const Compression& theory = record_.runs.front().theory;

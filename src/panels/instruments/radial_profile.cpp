@@ -138,10 +138,7 @@ class RadialProfilePanel : public FramesPanel<RadialRecord> {
             static_cast<double>(context_.particles.count()) / (box.size[0] * box.size[1]);
     }
     void make_axes() override;
-    void take_axes(const RecordPanel& of) override {
-        record_ = of.record();
-        make_axes();
-    }
+    void take_axes(const RecordPanel& of) override { take_record(of); }
 
   private:
     const ProfileOptions& options() const { return spec_.options.as<ProfileOptions>(); }
@@ -203,9 +200,7 @@ void RadialProfilePanel::make_axes() {
     else
         whole_.titles = {title + ": " + names_of(context_, choices_, plot::Swatch::line)};
     if (record_.runs_in_mean > 1) whole_.columns.push_back(standard_error_of(density));
-    std::vector<std::string> names;
-    for (const RadialRun& run : record_.runs) names.push_back(run.name);
-    if (record_.compares()) plot::name_runs(whole_, std::move(names));
+    if (record_.compares()) plot::name_runs(whole_, record_.names());
     plot::Note note{.wraps = true};
     note.entries.push_back({.words = {plot::Text(words_of_moments(language, spec_, over_))}});
     if (record_.runs_in_mean > 1)

@@ -18,6 +18,13 @@ struct RunsRecord {
     int runs_in_mean = 1;
 
     bool compares() const { return runs.size() > 1; }
+
+    /// The names of compared runs.
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const Run& run : runs) all.push_back(run.name);
+        return all;
+    }
     void archive(auto& archive) { archive(runs, runs_in_mean); }
 };
 

@@ -97,8 +97,21 @@ class RecordPanel : public Base {
     /// Fixes the axes from the record, which may be that of several runs.
     virtual void make_axes() = 0;
 
-    /// Takes the axes of the panel `of`, which also shows the run of this panel.
+    /// Takes the axes of the panel `of`, which also shows the run of this panel: what its states
+    /// depend on. None if that is nothing but the number of the frame.
     virtual void take_axes(const RecordPanel& of) { (void)of; }
+
+    /// Panel::archive() of a panel all of whose axes follow from its record.
+    void archive_record(Archive& archive) {
+        archive(record_);
+        if (archive.is_reading()) make_axes();
+    }
+
+    /// Shows what the panel `of` shows.
+    void take_record(const RecordPanel& of) {
+        record_ = of.record_;
+        make_axes();
+    }
 
     Record record_;
 };
@@ -113,10 +126,7 @@ class FramesPanel : public RecordPanel<Record> {
         return state;
     }
     void archive_progress(Archive& archive) override { archive(seen_); }
-    void archive(Archive& archive) override {
-        archive(this->record_);
-        if (archive.is_reading()) this->make_axes();
-    }
+    void archive(Archive& archive) override { this->archive_record(archive); }
 
   private:
     std::size_t seen_ = 0;

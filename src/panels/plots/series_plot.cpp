@@ -68,10 +68,8 @@ void SeriesPanel::make_plot() {
         whole_.at_lines = plot::NamedAtLines{.titles = {meter().title}};
     if (const std::vector<std::string> words = notes(); !words.empty())
         whole_.notes.push_back({{{.words = {words.begin(), words.end()}}}});
-    std::vector<std::string> names;
-    for (const auto& one : record_.runs) names.push_back(one.name);
     if (compares) {
-        plot::name_runs(whole_, std::move(names));
+        plot::name_runs(whole_, record_.names());
         whole_.notes.back().of_last_titles = whole_.titles.size();  // unless at the lines
     }
     for (std::size_t k = 0; k < record_.runs.size(); ++k) add_run(k);

@@ -14,8 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The files to which a page refers, `](file#place)` and `src="file"`.
-std::vector<std::string> files_named_in(const std::string& page) {
+// The files to which a page refers, `](file#place)` and `src="file"`; not in indented code.
+std::vector<std::string> files_named_in(const std::string& with_code) {
+    const std::string page = std::regex_replace(with_code, std::regex("\n    [^\n]*"), "\n");
     const std::regex link(R"(\]\(([^()# ]+)[^()]*\)|src="([^"]+)\")");
     std::vector<std::string> files;
     for (std::sregex_iterator it(page.begin(), page.end(), link), end; it != end; ++it) {

@@ -121,10 +121,12 @@ std::vector<DiskMotion> disks_of(const Scene& scene, const CheckedFilm& checked,
     if (scene.gas.box.dimension == 1) return {};
     const double scale = panels.scale(Grid(scene.film.layout, scene.film.size));
     const std::vector<const Scene*> scenes = scenes_of_film(scene);
+    SceneCounts counts = checked.counts;
+    counts.resize(scenes.size());
     std::vector<DiskMotion> all;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         for (DiskMotion& one :
-             disk_motion(*scenes[k], starts[k].particles, checked.counts.at(k).speeds, scale)) {
+             disk_motion(*scenes[k], starts[k].particles, counts[k].speeds, scale)) {
             if (scenes.size() > 1) one.run = scene.film.runs.labels()[k];
             all.push_back(std::move(one));
         }

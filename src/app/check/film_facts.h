@@ -19,7 +19,7 @@ struct CheckedFilm {
     FilmOptions options = {};                       ///< the output path is ignored
     std::vector<const OutputFormat*> formats = {};  ///< whose costs are estimated; at least one
     std::optional<FilmCost> measured = {};
-    SceneCounts counts = {};                ///< of its runs
+    SceneCounts counts = {};                ///< of its runs; empty: not counted
     std::vector<std::string> cut = {};      ///< words_left_out() of its last frame
     std::vector<std::string> in_keys = {};  ///< words_in_keys() of it
     std::optional<double> collisions =

@@ -174,7 +174,7 @@ std::vector<std::string> all_kinds() {
              "{length: 12, walls: periodic}", "velocity: 9"),
         wire("panels: [piston, energy-account, mean-free-path, {kind: particle-speed, of: 0}]",
              "{length: 12, walls: {right: {velocity: -0.2}}}"),
-        piston("panels: [piston, piston-histogram, pressure-volume, energy-account, halves]"),
+        piston("panels: [piston, piston-histogram, pressure-volume, halves]"),
     };
 }
 

@@ -9,11 +9,12 @@
 // that a table names.
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -23,17 +24,61 @@
 
 namespace carom {
 
+/// A key, and how its value is read into a part of an object. This is what bindings of all types of
+/// objects have in common; their code is compiled once for it, not for each of hundreds of fields.
+struct AnyBinding {
+    /// Reads a value into a part of an object.
+    using ReadPart = SharedFunction<void(void* part, const Node&, Reading&)>;
+
+    Key key;
+    ReadPart read_part;
+    std::ptrdiff_t offset = 0;   ///< of the part in the object, in bytes
+    bool reads_default = false;  ///< whether the default is read if the key is not given
+
+    AnyBinding(Key key, ReadPart read_part, std::ptrdiff_t offset = 0);
+    AnyBinding(const AnyBinding&);
+    AnyBinding(AnyBinding&&) noexcept;
+    AnyBinding& operator=(const AnyBinding&);
+    AnyBinding& operator=(AnyBinding&&) noexcept;
+    ~AnyBinding();
+
+    /// Reads a value into the part of the object.
+    void read_into(void* object, const Node& node, Reading& reading) const;
+};
+
+namespace binding {
+
+/// Returns an object whose fields have their initial values.
+template <typename T>
+const T& initial() {
+    static const T value{};
+    return value;
+}
+
+/// Returns how far a part lies behind the start of an object, in bytes.
+std::ptrdiff_t distance(const void* object, const void* part);
+
+}  // namespace binding
+
 /// A key and the field of T that it fills.
 template <typename T>
-struct Binding {
-    Key key;
-    SharedFunction<void(T&, const Node&, Reading&)> read;
-    bool reads_default = false;  ///< whether the default is read if the key is not given
+struct Binding : AnyBinding {
+    using AnyBinding::AnyBinding;
+    template <std::same_as<AnyBinding> Any>
+    explicit Binding(Any any) : AnyBinding(std::move(any)) {}
+
+    /// Reads a value into the field.
+    void read(T& into, const Node& node, Reading& reading) const {
+        read_into(&into, node, reading);
+    }
 
     /// Converts to a binding of the same field in a type derived from T.
     template <std::derived_from<T> Derived>
     operator Binding<Derived>() && {
-        return {std::move(key), std::move(read), reads_default};
+        const Derived& object = binding::initial<Derived>();
+        const T& base = object;
+        offset += binding::distance(&object, &base);
+        return Binding<Derived>(static_cast<AnyBinding&&>(*this));
     }
 
     /// Makes the key required.
@@ -101,19 +146,30 @@ void assign(Field& field, V value) {
         field = std::move(value);
 }
 
+/// A key that fills a field, in an object of any type.
+template <typename Field, typename V>
+AnyBinding of_field(std::string name, const Field& initial, const Notation<V>& notation,
+                    std::string meaning) {
+    Key key{.name = std::move(name), .meaning = std::move(meaning), .forms = notation.forms};
+    key.default_value = initial_text(notation, initial);
+    return {std::move(key),
+            [read = notation.read](void* field, const Node& node, Reading& reading) {
+                if (auto value = read(node, reading))
+                    assign(*static_cast<Field*>(field), std::move(*value));
+            }};
+}
+
 }  // namespace binding
 
 /// A key that fills a field, with the field's initial value as its default.
 template <typename T, typename Field, typename V>
 Binding<T> bind_key(std::string name, Field T::*field, const Notation<V>& notation,
                     std::string meaning) {
-    Key key{.name = std::move(name), .meaning = std::move(meaning), .forms = notation.forms};
-    key.default_value = binding::initial_text(notation, T{}.*field);
-    return {std::move(key),
-            [field, read = notation.read](T& into, const Node& node, Reading& reading) {
-                if (auto value = read(node, reading))
-                    binding::assign(into.*field, std::move(*value));
-            }};
+    const T& object = binding::initial<T>();
+    Binding<T> bound(
+        binding::of_field(std::move(name), object.*field, notation, std::move(meaning)));
+    bound.offset = binding::distance(&object, &(object.*field));
+    return bound;
 }
 
 /// A key that fills several fields: `fill(T&, value)`.
@@ -121,25 +177,32 @@ template <typename T, typename V, typename Fill>
 Binding<T> bind_with(std::string name, Fill fill, const Notation<V>& notation,
                      std::string meaning) {
     return {{.name = std::move(name), .meaning = std::move(meaning), .forms = notation.forms},
-            [fill, read = notation.read](T& into, const Node& node, Reading& reading) {
-                if (auto value = read(node, reading)) fill(into, std::move(*value));
+            [fill, read = notation.read](void* into, const Node& node, Reading& reading) {
+                if (auto value = read(node, reading))
+                    fill(*static_cast<T*>(into), std::move(*value));
             }};
 }
 
-/// Returns a key of a T, or several, as keys of a whole, in which `part` finds the T:
-/// `part(Whole&)`, which returns a reference to it, or the member that it is.
+/// Returns a key of a T as a key of a whole, in which `part` finds the T: `part(Whole&)` returns a
+/// reference to it.
 template <typename Whole, typename T, typename Part>
 Binding<Whole> bind_within(Part part, Binding<T> binding) {
-    return {
-        std::move(binding.key),
-        [part, read = std::move(binding.read)](Whole& into, const Node& node, Reading& reading) {
-            read(std::invoke(part, into), node, reading);
-        },
-        binding.reads_default};
+    const auto read = [part, read = std::move(binding.read_part), offset = binding.offset](
+                          void* into, const Node& node, Reading& reading) {
+        T& found = part(*static_cast<Whole*>(into));
+        read(reinterpret_cast<char*>(&found) + offset, node, reading);
+    };
+    Binding<Whole> bound(std::move(binding.key), read);
+    bound.reads_default = binding.reads_default;
+    return bound;
 }
+
+/// Returns a key of a T, or several, as keys of a whole of which the T is a member.
 template <typename Whole, typename T>
 Binding<Whole> bind_within(T Whole::*member, Binding<T> binding) {
-    return bind_within<Whole>(std::mem_fn(member), std::move(binding));
+    const Whole& object = binding::initial<Whole>();
+    binding.offset += binding::distance(&object, &(object.*member));
+    return Binding<Whole>(static_cast<AnyBinding&&>(binding));
 }
 
 template <typename Whole, typename T>
@@ -186,66 +249,55 @@ struct KeyTable {
     std::function<void(T&, const Node&, Reading&)> rule = {};
 };
 
-/// A complete table of keys, as a section and the functions that read its keys. Copies share both.
-template <typename T>
-class FixedTable {
+/// A complete table of keys, as a section and the functions that read its keys into an object.
+/// Copies share both.
+class AnyTable {
   public:
-    FixedTable(KeyTable<T> table) {
-        Contents all{.section = {.name = std::move(table.name),
-                                 .keys = {},
-                                 .choices = std::move(table.choices),
-                                 .refused = std::move(table.refused)},
-                     .readers = {},
-                     .rule = std::move(table.rule)};
-        for (Binding<T>& binding : table.keys) {
-            all.section.keys.push_back(std::move(binding.key));
-            all.readers.push_back({std::move(binding.read), binding.reads_default});
-        }
-        contents_ = std::make_shared<const Contents>(std::move(all));
-    }
+    /// Called after all keys have been read.
+    using Rule = SharedFunction<void(void* object, const Node&, Reading&)>;
 
-    const Section& section() const { return contents_->section; }
+    AnyTable(Section section, std::vector<AnyBinding> keys, std::optional<Rule> rule);
+
+    const Section& section() const;
 
     /// Returns the form of a mapping with these keys; `phrase` is what messages call it.
-    Form form(std::string phrase) const {
-        return {.shape = Shape::mapping,
-                .section = {contents_, &contents_->section},
-                .phrase = std::move(phrase)};
-    }
+    Form form(std::string phrase) const;
 
-    /// Reads a checked mapping into `value`. Fields whose keys are invalid or not given keep their
-    /// defaults.
-    void read(const Node& mapping, T& value, Reading& reading) const {
-        for (std::size_t k = 0; k < contents_->readers.size(); ++k) {
-            const Key& key = section().keys[k];
-            const Reader& reader = contents_->readers[k];
-            if (const Node* node = given(mapping, key.name))
-                reader.read(value, *node, reading);
-            else if (reader.reads_default && find(mapping, key.name) == nullptr)
-                reader.read(value, default_node(key.default_value), reading);
-        }
-        if (contents_->rule) contents_->rule(value, mapping, reading);
-    }
+    /// Reads a checked mapping into an object. Fields whose keys are invalid or not given keep
+    /// their defaults.
+    void read_into(void* object, const Node& mapping, Reading& reading) const;
 
     /// Returns whether all required keys have valid values.
-    bool is_complete(const Node& mapping) const {
-        return std::ranges::all_of(section().keys, [&](const Key& key) {
-            return !key.required || given(mapping, key.name) != nullptr;
-        });
+    bool is_complete(const Node& mapping) const;
+
+  private:
+    struct Contents;
+    std::shared_ptr<const Contents> contents_;
+};
+
+/// A complete table of the keys of a T.
+template <typename T>
+class FixedTable : public AnyTable {
+  public:
+    FixedTable(KeyTable<T> table)
+        : AnyTable({.name = std::move(table.name),
+                    .keys = {},
+                    .choices = std::move(table.choices),
+                    .refused = std::move(table.refused)},
+                   {std::move_iterator(table.keys.begin()), std::move_iterator(table.keys.end())},
+                   erased(std::move(table.rule))) {}
+
+    void read(const Node& mapping, T& value, Reading& reading) const {
+        read_into(&value, mapping, reading);
     }
 
   private:
-    struct Reader {
-        SharedFunction<void(T&, const Node&, Reading&)> read;
-        bool reads_default;
-    };
-    struct Contents {
-        Section section;
-        std::vector<Reader> readers;  ///< one for each key
-        std::function<void(T&, const Node&, Reading&)> rule;
-    };
-
-    std::shared_ptr<const Contents> contents_;
+    static std::optional<Rule> erased(std::function<void(T&, const Node&, Reading&)> rule) {
+        if (!rule) return std::nullopt;
+        return [rule](void* object, const Node& mapping, Reading& reading) {
+            rule(*static_cast<T*>(object), mapping, reading);
+        };
+    }
 };
 
 /// A notation for a mapping with the keys of a table.

@@ -56,18 +56,18 @@ using OwnKeys = std::vector<Binding<PanelSpec>> PanelKind::*;
 class ReaderOfKinds {
   public:
     void add(const std::string& kind, const Binding<PanelSpec>& key) {
-        readers_.push_back({kind, key.read});
+        readers_.push_back({kind, key});
     }
-    void operator()(PanelSpec& panel, const Node& node, Reading& reading) const {
-        for (const auto& [kind, read] : readers_)
-            if (kind == panel.kind) return read(panel, node, reading);
+    void operator()(void* into, const Node& node, Reading& reading) const {
+        auto& panel = *static_cast<PanelSpec*>(into);
+        for (const auto& [kind, key] : readers_)
+            if (kind == panel.kind) return key.read(panel, node, reading);
         PanelSpec other{.kind = readers_.front().first};
-        readers_.front().second(other, node, reading);
+        readers_.front().second.read(other, node, reading);
     }
 
   private:
-    std::vector<std::pair<std::string, SharedFunction<void(PanelSpec&, const Node&, Reading&)>>>
-        readers_;
+    std::vector<std::pair<std::string, Binding<PanelSpec>>> readers_;
 };
 
 // Keys that are specific to certain kinds; several kinds may have keys of the same name.
@@ -87,7 +87,10 @@ std::vector<Binding<PanelSpec>> own_keys(PanelKinds kinds, OwnKeys keys_of_kind)
             }
             readers[place].add(kind.name, own);
         }
-    for (std::size_t k = 0; k < keys.size(); ++k) keys[k].read = std::move(readers[k]);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        keys[k].read_part = std::move(readers[k]);
+        keys[k].offset = 0;
+    }
     return keys;
 }
 

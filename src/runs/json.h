@@ -2,13 +2,10 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include "util/text.h"
 
 namespace carom {
 
@@ -16,26 +13,14 @@ using Json = nlohmann::ordered_json;
 
 /// The JSON as UTF-8 text; invalid bytes, for example of a path, are replaced. Each level is
 /// indented by `indent` blanks; with a negative `indent` all is on one line.
-inline std::string text_of(const Json& json, int indent = -1) {
-    constexpr bool ascii_only = false;
-    return json.dump(indent, ' ', ascii_only, Json::error_handler_t::replace);
-}
+std::string text_of(const Json& json, int indent = -1);
 
 /// Parses a text. Returns a discarded value (neither object nor array) if it is not JSON, or is
 /// nested deeper than any JSON that carom writes.
-inline Json json_in(std::string_view text) {
-    constexpr int deepest = 32;
-    constexpr bool may_throw = false;
-    if (nests_deeper(text, deepest)) return Json(Json::value_t::discarded);
-    return Json::parse(text, nullptr, may_throw);
-}
+Json json_in(std::string_view text);
 
 /// What is wrong with JSON that was read, without the identifier of the exception.
-inline std::string cause_of(const Json::exception& error) {
-    const std::string_view all = error.what();
-    const std::size_t end = all.starts_with('[') ? all.find("] ") : std::string_view::npos;
-    return std::string(end == std::string_view::npos ? all : all.substr(end + 2));
-}
+std::string cause_of(const Json::exception& error);
 
 /// The value of a whole number. Throws Json::exception if the JSON is not a whole number, or if it
 /// does not fit into `Number`.

@@ -1,26 +1,39 @@
 # carom_join_tests(RESULT NAME sources...): sets RESULT to generated source files, each of which
-# joins up to twelve of the sources, so that shared headers and their templates are compiled only
+# joins up to twenty of the sources, so that shared headers and their templates are compiled only
 # once. All headers come first; each source then follows in a namespace of its own, so that names in
-# unnamed namespaces do not clash. A source is not joined if it opens a namespace of the project
-# itself, replaces `operator new`, or includes C headers.
+# unnamed namespaces do not clash. Sources that open a namespace of the project follow each other in
+# one file: their names in unnamed namespaces must differ. A source is not joined if it replaces
+# `operator new` or includes C headers.
 function(carom_join_tests result name)
     set(apart)
+    set(own_namespace)
     set(joined)
     foreach(source IN LISTS ARGN)
-        file(STRINGS ${source} by_itself REGEX "^(namespace carom|extern \"C\"|void.* operator )" LIMIT_COUNT 1)
+        file(STRINGS ${source} by_itself REGEX "^(extern \"C\"|void.* operator )" LIMIT_COUNT 1)
+        file(STRINGS ${source} opens REGEX "^namespace carom" LIMIT_COUNT 1)
         if(by_itself)
             list(APPEND apart ${source})
+        elseif(opens)
+            list(APPEND own_namespace ${source})
         else()
             list(APPEND joined ${source})
         endif()
     endforeach()
+    list(LENGTH own_namespace count)
+    if(count GREATER 1)
+        list(TRANSFORM own_namespace REPLACE "(.+)" "#include \"\\1\"")
+        list(JOIN own_namespace "\n" body)
+        set(own_namespace ${CMAKE_CURRENT_BINARY_DIR}/joined/${name}.cpp)
+        file(CONFIGURE OUTPUT ${own_namespace} CONTENT "${body}\n" @ONLY)
+    endif()
+    list(APPEND apart ${own_namespace})
     list(LENGTH joined count)
     if(count EQUAL 1)
-        set(${result} ${ARGN} PARENT_SCOPE)
+        set(${result} ${apart} ${joined} PARENT_SCOPE)
         return()
     endif()
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${joined})
-    math(EXPR groups "(${count} + 11) / 12")
+    math(EXPR groups "(${count} + 19) / 20")
     set(group 0)
     while(group LESS groups)
         set(headers)

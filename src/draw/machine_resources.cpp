@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "draw/fonts/font_threads.h"
 #include "draw/text.h"
 #include "util/text.h"
 #include "util/threads/on_threads.h"
 
 namespace carom {
 namespace {
-
-// Threads that Pango starts at the same time to find the fonts of one drawing thread.
-constexpr int threads_of_pango = 2;
 
 // Address space: stack and heap of a drawing thread and of the thread that finds its fonts.
 constexpr std::size_t bytes_of_thread = 148'000'000;

@@ -18,6 +18,7 @@
 #include <system_error>
 #include <vector>
 
+#include "draw/fonts/font_threads.h"
 #include "util/diagnostics.h"
 #include "util/threads/on_threads.h"
 
@@ -101,7 +102,6 @@ GLogWriterOutput on_glib_message(GLogLevelFlags level, const GLogField* fields, 
 // The address space needed for the fonts, their caches, and the thread (with its heap) that
 // searches for them: the measured amount and a margin.
 constexpr std::size_t first_text_bytes = 192'000'000;
-constexpr int threads_of_pango = 2;  // threads at once that search for the fonts of one thread
 
 [[noreturn]] void refuse_configuration() {
     throw SystemError("fontconfig cannot read its configuration: there is no memory for it");

@@ -18,8 +18,9 @@ endforeach()
 # "physics/gas.h" inside the headers.
 target_include_directories(carom_physics INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
 # Arrays may be allocated in the library and freed in user code, so both must use the same allocator
-# of Eigen: by default it depends on -march and on sanitizers.
-target_compile_definitions(carom_physics PUBLIC EIGEN_MAX_ALIGN_BYTES=64)
+# of Eigen: by default it depends on -march and on sanitizers. It is a definition of the lowest
+# module, so that all have it, and the libraries of their LOOPS, too.
+target_compile_definitions(carom_util PUBLIC EIGEN_MAX_ALIGN_BYTES=64)
 
 install(TARGETS carom_util carom_physics EXPORT carom
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development

@@ -10,6 +10,11 @@
 
 namespace carom {
 
+static_assert(
+    EIGEN_MAX_ALIGN_BYTES == 64,
+    "compile with -DEIGEN_MAX_ALIGN_BYTES=64, as carom is: arrays that one part allocates "
+    "are freed by another (the CMake target carom::physics has this definition)");
+
 /// Constant properties of N particles.
 struct Particles {
     Eigen::ArrayXd radius;        ///< N, length

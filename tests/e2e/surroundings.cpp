@@ -51,7 +51,8 @@ TEST_CASE("a name that is too long for one of the files is refused before any is
 TEST_CASE("too small a stack is an error in plain words") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", two_disks);
-    for (const int size : {16, 64, 255}) {
+    // With 16 kB the system's loader fails now and then, before the program begins.
+    for (const int size : {24, 64, 255}) {
         CAPTURE(size);
         const Outcome outcome =
             shell(fmt::format("ulimit -s {}; '{}' check scene.yaml", size, program), folder.path());

@@ -121,12 +121,10 @@ std::vector<DiskMotion> disks_of(const Scene& scene, const CheckedFilm& checked,
     if (scene.gas.box.dimension == 1) return {};
     const double scale = panels.scale(Grid(scene.film.layout, scene.film.size));
     const std::vector<const Scene*> scenes = scenes_of_film(scene);
-    SceneCounts counts = checked.counts;
-    counts.resize(scenes.size());
     std::vector<DiskMotion> all;
     for (std::size_t k = 0; k < scenes.size(); ++k)
         for (DiskMotion& one :
-             disk_motion(*scenes[k], starts[k].particles, counts[k].speeds, scale)) {
+             disk_motion(*scenes[k], starts[k].particles, checked.counts.at(k).speeds, scale)) {
             if (scenes.size() > 1) one.run = scene.film.runs.labels()[k];
             all.push_back(std::move(one));
         }
@@ -187,8 +185,10 @@ std::vector<const OutputFormat*> formats_with_costs() {
     return formats;
 }
 
-Facts film_facts(const Scene& scene, const CheckedFilm& checked, const Particles& drawn,
+Facts film_facts(const Scene& scene, const CheckedFilm& asked, const Particles& drawn,
                  const Sample& start, double expected) {
+    CheckedFilm checked = asked;
+    checked.counts.resize(scene.film.runs.count());  // of runs that were not counted nothing
     const std::int64_t particles = drawn.count();
     std::vector<RunStart> starts{{drawn, start}};  // of other runs drawn and not placed
     for (const ComparedRun& run : scene.film.runs.others) {

@@ -1,4 +1,4 @@
-// Instruments at walls and partitions, against runs whose numbers are known by hand.
+// Instruments, against runs whose numbers are known by hand.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 

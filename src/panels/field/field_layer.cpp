@@ -21,7 +21,7 @@ constexpr double share_above = 0.02;  // of the cells of all frames, beyond the 
 constexpr double least_contrast_of_outlines = 2.2;
 constexpr double part_of_cell = 0.35;  // units: of what a colour is filled into
 constexpr double part_of_slab = 0.1;   // the same where all parts lie in one row
-constexpr int most_parts = 16;         // of a cell along an axis, unless all lie in one row
+constexpr int most_cells_along = 16;   // of a cell along an axis, unless all lie in one row
 constexpr double key_height = 3.6;     // units, of the arrow that is the key of a flow
 
 // "mean over height and the last 10".
@@ -281,7 +281,7 @@ void FieldLayer::draw_colors(Canvas& canvas, const DrawContext& dc, const FieldS
         if (cells_.count[axis] == 1) return 1;
         const double size = (axis == 0 ? first.width : first.height) / dc.unit;
         if (!has_rows) return static_cast<int>(std::ceil(size / part_of_slab));
-        return std::clamp(static_cast<int>(std::round(size / part_of_cell)), 1, most_parts);
+        return std::clamp(static_cast<int>(std::round(size / part_of_cell)), 1, most_cells_along);
     };
     const std::array<int, 2> parts{parts_of(0), parts_of(1)};
     Eigen::ArrayXd values(static_cast<Eigen::Index>(state.values.size()));

@@ -67,7 +67,7 @@ std::optional<Spacing> spacing_from(const std::string& text) {
 }
 
 // The value is the text that is written: 0.15 and not 0.15000000000000002.
-std::vector<std::string> values_of(const Spacing& spacing, const std::string& text) {
+std::vector<std::string> values_at(const Spacing& spacing, const std::string& text) {
     if (spacing.count < 2 || spacing.count > static_cast<std::int64_t>(most_points.count()))
         throw SweepError(fmt::format("{}: expected from 2 to {} values, found {}", text,
                                      number_text(most_points.value), spacing.count));
@@ -154,7 +154,7 @@ SweepAxis sweep_axis(const std::string& text) {
     const auto spacing = spacing_from(values);
     if (!spacing) refuse_colons(values, text);
     SweepAxis axis{trimmed(text.substr(0, sign)),
-                   spacing ? values_of(*spacing, text) : listed_values(values, text)};
+                   spacing ? values_at(*spacing, text) : listed_values(values, text)};
     refuse_equal_values(axis);
     return axis;
 }

@@ -32,13 +32,13 @@ struct FigureSize {
     bool slide = false;
 };
 
-const double column_width = FigureSpec{}.width;
+const double width_of_column = FigureSpec{}.width;
 constexpr double page_width = 18.3;
 constexpr double slide_width = 33.867, slide_height = 19.05;  // 13 1/3 by 7 1/2 inches
 
 Binding<FigureSpec> size_key() {
     const Range side{smallest_figure.value, largest_figure};
-    const auto named = one_of<FigureSize>({{"column", {.width = column_width}},
+    const auto named = one_of<FigureSize>({{"column", {.width = width_of_column}},
                                            {"page", {.width = page_width}},
                                            {"slide", {slide_width, slide_height, true}}});
     const auto in_centimetres = mapped(
@@ -57,7 +57,7 @@ Binding<FigureSpec> size_key() {
                            "({:.1f} cm by {:.1f} cm, with large type), or a width, or width and "
                            "height, in centimetres. If no height is given, it follows from the "
                            "width: a box keeps its shape, with no space above and below.",
-                           column_width, page_width, slide_width, slide_height))
+                           width_of_column, page_width, slide_width, slide_height))
         .default_value("column");
 }
 

@@ -34,7 +34,8 @@ PanelKind halves_kind() {
     return series_kind<halves>(
         {.name = "halves",
          .words = Phrase{"halves of the box"},
-         .shows = "The kinetic energy of the particles in each half of the box.",
+         .shows =
+             "The kinetic energy of the particles in each half of the box, as the scene gives it.",
          .abilities = {over, component, means, comparison}});
 }
 

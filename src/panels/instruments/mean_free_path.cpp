@@ -24,7 +24,7 @@ Meter mean_free_path(const PanelContext& context, const PanelSpec& spec) {
         return means;
     };
     if (const Law exact = law(context.gas, LawOf::free_flight))
-        meter.levels = [exact] { return ReferenceLevels{{"exact", exact.value}}; };
+        meter.levels = [exact] { return ReferenceLevels{ReferenceLevel{"exact", exact.value}}; };
     return meter;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -53,6 +54,23 @@ double mean_height(double count, double energy, double force, double b) {
 }
 
 }  // namespace
+
+// One disk among others that stand still flies pi A / P on average, where A is the area that its
+// centre may reach and P its perimeter (Chernov, J. Stat. Phys. 88, 1 (1997)).
+TEST_CASE("the mean free path so far of a disk among pegs goes to the exact one") {
+    const double pi = std::numbers::pi, radius = 4.0, until = 40'000.0;
+    const double exact = pi * (400.0 - pi * radius * radius) / (2.0 * pi * radius);
+    const Seen seen(
+        "box: {size: [20, 20], walls: periodic}\n"
+        "obstacles: [{name: peg, disk: [10, 10], radius: 3}]\n"
+        "gas: [{name: a, count: 1, radius: 1, velocity: [0.6, 0.8], position: [2, 3]}]\n"
+        "run: {until: " +
+        std::to_string(until) + "}\nfilm: {seconds: 8, panels: [mean-free-path]}\n");
+    REQUIRE(seen.run().levels.size() == 1);
+    CHECK(error_of(seen.run().levels.front().value, exact) < 1e-12);
+    // Five standard errors of so many flights whose lengths scatter by their mean.
+    CHECK(error_of(seen.last(0), exact) < 5.0 / std::sqrt(until / exact));
+}
 
 TEST_CASE("the pressure on a wall is its momentum over time and length") {
     const double rounding = 1e-12;

@@ -9,13 +9,12 @@
 #include <system_error>
 
 #include "app/granted_cores.h"
-#include "films/film_checks.h"
 #include "media/formats.h"
 #include "runs/own_files.h"
-#include "runs/progress.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

@@ -6,12 +6,12 @@
 #include <system_error>
 #include <utility>
 
-#include "runs/progress.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
 #include "util/files/atomic_file.h"
 #include "util/files/input_file.h"
 #include "util/fingerprint.h"
+#include "util/progress.h"
 #include "util/text.h"
 #include "works/build_facts.h"
 

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <utility>
 
 #include "films/words/letters.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 
@@ -42,12 +42,6 @@ void refuse_unfit(const Scene& scene, const FilmOptions& film, const OutputForma
     require_letters(scene);
     refuse_span(film, scene);
     refuse_format(format, scene);
-}
-
-std::string upper_case(std::string text) {
-    for (char& letter : text)
-        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
-    return text;
 }
 
 void refuse_unjoinable(const std::vector<Scene>& scenes, const OutputFormat& format) {

@@ -22,9 +22,6 @@ void refuse_format(const OutputFormat& format, const Scene& scene);
 /// some letter that the film needs.
 void refuse_unfit(const Scene& scene, const FilmOptions& film, const OutputFormat& format);
 
-/// The name of a format as it is written in text: in capitals.
-std::string upper_case(std::string text);
-
 /// Throws UsageError if the films of these scenes cannot be joined to one film in a format.
 void refuse_unjoinable(const std::vector<Scene>& scenes, const OutputFormat& format);
 

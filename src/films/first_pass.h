@@ -11,7 +11,7 @@
 
 #include "films/axes_cache.h"
 #include "films/film_plan.h"
-#include "runs/progress.h"
+#include "util/progress.h"
 
 namespace carom {
 

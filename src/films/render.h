@@ -13,7 +13,7 @@
 #include "films/segment_workers.h"
 #include "films/words/film_text.h"
 #include "media/formats.h"
-#include "runs/progress.h"
+#include "util/progress.h"
 
 namespace carom {
 

@@ -15,7 +15,7 @@
 #include "films/in_order.h"
 #include "media/film_writer.h"
 #include "panels/frame.h"
-#include "runs/progress.h"
+#include "util/progress.h"
 
 namespace carom {
 

@@ -3,8 +3,8 @@
 
 #include "panels/precision.h"
 #include "physics/simulation.h"
-#include "runs/progress.h"
 #include "runs/run.h"
+#include "util/progress.h"
 
 namespace carom {
 

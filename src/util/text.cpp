@@ -215,6 +215,12 @@ std::string capitalised(std::string words) {
     return words;
 }
 
+std::string upper_case(std::string words) {
+    for (char& c : words)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return words;
+}
+
 std::string lower(std::string words) {
     for (char& c : words)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

@@ -67,6 +67,9 @@ std::string capitalised(std::string words);
 /// Returns words with the ASCII letters in lower case.
 std::string lower(std::string words);
 
+/// The same in upper case.
+std::string upper_case(std::string words);
+
 /// Returns a number moved away from 0 by less than any reader can see. A value that lies half-way
 /// between two digits except for round-off is then always rounded in the same direction, wherever
 /// it is shown.

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "runs/progress.h"
 #include "runs/sweep_summary.h"
 #include "scene/load.h"
 #include "scene/sweep.h"
+#include "util/progress.h"
 #include "works/plan_folder.h"
 #include "works/sweep_scenes.h"
 

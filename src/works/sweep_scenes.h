@@ -5,10 +5,10 @@
 #include <memory>
 #include <string>
 
-#include "runs/progress.h"
 #include "scene/load.h"
 #include "scene/scene.h"
 #include "scene/sweep.h"
+#include "util/progress.h"
 
 namespace carom {
 

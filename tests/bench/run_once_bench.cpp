@@ -14,9 +14,9 @@
 #include "panels/recording.h"
 #include "physics/simulation.h"
 #include "runs/own_files.h"
-#include "runs/progress.h"
 #include "scene/load.h"
 #include "scene/time/timeline.h"
+#include "util/progress.h"
 #include "util/stopwatch.h"
 
 using namespace carom;

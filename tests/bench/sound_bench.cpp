@@ -11,10 +11,10 @@
 #include "bench/measured.h"
 #include "films/render.h"
 #include "runs/own_files.h"
-#include "runs/progress.h"
 #include "scene/load.h"
 #include "scene/scene.h"
 #include "support/files.h"
+#include "util/progress.h"
 
 using namespace carom;
 

@@ -20,6 +20,18 @@ inline std::string contents(const std::filesystem::path& path) {
     return text.str();
 }
 
+/// The bytes of a file, or the names and the bytes of all files in a folder.
+inline std::string all_bytes(const std::filesystem::path& path) {
+    if (!std::filesystem::is_directory(path)) return contents(path);
+    std::vector<std::filesystem::path> files(std::filesystem::directory_iterator(path),
+                                             std::filesystem::directory_iterator{});
+    std::ranges::sort(files);
+    std::string bytes;
+    for (const std::filesystem::path& file : files)
+        bytes += file.filename().string() + contents(file);
+    return bytes;
+}
+
 /// The YAML files in a folder, sorted.
 inline std::vector<std::filesystem::path> yaml_files(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "runs/progress.h"
 #include "util/joined.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

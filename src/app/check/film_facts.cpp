@@ -13,11 +13,11 @@
 #include "panels/field/field_layer.h"
 #include "panels/frame.h"
 #include "physics/placement/draws.h"
-#include "runs/progress.h"
 #include "scene/describe.h"
 #include "scene/time/timeline.h"
 #include "scene/words.h"
 #include "util/joined.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

@@ -24,9 +24,9 @@
 #include "panels/words_left_out.h"
 #include "physics/placement/draws.h"
 #include "runs/own_files.h"
-#include "runs/progress.h"
 #include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

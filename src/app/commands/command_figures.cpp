@@ -16,11 +16,11 @@
 #include "figures/sweep_figure.h"
 #include "media/formats.h"
 #include "panels/registry.h"
-#include "runs/progress.h"
 #include "scene/load.h"
 #include "scene/panel_kind.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

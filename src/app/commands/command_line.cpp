@@ -25,11 +25,10 @@
 #include "app/manual/page_text.h"
 #include "app/manual/shell_completions.h"
 #include "app/output.h"
-#include "films/film_checks.h"
-#include "runs/progress.h"
 #include "scene/yaml/scalar.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

@@ -4,10 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "app/pages/film_page.h"
-#include "films/film_checks.h"
-#include "runs/progress.h"
 #include "runs/run.h"
 #include "scene/film.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "films/film_checks.h"
 #include "util/text.h"
 
 namespace carom {

@@ -7,7 +7,7 @@
 #include "app/output.h"
 #include "figures/page.h"
 #include "films/render.h"
-#include "runs/progress.h"
+#include "util/progress.h"
 
 namespace carom {
 

@@ -10,7 +10,7 @@
 
 #include "films/film_plan.h"
 #include "films/render.h"
-#include "runs/progress.h"
+#include "util/progress.h"
 #include "works/plan_folder.h"
 
 namespace carom {

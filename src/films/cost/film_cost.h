@@ -7,7 +7,7 @@
 #include "films/cost/work.h"
 #include "films/film_plan.h"
 #include "media/formats.h"
-#include "runs/progress.h"
+#include "util/progress.h"
 
 namespace carom {
 

@@ -6,8 +6,8 @@
 
 #include "films/film_options.h"
 #include "films/join.h"
-#include "runs/progress.h"
 #include "scene/scene.h"
+#include "util/progress.h"
 
 namespace carom {
 

@@ -13,7 +13,6 @@
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/mechanics.h"
-#include "runs/progress.h"
 #include "scene/describe.h"
 #include "scene/panel_kind.h"
 #include "scene/scene.h"
@@ -22,6 +21,7 @@
 #include "stats/speed_classes.h"
 #include "util/files/atomic_file.h"
 #include "util/formula/formula.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

@@ -24,9 +24,8 @@ inline const std::string longest_number = "\u22120.0000";
 /// What has been measured up to a frame; the numbers of each line are for words and theory. The
 /// errors of a mean over runs are in it, too.
 struct CurveValues : Measured {
-    std::vector<LineLaw> laws = {};  ///< of each line; none of a mean of runs
-    double start() const { return x.front(); }
-    double reach() const { return x.back(); }
+    std::vector<LineLaw> laws = {};            ///< of each line; none of a mean of runs
+    double reach() const { return x.back(); }  ///< end of the horizontal axis
     void archive(auto& archive) {
         Measured::archive(archive);
         archive(laws);

@@ -248,7 +248,10 @@ DialSubject counter(const PanelContext& context, const PanelSpec& spec) {
     const auto& [at, counted] = spec.options.as<CounterOptions>();
     const bool crossings = at.line || counted == Counted::crossings;
     const std::vector<Chosen> chosen = choices(spec);
-    DialSubject subject{{.needs_collisions = true}, "", "counter", true};
+    DialSubject subject;
+    subject.part = "counter";
+    subject.counts = true;
+    subject.needs_collisions = true;
     add_plates(subject, context, spec, chosen, crossings);
     subject.enough = 2.0 + 6.0 * static_cast<double>((subject.lines.size() + 1) / 2);
     const bool is_one = crossings && (at.line || at.surfaces.size() == 1);

@@ -56,9 +56,9 @@ std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const Pa
     const SurfaceNumbers surfaces = gauged_surfaces(box, named);
     const bool is_one = named.empty();
     DialSubject subject{
-        {.title = say(language, "Pressure"), .quantity = quantities::pressure(box.dimension)},
-        words_of_window(language, over, Phrase{"mean since the last sample"}),
-        "gauge"};
+        {.title = say(language, "Pressure"), .quantity = quantities::pressure(box.dimension)}};
+    subject.note = words_of_window(language, over, Phrase{"mean since the last sample"});
+    subject.part = "gauge";
     subject.enough = 11.0;
     subject.read = [meter = SurfacePressures(box, surfaces, over), is_one,
                     least = over.window * least_share](const FrameInput& o) mutable {

@@ -71,9 +71,9 @@ DialSubject stopwatch(const PanelContext& context, const PanelSpec& spec) {
     const WatchStart& since = spec.options.as<StopwatchOptions>().since;
     DialSubject subject{{.title = say(language, "Stopwatch"),
                          .quantity = quantities::time,
-                         .lines = {{"stopwatch"}}},
-                        words_of_start(context, since),
-                        "stopwatch"};
+                         .lines = {{"stopwatch"}}}};
+    subject.note = words_of_start(context, since);
+    subject.part = "stopwatch";
     subject.enough = 11.0;
     subject.read = [run = context.run(), since](const FrameInput& o) {
         return std::vector{time_on_watch(run, since, o.tick.time)};

@@ -204,9 +204,9 @@ DialSubject thermometer(const PanelContext& context, const PanelSpec& spec) {
     const Over over = spec.over.value_or(usual_window(context.run()));
     DialSubject subject{{.title = say(language, "Temperature"),
                          .quantity = quantities::temperature,
-                         .needs_collisions = true},
-                        words_of_moments(language, spec, over),
-                        "thermometer"};
+                         .needs_collisions = true}};
+    subject.note = words_of_moments(language, spec, over);
+    subject.part = "thermometer";
     std::vector<ThermalPart> parts;
     const std::vector<NamedRegion>& regions = spec.options.as<ThermometerOptions>().regions;
     for (const NamedRegion& one : regions) {

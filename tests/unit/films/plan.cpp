@@ -92,15 +92,6 @@ void make_in_chunks(const Scene& scene, const FilmOptions& options, int chunks,
     join_film(plan, {.output = options.output, .text = options.text}, silent());
 }
 
-std::string all_bytes(const fs::path& path) {
-    if (!fs::is_directory(path)) return contents(path);
-    std::vector<fs::path> files(fs::directory_iterator(path), fs::directory_iterator{});
-    std::ranges::sort(files);
-    std::string bytes;
-    for (const fs::path& file : files) bytes += file.filename().string() + contents(file);
-    return bytes;
-}
-
 template <class Work>
 std::string refusal_of(const Work& work) {
     try {
@@ -125,7 +116,7 @@ TEST_CASE("a film that is made in chunks is the film of one process, byte for by
                    silent());
             make_in_chunks(scene, {.output = joined, .quality = Quality::draft, .text = true},
                            chunks, folder.path() / fmt::format("plan{}", number++));
-            CHECK((all_bytes(direct) == all_bytes(joined)));
+            CHECK((test::all_bytes(direct) == test::all_bytes(joined)));
             const auto transcript = [](fs::path film) {
                 return contents(film.replace_extension(".transcript.txt"));
             };
@@ -181,7 +172,7 @@ TEST_CASE("so are a folder of frames and a part of a film") {
     FilmOptions other = part;
     other.output = folder.path() / "joined/";
     make_in_chunks(plane(), other, 2, folder.path() / "plan");
-    CHECK((all_bytes(part.output) == all_bytes(other.output)));
+    CHECK((test::all_bytes(part.output) == test::all_bytes(other.output)));
     FilmOptions film{
         .output = folder.path() / "direct.webm", .quality = Quality::draft, .from = 1.5, .to = 4.5};
     render(plane(), film, silent());

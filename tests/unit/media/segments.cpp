@@ -55,16 +55,6 @@ void join(const fs::path& path, const VideoSettings& settings,
     writer->commit();
 }
 
-// Of a file, or of all in a folder.
-std::string all_bytes(const fs::path& path) {
-    if (!fs::is_directory(path)) return contents(path);
-    std::vector<fs::path> files(fs::directory_iterator(path), fs::directory_iterator{});
-    std::ranges::sort(files);
-    std::string bytes;
-    for (const fs::path& file : files) bytes += file.filename().string() + contents(file);
-    return bytes;
-}
-
 }  // namespace
 
 TEST_CASE("segments that were encoded by other writers join to the very same film") {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "panels/meters/instruments.h"
 #include "physics/exact_positions.h"
 #include "physics/reversal/precision.h"
 #include "physics/simulation.h"
@@ -46,19 +47,6 @@ struct SurfaceReport {
         double mean, deviation, last;  ///< over the samples; last: at the end
     };
     std::optional<Position> position = {};  ///< only of a surface that moves or has moved
-};
-
-/// One of the numbers of a run.
-struct RunNumber {
-    std::string name;  ///< "virial pressure"
-    Quantity quantity;
-    bool operator==(const RunNumber&) const = default;
-};
-
-/// What an instrument of the scene reads at the end of a run.
-struct LastReading {
-    RunNumber number;
-    double value = 0.0;  ///< NaN: none
 };
 
 struct RunReport {

@@ -15,8 +15,8 @@ struct Scene;
 
 class RunMeters {
   public:
-    /// Meters of a run that begins with `start`, at time 0. Throws SceneError if an instrument
-    /// reads nothing with the options given, or if two give numbers of the same name. The scene
+    /// Meters of a run that begins with `start`, at time 0. Throws SceneError if
+    /// two give numbers of the same name. The scene
     /// and the particles must outlive the object.
     RunMeters(const Scene& scene, const Particles& particles, const Sample& start);
     ~RunMeters();

@@ -287,13 +287,18 @@ Fact species(const Scene& scene, const RunSummary& summary) {
 
 Facts readings(const RunReport& report) {
     if (report.readings.empty()) return {};
+    const bool has_errors = std::ranges::any_of(
+        report.readings, [](const LastReading& reading) { return std::isfinite(reading.error); });
     std::vector<Facts> rows;
     for (const LastReading& reading : report.readings) {
         const auto& [name, quantity] = reading.number;
         rows.push_back({{"name", name, "instrument", name},
                         number_fact("value", "reading", {reading.value, quantity})});
+        if (has_errors)
+            rows.back().push_back(
+                number_fact("error", "standard error", {reading.error, quantity}));
     }
-    return {table("readings", rows, {12})};
+    return {table("readings", rows, has_errors ? std::vector{12, 14} : std::vector{12})};
 }
 
 // The number of bins that contain all but 0.5 % of the counts.

@@ -333,4 +333,25 @@ plot::Plot CurvePanel::plot(const PanelState* state) const {
     return now;
 }
 
+Meter meter_of_curves(const CurveSubject& subject) {
+    if (!subject.results.find) return {};
+    Meter meter{.title = {}, .lines = subject.lines, .needs_collisions = true};
+    for (MeterLine& line : meter.lines)
+        if (meter.lines.size() > 1) line.name = line.column;
+    const std::shared_ptr<CurveMeter> curves = subject.meter();
+    meter.follow = [curves](const FrameInput& input) { curves->see(input); };
+    meter.results.of = subject.results.of;
+    meter.results.find = [curves, subject, has_axis = false]() mutable {
+        if (!std::exchange(has_axis, true))
+            curves->fix_axis(curves->start(), curves->reach(), subject.points);
+        CurveValues now{curves->measured(), {}};
+        if (subject.laws) now.laws = subject.laws(now);
+        std::vector<std::vector<MeanError>> found;
+        for (std::size_t line = 0; line < now.y.size(); ++line)
+            found.push_back(subject.results.find(now, line));
+        return found;
+    };
+    return meter;
+}
+
 }  // namespace carom

@@ -12,6 +12,7 @@
 #include "panels/means/runs_record.h"
 #include "panels/meters/meter.h"
 #include "panels/plot/plot_panel.h"
+#include "scene/panel_kind.h"
 
 namespace carom {
 
@@ -81,6 +82,11 @@ struct CurveSubject {
     double least_top = 0.0;                 ///< lower bound of the vertical axis's end
     bool logarithmic = false;               ///< whether the vertical axis is
     std::function<std::vector<LineLaw>(const CurveValues&)> laws = {};  ///< of this panel's own run
+    struct Results {
+        std::vector<Quantity> of = {};
+        std::function<std::vector<MeanError>(const CurveValues&, std::size_t line)> find = {};
+    };
+    Results results = {};  ///< as MeterResults, of each line
     std::function<std::string(const CurveValues&, std::size_t line)> account =
         {};  ///< result of a line in words: "mean free path 1.25"; empty if not known
 
@@ -163,5 +169,21 @@ class CurvePanel : public RecordPanel<CurveRecord> {
     double shown_start_ = 0.0, shown_reach_ = 1.0;  ///< of this panel's own run
     int shown_points_ = 0;
 };
+
+/// The meter of the results of curves: without readings; empty if there are no results.
+Meter meter_of_curves(const CurveSubject& subject);
+
+/// Returns a kind of panel that shows curves: with what makes its panels, and the meter of its
+/// results. `subject(context, spec)` gives a CurveSubject.
+template <auto subject>
+PanelKind curve_kind(PanelKind kind) {
+    kind.meter = [](const PanelContext& context, const PanelSpec& spec) {
+        return meter_of_curves(subject(context, spec));
+    };
+    kind.make = [](const PanelContext& context, const PanelSpec& spec) -> std::unique_ptr<Panel> {
+        return std::make_unique<CurvePanel>(context, subject(context, spec));
+    };
+    return kind;
+}
 
 }  // namespace carom

@@ -2,6 +2,7 @@
 // and what is drawn where there is none.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,9 @@ struct Finding {
     MeanError diffusion = {};
 
     bool is_known() const { return law.reason.empty() && !problem; }
+
+    /// The diffusion coefficient; NaN if there is none.
+    MeanError known() const { return is_known() ? diffusion : MeanError{NAN, NAN}; }
 
     bool has_plateau() const { return !law.reason.empty() && std::isfinite(law.value); }
 };

@@ -261,8 +261,7 @@ struct FlightNotes {
     }
 };
 
-std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const PanelSpec& spec,
-                                         Flown flown) {
+CurveSubject free_flights(const PanelContext& context, const PanelSpec& spec, Flown flown) {
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
     const bool is_path = flown == Flown::path;
@@ -293,47 +292,50 @@ std::unique_ptr<Panel> make_free_flights(const PanelContext& context, const Pane
                    : words;
     };
     subject.add = FlightNotes(context, spec, flown);
-    return std::make_unique<CurvePanel>(context, std::move(subject));
+    subject.results = {{is_path ? quantities::length.named(Phrase{"mean length of free flights"})
+                                : quantities::time.named(Phrase{"mean time of free flights"})},
+                       [](const CurveValues& values, std::size_t line) {
+                           return std::vector{values.numbers[line].front()};
+                       }};
+    return subject;
 }
 
-std::unique_ptr<Panel> make_free_path(const PanelContext& context, const PanelSpec& spec) {
-    return make_free_flights(context, spec, Flown::path);
+CurveSubject free_paths(const PanelContext& context, const PanelSpec& spec) {
+    return free_flights(context, spec, Flown::path);
 }
 
-std::unique_ptr<Panel> make_free_time(const PanelContext& context, const PanelSpec& spec) {
-    return make_free_flights(context, spec, Flown::time);
+CurveSubject free_times(const PanelContext& context, const PanelSpec& spec) {
+    return free_flights(context, spec, Flown::time);
 }
 
 }  // namespace
 
 PanelKind free_path_kind() {
     using enum Ability;
-    return {.name = "free-path",
-            .words = Phrase{"free path"},
-            .shows =
-                "The distribution of the distances that particles fly between collisions, with "
-                "the exponential law of memoryless flight.",
-            .make = make_free_path,
-            .abilities = {of, over, theory, means, comparison},
-            .keys = option_keys(free_flight_keys()),
-            .rule = check_free_flights,
-            .laws = always(std::vector{LawOf::memoryless}),
-            .work = always(PanelWork{.flights = PanelWork::Flights::followed})};
+    return curve_kind<free_paths>(
+        {.name = "free-path",
+         .words = Phrase{"free path"},
+         .shows = "The distribution of the distances that particles fly between collisions, with "
+                  "the exponential law of memoryless flight.",
+         .abilities = {of, over, theory, means, comparison},
+         .keys = option_keys(free_flight_keys()),
+         .rule = check_free_flights,
+         .laws = always(std::vector{LawOf::memoryless}),
+         .work = always(PanelWork{.flights = PanelWork::Flights::followed})});
 }
 
 PanelKind free_time_kind() {
     using enum Ability;
-    return {.name = "free-time",
-            .words = Phrase{"free time"},
-            .shows =
-                "The distribution of the times that particles fly between collisions, with the "
-                "exponential law of memoryless flight.",
-            .make = make_free_time,
-            .abilities = {of, over, theory, means, comparison},
-            .keys = option_keys(free_flight_keys()),
-            .rule = check_free_flights,
-            .laws = always(std::vector{LawOf::memoryless}),
-            .work = always(PanelWork{.flights = PanelWork::Flights::followed})};
+    return curve_kind<free_times>(
+        {.name = "free-time",
+         .words = Phrase{"free time"},
+         .shows = "The distribution of the times that particles fly between collisions, with the "
+                  "exponential law of memoryless flight.",
+         .abilities = {of, over, theory, means, comparison},
+         .keys = option_keys(free_flight_keys()),
+         .rule = check_free_flights,
+         .laws = always(std::vector{LawOf::memoryless}),
+         .work = always(PanelWork{.flights = PanelWork::Flights::followed})});
 }
 
 }  // namespace carom

@@ -23,6 +23,9 @@ namespace {
 constexpr Quantity mean_square =
     quantities::distance.squared().named(Phrase{"mean squared displacement"});
 
+constexpr Quantity diffusion_coefficient =
+    (mean_square / quantities::time).named(Phrase{"diffusion coefficient"});
+
 // The time of the first reversal, or infinity.
 double first_reversal(const Run& run) {
     const std::vector<double> times = reversal_times(run);
@@ -191,6 +194,14 @@ SeriesSubject since_a_time(const PanelContext& context, const PanelSpec& spec) {
                                            followed->collisions.mean(followed->lists[k])));
         return all;
     };
+    subject.results = {
+        {diffusion_coefficient}, [numbers = subject.numbers, laws = subject.laws] {
+            const std::vector<LineLaw> of_lines = laws();
+            std::vector<std::vector<MeanError>> found;
+            for (const std::vector<MeanError>& line : numbers())
+                found.push_back({finding_of("", of_lines[found.size()], line, 1).known()});
+            return found;
+        }};
     subject.needs_collisions = true;
     if (!spec.theory) return subject;
     subject.add = [context, chosen, fit_from, from = options.from](const HistoryRecord& record,
@@ -306,7 +317,7 @@ class LagTheory {
     double lags_, fit_from_;
 };
 
-std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const PanelSpec& spec) {
+CurveSubject over_all_origins(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
     const std::vector<Chosen> chosen = choices(spec);
     const auto& options = options_of_displacements(spec);
@@ -338,18 +349,25 @@ std::unique_ptr<Panel> over_all_origins(const PanelContext& context, const Panel
                    : say(language, "no diffusion coefficient: {}", reason_of(language, found));
     };
     if (spec.theory) subject.add = theory;
-    return std::make_unique<CurvePanel>(context, std::move(subject));
+    subject.results = {{diffusion_coefficient},
+                       [theory](const CurveValues& values, std::size_t line) {
+                           return std::vector{theory.finding(values, line).known()};
+                       }};
+    return subject;
 }
 
-// Averages over all starting times are curves, not readings.
+// Averages over all starting times are curves, of which only the diffusion coefficient is a
+// reading.
 Meter meter_of_displacements(const PanelContext& context, const PanelSpec& spec) {
-    if (options_of_displacements(spec).all_origins) return {};
+    if (options_of_displacements(spec).all_origins)
+        return meter_of_curves(over_all_origins(context, spec));
     return since_a_time(context, spec);
 }
 
 std::unique_ptr<Panel> make_mean_squared_displacement(const PanelContext& context,
                                                       const PanelSpec& spec) {
-    if (options_of_displacements(spec).all_origins) return over_all_origins(context, spec);
+    if (options_of_displacements(spec).all_origins)
+        return std::make_unique<CurvePanel>(context, over_all_origins(context, spec));
     return std::make_unique<SeriesPanel>(context, spec, since_a_time(context, spec));
 }
 

@@ -23,17 +23,28 @@ struct MeterLine {
     bool is_theory = false;  ///< what theory expects at the moment; it has no name
 };
 
+/// Numbers that a meter finds of each of its lines besides their readings, such as a diffusion
+/// coefficient.
+struct MeterResults {
+    std::vector<Quantity> of = {};  ///< each with its word
+    /// These of each line, at present; NaN where the gas has none.
+    std::function<std::vector<std::vector<MeanError>>()> find = {};
+};
+
 struct Meter {
     std::string title = {};  ///< plain words: "Temperature"
     Quantity quantity = {};  ///< of all lines, with its word
     std::vector<MeterLine> lines = {};
-    /// Reads a number for each line; NaN: none. Called at every sample and every frame of the run,
-    /// in order of time.
+    /// Takes every sample and every frame of the run, in order of time. Empty: only read() does.
+    std::function<void(const FrameInput&)> follow = {};
+    /// Reads a number for each line; NaN: none. Called at the same moments, after follow(). Empty:
+    /// it reads none, and gives results only.
     std::function<std::vector<double>(const FrameInput&)> read = {};
     std::optional<Over> over =
         {};  ///< the time over which readings are averaged; none: they are not
     bool needs_collisions = false;  ///< to read
     bool needs_positions = true;    ///< to read
+    MeterResults results = {};
 
     // Known after the run:
     std::function<ReferenceLevels()> levels = {};
@@ -47,8 +58,11 @@ class MeterReader {
     explicit MeterReader(Meter meter)
         : meter_(std::move(meter)), mean_(meter_.over.value_or(Over{})) {}
 
-    /// The readings of the next moment, averaged over the time that the meter says.
+    /// The readings of the next moment, averaged over the time that the meter says; empty if the
+    /// meter reads none.
     std::vector<double> operator()(const FrameInput& input) {
+        if (meter_.follow) meter_.follow(input);
+        if (!meter_.read) return {};
         return mean_(input.tick.time, meter_.read(input), input.is_sample);
     }
 

@@ -6,18 +6,26 @@
 #include <tuple>
 
 #include "draw/axis.h"
-#include "stats/means/mean_error.h"
+#include "stats/means/measured.h"
 
 namespace carom {
 namespace {
 
 constexpr int fewest_bins = 12, most_bins_by_rule = 60;
 
-template <class Items, class Number>
-MeanError mean_over(const Items& items, const Number& number) {
-    std::vector<double> values;
-    for (const auto& item : items) values.push_back(number(item));
-    return mean_error(values);
+// Indices of the numbers of a series beside its bars; the mean square is that about the mean.
+enum HistogramNumber : std::size_t { of_mean, of_mean_square, of_below, of_above };
+
+Measured measured_of(const HistogramCounts& counts) {
+    Measured all;
+    for (const MeanHistogram& one : counts.series) {
+        all.y.push_back(one.counts);
+        all.numbers.push_back({{one.mean, NAN},
+                               {one.deviation * one.deviation, NAN},
+                               {one.below, NAN},
+                               {one.above, NAN}});
+    }
+    return all;
 }
 
 // 1.25 times the 97 % quantile of the magnitudes in the whole run. This holds 99 % of the values of
@@ -277,8 +285,9 @@ HistogramRecord mean_of(const std::vector<HistogramRecord>& records) {
     }
     for (std::size_t k = 0; k < mean.series.size(); ++k) {
         HistogramSeries& all = mean.series[k];
-        all.mean_start =
-            mean_over(records, [k](const auto& run) { return run.series[k].mean_start; }).mean;
+        std::vector<double> starts;
+        for (const HistogramRecord& run : records) starts.push_back(run.series[k].mean_start);
+        all.mean_start = mean_error(starts).mean;
         for (const HistogramRecord& run : std::span(records).subspan(1)) {
             const HistogramSeries& one = run.series[k];
             all.lowest_mean = std::min(all.lowest_mean, one.lowest_mean);
@@ -336,28 +345,25 @@ bool HistogramAxes::counts_per_cent() const {
 }
 
 HistogramCounts mean_of(const std::vector<HistogramCounts>& runs) {
+    std::vector<Measured> of_runs;
+    std::vector<const Measured*> pointers;
+    for (const HistogramCounts& run : runs) of_runs.push_back(measured_of(run));
+    for (const Measured& run : of_runs) pointers.push_back(&run);
+    const Measured all = mean_of(pointers);
     HistogramCounts mean = runs.front();
+    mean.errors = all.error;
     for (std::size_t k = 0; k < mean.series.size(); ++k) {
         MeanHistogram& bars = mean.series[k];
-        const auto over_runs = [&](const auto& number) {
-            return mean_over(runs, [&](const auto& run) { return number(run.series[k]); });
-        };
-        const auto mean_of_member = [&](double MeanHistogram::*member) {
-            return over_runs([&](const MeanHistogram& run) { return run.*member; }).mean;
-        };
-        std::vector<double>& errors = mean.errors.emplace_back();
-        for (std::size_t i = 0; i < bars.counts.size(); ++i) {
-            const MeanError one = over_runs([i](const auto& run) { return run.counts[i]; });
-            bars.counts[i] = one.mean;
-            errors.push_back(one.error);
-        }
-        bars.below = mean_of_member(&MeanHistogram::below);
-        bars.above = mean_of_member(&MeanHistogram::above);
-        bars.mean = mean_of_member(&MeanHistogram::mean);
-        const auto square = [&](const MeanHistogram& run) {  // about the mean of all
-            return run.deviation * run.deviation + (run.mean - bars.mean) * (run.mean - bars.mean);
-        };
-        bars.deviation = std::sqrt(over_runs(square).mean);
+        bars.counts = all.y[k];
+        bars.below = all.numbers[k][of_below].mean;
+        bars.above = all.numbers[k][of_above].mean;
+        bars.mean = all.numbers[k][of_mean].mean;
+        // The mean square about the mean of all: within the runs, and of their means.
+        const auto with_values = static_cast<double>(std::ranges::count_if(
+            runs, [k](const auto& run) { return std::isfinite(run.series[k].mean); }));
+        const double error = with_values > 1.0 ? all.numbers[k][of_mean].error : 0.0;
+        bars.deviation =
+            std::sqrt(all.numbers[k][of_mean_square].mean + (with_values - 1.0) * error * error);
     }
     return mean;
 }

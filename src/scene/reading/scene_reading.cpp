@@ -60,7 +60,8 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                           "Instruments whose readings at the end of the run are listed by `carom "
                           "run` and among the numbers of a sweep: kinds of panels that show "
                           "readings against time or on dials, such as `temperature`, or `{kind: "
-                          "temperature, of: hot, over: {window: 5}, title: NAME}`.")
+                          "temperature, of: hot, over: {window: 5}, title: NAME}`; and those whose "
+                          "curves have a result, such as the mean of `free-path`.")
                      .tried_as({"measurements", "meters", "instruments", "observables"})
                      .default_text("none")},
         .refused = inelastic_keys()};

@@ -112,14 +112,12 @@ TEST_CASE("readings follow the other numbers of a run, under the same names") {
     CHECK(values[plain + 1] == report.readings[1].value);
 }
 
-TEST_CASE("instruments whose numbers cannot be told apart are refused, and what reads none") {
+TEST_CASE("instruments whose numbers cannot be told apart are refused") {
     CHECK(message_of("[temperature, {kind: temperature, over: start}]") ==
           "another number is called `temperature at the end`, too");
     CHECK(message_of("[{kind: particle-speed, title: mean speed}]") ==
           "another number is called `mean speed`, too");
     CHECK(message_of("[temperature, {kind: temperature, over: start, title: mean}]").empty());
-    CHECK(message_of("[{kind: mean-squared-displacement, origins: all}]") ==
-          "`mean-squared-displacement` reads no single numbers with these options");
 }
 
 TEST_CASE("theory is no reading") {
@@ -129,4 +127,40 @@ TEST_CASE("theory is no reading") {
     const RunReport report = run_physics(scene);
     REQUIRE(report.readings.size() == 2);
     CHECK(report.readings[0].number.name == "crossing rate at the end (to the right)");
+}
+
+TEST_CASE("instruments give the numbers that curves are summed up in, where the gas has them") {
+    const Scene open = test::scene_from(
+        "title: T\nbox: {size: [30, 20], walls: periodic}\ngas: [{name: a, count: 60, radius: 0.5, "
+        "temperature: 1}]\nrun: {until: 600}\nmeasure: [free-path, free-time, {kind: "
+        "mean-squared-displacement, origins: all, lags: 40}, mean-free-path]\n");
+    const RunReport report = run_physics(open);
+    const auto found = readings_of(report);
+    CHECK(found.at("mean length of free flights") ==
+          doctest::Approx(found.at("mean free path at the end")).epsilon(1e-9));
+    CHECK(found.at("mean length of free flights") / found.at("mean time of free flights") ==
+          doctest::Approx(report.summary.species[0].speed.value()).epsilon(1e-9));
+    // Chapman and Enskog for hard disks; the error is that of groups of particles.
+    const LastReading& diffusion = report.readings.at(2);
+    CHECK(diffusion.number.name == "diffusion coefficient");
+    REQUIRE(diffusion.error > 0.0);
+    const double density = 60.0 / 600.0, packing = density * 3.14159265 / 4.0;
+    const double contact = (1.0 - 7.0 / 16.0 * packing) / ((1.0 - packing) * (1.0 - packing));
+    const double kinetic =
+        std::sqrt(report.summary.temperature.value() / 3.14159265) / (2.0 * density * contact);
+    CHECK(std::abs(diffusion.value - kinetic) < 4.0 * diffusion.error + 0.1 * kinetic);
+
+    const Scene closed = test::scene_from(
+        "title: T\nbox: {size: [30, 20]}\ngas: [{name: a, count: 20, radius: 0.5, temperature: 1}, "
+        "{name: b, count: 20, radius: 0.5, temperature: 1}]\nrun: {until: 200}\nmeasure: [{kind: "
+        "mean-squared-displacement, of: [a, b]}, {kind: free-path, of: [a, b], title: L}]\n");
+    const RunReport bounded = run_physics(closed);
+    std::vector<std::string> names;
+    for (const LastReading& reading : bounded.readings) names.push_back(reading.number.name);
+    CHECK(names == std::vector<std::string>{"mean squared displacement at the end (a)",
+                                            "mean squared displacement at the end (b)",
+                                            "diffusion coefficient (a)",
+                                            "diffusion coefficient (b)", "L (a)", "L (b)"});
+    CHECK(std::isnan(bounded.readings.at(2).value));  // walls end the diffusion
+    CHECK(bounded.readings.at(4).value > 0.0);
 }

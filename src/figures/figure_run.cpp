@@ -106,6 +106,7 @@ class FigureRun::OneRun {
     void look(const RunsCallbacks& on_progress);
     Figure* figure_of(const std::string& name);
     const Particles& particles() const { return particles_; }
+    const std::vector<std::string>& number_texts() const { return number_texts_; }
 
     std::vector<Figure> figures;
 
@@ -125,6 +126,7 @@ class FigureRun::OneRun {
     std::optional<Simulation> start_;
     Particles particles_;
     std::vector<Pass> passes_;
+    std::vector<std::string> number_texts_;
 };
 
 Figure* FigureRun::OneRun::figure_of(const std::string& name) {
@@ -177,6 +179,11 @@ void FigureRun::OneRun::plan_passes() {
         for (std::size_t i = 0; i < pass.shown.size(); ++i)
             figures[pass.shown[i]].panel = pass.panels->panels()[i].panel.get();
     }
+    std::vector<WordRequest> requests;
+    for (const Figure& figure : figures)
+        for (const WordRequest& request : requests_of_figure(scene_, *figure.spec))
+            requests.push_back(request);
+    passes_.back().panels->ask(std::move(requests));
 }
 
 void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, const Recording::Room& room) {
@@ -193,6 +200,7 @@ void FigureRun::OneRun::survey(const RunsCallbacks& on_progress, const Recording
             },
             {room.memory / passes_.size(), room.file / part});
     }
+    number_texts_ = passes_.back().panels->number_texts();
     start_.reset();
 }
 
@@ -265,6 +273,7 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     each([&](OneRun& run) { run.survey(shown, room); });
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (!parts[i].empty()) fix_axes(*specs[i], parts[i]);
+    number_texts_ = runs_.front()->number_texts();
     each([&](OneRun& run) { run.look(shown); });
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const FigureSpec& spec = *specs[i];

@@ -70,6 +70,10 @@ class FigureRun {
     const Particles& particles() const;          ///< of the scene's own seed
     const std::vector<Figure>& figures() const;  ///< those asked for, in the scene's order
 
+    /// The numbers of the scene's own run for which words of these figures ask: as
+    /// WordNumbers::texts().
+    const std::vector<std::string>& number_texts() const { return number_texts_; }
+
   private:
     class OneRun;
     /// One of the runs that a figure shows, and the figure of that run alone.
@@ -88,6 +92,7 @@ class FigureRun {
     BoxedGas no_gas_;
     std::vector<std::shared_ptr<Panel>> sweeps_;  ///< of figures that show a sweep
     std::vector<Figure> figures_;
+    std::vector<std::string> number_texts_;
 };
 
 }  // namespace carom

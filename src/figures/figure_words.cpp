@@ -10,8 +10,10 @@
 
 #include "panels/correlations/curve_panel.h"
 #include "panels/plot/window.h"
+#include "panels/plots/histogram_panel.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "panels/words/word_numbers.h"
 #include "scene/describe.h"
 #include "scene/panel_kind.h"
 #include "scene/yaml/scalar.h"
@@ -145,7 +147,8 @@ std::string alt_of_runs(const Scene& scene, const Figure& figure) {
 // Whether the account of a panel is a result of the run so far, without its time and its numbers.
 bool is_result_of_run(const Panel& panel) {
     return dynamic_cast<const SeriesPanel*>(&panel) != nullptr ||
-           dynamic_cast<const CurvePanel*>(&panel) != nullptr;
+           dynamic_cast<const CurvePanel*>(&panel) != nullptr ||
+           dynamic_cast<const HistogramPanel*>(&panel) != nullptr;
 }
 
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
@@ -197,6 +200,32 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
     return say(language, "{} of “{}”, {}.", what, scene.title,
                counted(language, figure.moments.back().collisions.particle,
                        Phrase{"after {} collision"}, Phrase{"after {} collisions"}));
+}
+
+// What a figure shows itself, for its own words.
+std::string own_number(const Figure& figure, Language language, const NumberInWords& number) {
+    const std::vector<PanelNumber> all = figure.panel->scalars(*figure.moments.back().state);
+    const auto found = std::ranges::find(all, number.name, &PanelNumber::name);
+    if (found != all.end() && std::isfinite(found->value))
+        return number_words(language, number, found->quantity, found->value);
+    std::vector<std::string> names;
+    for (const PanelNumber& one : all) names.push_back(one.name);
+    Diagnostic error = number.place;
+    error.message =
+        fmt::format("the figure `{}` {} `{{{}}}`", figure.spec->name,
+                    found == all.end() ? "shows no number" : "has no value of", number.name);
+    error.hint = names.empty() ? "leave it out" : "it shows " + listed(names, "and", "`");
+    throw SceneError({std::move(error)});
+}
+
+// Words that the scene gives, with their numbers.
+std::string with_numbers(const std::string& words, const FigureRun& run, const Figure& figure) {
+    const Scene& scene = run.scene();
+    return filled(words, [&](std::size_t k) {
+        const NumberInWords& number = scene.numbers.at(k);
+        return number.instrument ? run.number_texts().at(k)
+                                 : own_number(figure, scene.film.language, number);
+    });
 }
 
 }  // namespace
@@ -252,13 +281,15 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
     const Scene& scene = run.scene();
     FigureWords words;
     const auto plain = [](const std::string& made) { return formula::without_formulas(made); };
-    words.caption = figure.spec->caption.value_or(
-        plain(unbroken(made_caption(scene, figure, run.particles().count()))));
+    words.caption = figure.spec->caption
+                        ? with_numbers(*figure.spec->caption, run, figure)
+                        : plain(unbroken(made_caption(scene, figure, run.particles().count())));
     const std::string finding = figure.panel->finding(*figure.moments.back().state);
     if (!finding.empty()) words.caption += " " + plain(finding);
     const bool compares = !figure.sides.empty();
     if (figure.spec->alt)
-        words.alt = formula::spoken_text(scene.film.language, *figure.spec->alt);
+        words.alt =
+            formula::spoken_text(scene.film.language, with_numbers(*figure.spec->alt, run, figure));
     else
         words.alt = compares ? alt_of_runs(scene, figure) : made_alt(run, figure);
     words.shown = times_of(figure);

@@ -25,9 +25,10 @@ Scene with_bits(Scene scene, const RunBits& bits);
 /// run.
 struct SettledAxes {
     RunBits bits;
-    std::string axes;  ///< as FilmPlan::axes
+    std::string axes;                            ///< as FilmPlan::axes
+    std::vector<std::string> number_texts = {};  ///< as WordNumbers::texts()
 
-    void archive(Archive& archive) { archive(bits, axes); }
+    void archive(Archive& archive) { archive(bits, axes, number_texts); }
 };
 
 /// One file in the folder for each scene, named by a fingerprint of all that the axes depend on:

@@ -56,7 +56,8 @@ void archive_options(Archive& archive, FilmOptions& options) {
 }
 
 void archive_shared(Archive& archive, FilmPlan& plan) {
-    archive(plan.span, plan.segments, plan.starts, plan.axes, plan.colors, plan.text, plan.passes);
+    archive(plan.span, plan.segments, plan.starts, plan.axes, plan.number_texts, plan.colors,
+            plan.text, plan.passes);
 }
 
 bool fits_together(const FilmPlan& plan) {
@@ -65,6 +66,9 @@ bool fits_together(const FilmPlan& plan) {
                is_of(start.sample, scene->gas.box, start.particles.count());
     };
     const std::vector<int>& segments = plan.segments;
+    const std::size_t texts = plan.number_texts.size();
+    if (texts != plan.scene.numbers.size() && (texts > 0 || !requests_of_film(plan.scene).empty()))
+        return false;
     if (plan.span.first < 0 || plan.span.end > frame_count(plan.scene.film) || plan.frames() <= 0 ||
         segments.size() < 2 || segments.front() != 0 || segments.back() != plan.frames() ||
         std::ranges::adjacent_find(segments, std::ranges::greater_equal{}) != segments.end())
@@ -151,6 +155,7 @@ FilmPlan read_shared(std::string bytes, const std::string& name, FilmOptions& op
     archive_shared(archive, plan);
     archive.expect_end();
     if (!fits_together(plan)) archive.refuse("its parts do not fit together");
+    plan.scene = with_numbers(std::move(plan.scene), plan.number_texts);
     return plan;
 }
 

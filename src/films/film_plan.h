@@ -29,10 +29,11 @@ struct FilmPlan {
     std::string progress;  ///< archived state of the panels before the first frame of `runs`;
                            ///< empty: their initial state
     std::string axes;  ///< archived axes and scales that the first pass has fixed for each panel
-    std::vector<std::int16_t> sound;    ///< samples for the span; empty: silent
-    std::vector<std::uint32_t> colors;  ///< palette, 0xffRRGGBB, for formats with few colours
-    FilmText text;                      ///< if it is asked for
-    std::vector<std::string> passes;    ///< what each simulation of the run was for
+    std::vector<std::string> number_texts;  ///< that are filled into the words of the scene
+    std::vector<std::int16_t> sound;        ///< samples for the span; empty: silent
+    std::vector<std::uint32_t> colors;      ///< palette, 0xffRRGGBB, for formats with few colours
+    FilmText text;                          ///< if it is asked for
+    std::vector<std::string> passes;        ///< what each simulation of the run was for
 
     int frames() const { return span.frames(); }
 

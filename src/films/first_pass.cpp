@@ -83,7 +83,10 @@ FirstPass::FirstPass(const Scene& asked, const std::filesystem::path& cache, Pro
 }
 
 PanelSet& FirstPass::panels() {
-    if (!panels_) panels_.emplace(plan_.scene, plan_.starts);
+    if (panels_) return *panels_;
+    surveyed_ = with_usual_numbers(plan_.scene);
+    panels_.emplace(*surveyed_, plan_.starts);
+    if (wants_numbers()) panels_->ask(requests_of_film(plan_.scene));
     return *panels_;
 }
 
@@ -115,11 +118,13 @@ void FirstPass::simulate_later(const std::vector<Tick>& ticks) {
 
 void FirstPass::fix(bool is_whole) {
     if (!settled_) {
-        settled_ = SettledAxes{bits_of(plan_.scene), fixed_axes(panels())};
+        settled_ = SettledAxes{bits_of(plan_.scene), fixed_axes(panels()), panels().number_texts()};
         if (is_whole) cache_.keep(*settled_);
     }
     panels_.reset();
     plan_.axes = settled_->axes;
+    plan_.number_texts = settled_->number_texts;
+    plan_.scene = with_numbers(std::move(plan_.scene), plan_.number_texts);
 }
 
 FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progress,
@@ -155,7 +160,7 @@ FilmPlan prepare(const Scene& asked, const FilmOptions& options, Progress& progr
                   });
     if (sound) plan.sound = sound->samples();
     pass.fix();
-    if (text) plan.text = text->text();
+    if (text) plan.text = text->text(plan.number_texts);
     const int previews = format_of_film(options.output).previews;
     if (previews > 0) plan.colors = chosen_colors(plan, previews, progress);
     const bool is_kept = std::ranges::all_of(plan.runs, &Recording::is_kept);
@@ -177,7 +182,8 @@ StillPlan prepare_still(const Scene& scene, double at, bool is_quick,
         ticks.resize(static_cast<std::size_t>(still) + 1);
         pass.simulate_later(ticks);
     } else {
-        if (is_quick && !pass.panels().wants_return_distances()) ticks = some_of(ticks, still);
+        if (is_quick && !pass.wants_numbers() && !pass.panels().wants_return_distances())
+            ticks = some_of(ticks, still);
         is_whole = ticks.size() == frames;
         const auto shown = std::ranges::upper_bound(ticks, still, {}, &Tick::frame);
         pass.simulate(

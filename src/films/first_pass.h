@@ -32,6 +32,9 @@ class FirstPass {
     /// Whether the axes are known already, so that no panel needs to see the runs.
     bool is_settled() const { return settled_.has_value(); }
 
+    /// Whether words of the scene ask for numbers that only the run gives.
+    bool wants_numbers() const { return !settled_ && !requests_of_film(plan_.scene).empty(); }
+
     /// The panels that see the runs. Throws SceneError as PanelSet().
     PanelSet& panels();
 
@@ -43,8 +46,9 @@ class FirstPass {
     /// Leaves the simulation of these frames to whoever plays them.
     void simulate_later(const std::vector<Tick>& ticks);
 
-    /// Fixes the axes and scales. `is_whole`: the panels have seen the whole runs, so that what
-    /// they found is kept in the cache.
+    /// Fixes the axes and scales, and fills numbers into the words of the plan's scene. Throws
+    /// SceneError if one of them has no value. `is_whole`: the panels have seen the whole runs, so
+    /// that what they found is kept in the cache.
     void fix(bool is_whole = true);
 
   private:
@@ -53,6 +57,7 @@ class FirstPass {
     std::optional<SettledAxes> settled_;
     FilmPlan plan_;
     std::vector<Simulation> simulations_;
+    std::optional<Scene> surveyed_;  ///< with numbers of usual length in its words
     std::optional<PanelSet> panels_;
 };
 

@@ -70,6 +70,13 @@ struct FrameInput {
 /// belongs to the samples of the run, which do not depend on the frames of a film.
 enum class SurveyedAt { frames, samples, both };
 
+/// A number that a panel shows, by the name with which words of its figure ask for it.
+struct PanelNumber {
+    std::string name;  ///< "mean", "light.mean"
+    Quantity quantity;
+    double value;
+};
+
 /// What one panel shows in one frame: complete and immutable.
 struct PanelState {
     virtual ~PanelState() = default;
@@ -131,6 +138,10 @@ class Panel {
     /// A description of what the panel shows, with its numbers, in whole sentences: for captions
     /// and alternative texts that the scene does not give; empty for most panels.
     virtual std::string account(const PanelState&) const { return ""; }
+
+    /// The numbers that sum up what it shows; those of its kind (PanelKind::numbers), as far as it
+    /// has them.
+    virtual std::vector<PanelNumber> scalars(const PanelState&) const { return {}; }
 
     /// The simulated time of what a figure at the time `at` shows, from and until, if it is not
     /// what the figure's spec says: the time of a collision, or the time that is averaged over.

@@ -233,8 +233,16 @@ void PanelSet::for_each_panel(Function&& f) const {
     }
 }
 
+void PanelSet::ask(std::vector<WordRequest> requests) {
+    if (!requests.empty()) numbers_.emplace(context_of(own), std::move(requests));
+}
+
+std::vector<std::string> PanelSet::number_texts() const {
+    return numbers_ ? numbers_->texts() : std::vector<std::string>{};
+}
+
 bool PanelSet::wants_collisions() const {
-    bool any = false;
+    bool any = numbers_ && numbers_->need_collisions();
     for_each_panel([&](const Panel& panel, std::size_t) {
         any = any || panel.wants_collisions() || panel.surveys_collisions();
     });
@@ -250,7 +258,7 @@ bool PanelSet::wants_return_distances() const {
 
 // The samples of the run are moments only if a panel measures.
 std::vector<SeenMoment> PanelSet::moments(std::size_t run, const std::vector<Tick>& ticks) const {
-    bool any = false;
+    bool any = numbers_ && run == own;
     for_each_panel([&](const Panel& panel, std::size_t its) {
         any = any || (its == run && panel.surveyed_at() != SurveyedAt::frames);
     });
@@ -274,6 +282,7 @@ void PanelSet::survey(std::size_t run, const SeenMoment& moment, const Sample& s
     FrameInput now = runs_[run]->input(moment.tick, sample, advanced);
     now.is_frame = moment.is_frame;
     now.is_sample = moment.is_sample;
+    if (numbers_ && run == own) numbers_->see(now);
     AdvanceResult of_frame = advanced, of_sample = advanced;
     of_frame.collisions = since_frame;
     JoinedCollisions& since_sample = runs_[run]->since_sample;
@@ -327,7 +336,7 @@ void PanelSet::fix_axes_of_runs() {
 
 Recording PanelSet::record(std::size_t run, Simulation start, const std::vector<Tick>& ticks,
                            const Recording::Viewer& see, const Survey& how) {
-    bool are_positions_wanted = false;
+    bool are_positions_wanted = numbers_ && run == own;
     for_each_panel([&](const Panel& panel, std::size_t its) {
         are_positions_wanted = are_positions_wanted || (its == run && panel.surveys_positions());
     });

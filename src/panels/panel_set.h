@@ -13,6 +13,7 @@
 #include "panels/layout.h"
 #include "panels/panel.h"
 #include "panels/recording.h"
+#include "panels/words/word_numbers.h"
 #include "scene/time/showing.h"
 
 namespace carom {
@@ -62,6 +63,12 @@ class PanelSet {
         survey(own, {tick}, sample, advanced, advanced.collisions);
     }
     void fix_axes();
+
+    /// To be called before the first pass: reads the numbers for which words ask, of the own run.
+    void ask(std::vector<WordRequest> requests);
+
+    /// As WordNumbers::texts(), after the first pass; empty if nothing was asked.
+    std::vector<std::string> number_texts() const;
 
     /// How a run is surveyed.
     struct Survey {
@@ -190,6 +197,7 @@ class PanelSet {
 
     std::vector<std::unique_ptr<Run>> runs_;  ///< the film's own first
     std::vector<Placed> panels_;
+    std::optional<WordNumbers> numbers_;     ///< if words ask for any
     std::optional<double> first_collision_;  ///< simulated time of the first frame after it
     bool is_film_ = true;
     States behind_card_;               ///< of the last card of which a frame was seen,

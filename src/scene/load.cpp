@@ -12,6 +12,7 @@
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
 #include "scene/left_out.h"
+#include "scene/numbers/known_numbers.h"
 #include "scene/other_runs.h"
 #include "scene/overrides.h"
 #include "scene/reading/event_reading.h"
@@ -219,7 +220,7 @@ void complete_film(SceneDraft& draft, const Tree& tree, bool has_length,
 
 Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wanted, Errors& errors) {
     SceneDraft draft;
-    Reading reading{errors, draft.gas, draft.run};
+    Reading reading{errors, draft.gas, draft.run, draft.numbers};
     scene_table(resources.panels, tree.dimension).read(tree.root, draft, reading);
     complete_physics(draft, tree.root, errors);
     const bool has_film = find(tree.root, "film") != nullptr;
@@ -233,6 +234,8 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
         draft.measure =
             measure_notation(resources.panels).read(*draft.measure_node, reading).value();
     errors.throw_if_any();
+    if (auto wrong = find_instruments(draft, resources.panels); !wrong.empty())
+        throw SceneError(std::move(wrong));
     if (draft.run.sample_every == 0.0) draft.run.sample_every = usual_sample_every(draft.run);
     if (resources.is_classroom) {
         hold_to_classroom(draft, tree.root, has_length, errors);

@@ -72,6 +72,15 @@ struct PanelWork {
     bool keeps_places = false;         ///< of its particles in all frames and samples
 };
 
+/// A number of a run for which words of a scene ask by name: what an instrument reads.
+struct AskedNumber {
+    std::string name;          ///< "temperature"
+    std::string meaning;       ///< in plain words, for lists: "the temperature"
+    std::string options = {};  ///< of the instrument, as in a scene: "origins: all"
+    bool is_result = false;    ///< of the instrument; otherwise its reading
+    bool is_by_line = false;   ///< a species is the name of a line; otherwise it is chosen by `of`
+};
+
 /// One kind of panel.
 struct PanelKind {
     std::string name;   ///< as in scenes
@@ -82,6 +91,12 @@ struct PanelKind {
     /// the options given; null if it reads nothing.
     Meter (*meter)(const PanelContext&, const PanelSpec&) = nullptr;
     std::set<Ability> abilities = {};
+
+    /// The numbers of its meter for which words of a scene may ask.
+    std::vector<AskedNumber> asked = {};
+
+    /// The names of the numbers that Panel::scalars() gives, for which words of a figure may ask.
+    std::vector<std::string> numbers = {};
 
     /// Other names that users are likely to try: the hint for them is this kind.
     std::vector<std::string> tried_as = {};
@@ -119,6 +134,9 @@ struct PanelKind {
 
     /// Returns the text of the scene that it shows, with formulae. Empty: none.
     std::function<std::string(const PanelSpec&)> text = {};
+
+    /// Changes that text.
+    void (*set_text)(PanelSpec&, std::string) = nullptr;
 
     /// Returns what it does with the run. Empty: nothing more than a look.
     std::function<PanelWork(const PanelSpec&, const Run&)> work = {};

@@ -14,6 +14,7 @@
 #include "scene/file_texts.h"
 #include "scene/film.h"
 #include "scene/looks.h"
+#include "scene/numbers/numbers_in_words.h"
 #include "scene/panel_spec.h"
 #include "scene/sweep.h"
 #include "util/diagnostics.h"
@@ -63,7 +64,9 @@ struct Scene {
     std::vector<Caption> captions;  ///< in order of time; equal times in the order listed
     Film film;
     std::vector<FigureSpec> figures;
-    std::vector<PanelSpec> measure;  ///< instruments whose last readings are numbers of the run
+    std::vector<PanelSpec> measure;      ///< instruments whose last readings are numbers of the run
+    std::vector<NumberInWords> numbers;  ///< for which its words ask: captions, callouts, texts of
+                                         ///< panels, the end card, words of figures
     SceneSource source;
     std::vector<Diagnostic> notes;  ///< what is valid in its files but should be written in another
                                     ///< way, and what was left out

@@ -195,7 +195,8 @@ Facts film_facts(const Scene& scene, const CheckedFilm& asked, const Particles& 
         auto [others, state] = draw_gas(run.scene->gas);
         starts.push_back({std::move(others), std::move(state)});
     }
-    const PanelSet panels(scene, starts);
+    const Scene shown = with_usual_numbers(scene);
+    const PanelSet panels(shown, starts);
     const FilmCollisions collisions{
         checked.collisions.value_or(static_cast<double>(starts.size()) * expected),
         panels.wants_collisions()};

@@ -20,10 +20,13 @@
 #include "films/film_checks.h"
 #include "films/render.h"
 #include "films/words/letters.h"
+#include "panels/registry.h"
 #include "panels/words/text_panel.h"
+#include "panels/words/word_numbers.h"
 #include "panels/words_left_out.h"
 #include "physics/placement/draws.h"
 #include "runs/own_files.h"
+#include "scene/numbers/known_numbers.h"
 #include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/progress.h"
@@ -36,7 +39,7 @@ struct CheckArguments : SceneOptions {
     std::vector<std::string> scenes;
     FilmOptions film;
     std::string format;  // empty: all
-    bool json = false, measures = false, accessible = false;
+    bool json = false, measures = false, accessible = false, numbers = false;
 };
 
 // Finds barriers if they are asked for, in films of the format asked for.
@@ -151,7 +154,8 @@ void find_words_without_room(const Scene& scene, const RunCounts& counts, Checke
     const bool is_quick = counts.events > few_events;
     Progress silent(Progress::Form::silent, "");
     const TextLog log;
-    draw_still_alone(scene, scene.run.until, is_quick, {}, output_format("png"), silent);
+    draw_still_alone(with_usual_numbers(scene), scene.run.until, is_quick, {}, output_format("png"),
+                     silent);
     film.cut = words_left_out(log);
     film.in_keys = words_in_keys(log);
 }
@@ -213,6 +217,20 @@ void hold_to_limits(const CheckArguments& arguments, const Scene& scene, Checked
     });
 }
 
+// The numbers for which words of the scene may ask.
+Facts numbers_of(const CheckArguments& arguments, const Scene& scene) {
+    if (!arguments.numbers) return {};
+    std::vector<KnownNumber> all = known_numbers(scene, panel_kinds());
+    for (const FigureSpec& figure : scene.figures)
+        for (KnownNumber& number : known_numbers(figure, panel_kinds()))
+            all.push_back(std::move(number));
+    std::vector<ListItem> rows;
+    for (const auto& [name, meaning] : all)
+        rows.push_back(
+            {fmt::format("{{{}}}: {}", name, meaning), Json{{"name", name}, {"meaning", meaning}}});
+    return rows_of("numbers", "numbers", std::move(rows));
+}
+
 Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
                      const Overrides& overrides, CheckedFile& found) {
     const auto [scene, no_film] = load_for_all(path, resources_of(arguments), overrides);
@@ -227,7 +245,8 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     if (!has_film) {
         refused.push_back({{"render", "still", "plan", "gallery", "figures --films"}, no_film});
         hold_to_limits(scene, works, refused);
-        return facts_of(scene, std::nullopt, own, works, refused);
+        return joined<Fact>(
+            {facts_of(scene, std::nullopt, own, works, refused), numbers_of(arguments, scene)});
     }
     find_barriers(arguments, scene, found);
     SceneCounts counts{own};
@@ -238,7 +257,7 @@ Facts facts_of_scene(const CheckArguments& arguments, const std::string& path,
     find_words_without_room(scene, own, film);
     works.emplace_back("render",
                        work_of_film(scene, arguments.film, *film.formats.front(), counts));
-    return facts_of(scene, film, own, works, refused);
+    return joined<Fact>({facts_of(scene, film, own, works, refused), numbers_of(arguments, scene)});
 }
 
 CheckedFile checked(const CheckArguments& arguments, const std::string& path,
@@ -334,6 +353,9 @@ Command check_command() {
               {"--accessible",
                "refuse what keeps some viewers from following the film (WCAG 2.1, level AA)",
                &its.accessible},
+              {"--numbers",
+               "list the numbers for which words of the scene may ask, as {temperature}",
+               &its.numbers},
               {"--format", "give the cost of this format only", &its.format, chunk_formats()}},
              scene_options(its),
              {limits_option(its.is_classroom)},

@@ -369,7 +369,14 @@ void FilmTextMaker::see(const Tick& tick, const Sample& sample, const AdvanceRes
     }
 }
 
-FilmText FilmTextMaker::text() const {
+FilmText FilmTextMaker::text(const std::vector<std::string>& number_texts) {
+    const auto fill = [&](std::string& words) {
+        words = filled(words, [&](std::size_t number) { return number_texts.at(number); });
+    };
+    for (Moment& moment : moments_) {
+        for (std::string* words : {&moment.caption, &moment.end_card}) fill(*words);
+        for (std::string& words : moment.notes) fill(words);
+    }
     const double begin = static_cast<double>(span_.first) / scene_.film.fps;
     const double end = seconds_at(span_.end, scene_, span_);
     std::vector<Cue> captions, chapters, descriptions;

@@ -86,8 +86,9 @@ class FilmTextMaker {
     /// To be called for every frame of the timeline, in order.
     void see(const Tick& tick, const Sample& sample, const AdvanceResult& advanced);
 
-    /// The finished text; to be called after the last frame.
-    FilmText text() const;
+    /// The finished text; to be called after the last frame, with the numbers that are filled into
+    /// the words of the scene (WordNumbers::texts()).
+    FilmText text(const std::vector<std::string>& number_texts = {});
 
   private:
     const Scene& scene_;

@@ -8,6 +8,7 @@
 
 #include "draw/text.h"
 #include "panels/registry.h"
+#include "scene/numbers/numbers_in_words.h"
 #include "scene/panel_kind.h"
 #include "scene/scene.h"
 #include "util/formula/formula.h"
@@ -28,7 +29,7 @@ void add_words(const formula::Parts& parts, std::string& words) {
 
 std::string plain(const std::string& text) {
     std::string words;
-    for (const formula::Span& span : formula::spans_of(text)) {
+    for (const formula::Span& span : formula::spans_of(with_usual_numbers(text))) {
         if (span.is_formula)
             add_words(formula::parsed(span.text), words);
         else

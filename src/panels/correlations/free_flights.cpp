@@ -14,6 +14,7 @@
 #include "panels/registry.h"
 #include "scene/panel_kind.h"
 #include "stats/histogram.h"
+#include "stats/means/mean_error.h"
 #include "stats/paths/sliding_sum.h"
 #include "util/bin_number.h"
 #include "util/text.h"
@@ -24,6 +25,7 @@ namespace {
 constexpr int flight_bins = 40;
 constexpr double shown_share = 0.985;  // of all flights, within the axis
 constexpr double percent = 100.0;
+constexpr Eigen::Index pieces = 40, fewest_pieces = 20;  // of the run, for errors
 
 enum class Flown { path, time };
 
@@ -61,7 +63,10 @@ class FlightMeter : public CurveMeter {
           lists_(members_that_collide(context, choices(spec))),
           lists_of_(static_cast<std::size_t>(context.particles.count())),
           kept_(lists_.size()),
-          sums_(lists_.size(), SlidingSum(flight_bins + 4, window)) {
+          sums_(lists_.size(), SlidingSum(flight_bins + 4, window)),
+          piece_(context.run().until / pieces),
+          of_pieces_(lists_.size(),
+                     {Eigen::ArrayXXd::Zero(pieces, 1), Eigen::ArrayXXd::Zero(pieces, 1)}) {
         for (std::size_t k = 0; k < lists_.size(); ++k)
             for (const Eigen::Index i : lists_[k])
                 lists_of_[static_cast<std::size_t>(i)].push_back(k);
@@ -70,7 +75,8 @@ class FlightMeter : public CurveMeter {
     void see(const FrameInput& input) override {
         const auto take = [this](const PathPiece& piece, bool ends_flight) {
             for (const std::size_t k : lists_of_[static_cast<std::size_t>(piece.particle)])
-                add_piece(sums_[k], piece, ends_flight);
+                add_piece(k, piece, ends_flight);
+            now_ = std::max(now_, piece.to);
         };
         for (const FreeFlight& flight :
              flights_.see(input.sample, input.advanced.collisions, take)) {
@@ -102,23 +108,24 @@ class FlightMeter : public CurveMeter {
 
     Measured measured() const override {
         Measured now;
-        for (const SlidingSum& one : sums_) {
-            const Eigen::ArrayXd sums = one.sum();
+        for (std::size_t k = 0; k < sums_.size(); ++k) {
+            const Eigen::ArrayXd sums = sums_[k].sum();
             const double ended = sums.head(flight_bins + 1).sum();
             const Eigen::ArrayXd shares = percent * sums.head(flight_bins) / ended;
             now.y.emplace_back(shares.begin(), shares.end());
             const double hits = sums[flight_bins + 1], way = sums[flight_bins + 2],
                          time = sums[flight_bins + 3];
             const double mean = (flown_ == Flown::path ? way : time) / hits;
-            now.numbers.push_back({{mean, NAN}, {ended, NAN}, {way / time, NAN}});
+            now.numbers.push_back({{mean, error_of_mean(k)}, {ended, NAN}, {way / time, NAN}});
         }
         return now;
     }
 
     // kept_ is not archived: fix_axis() has added its values to the sums.
     void archive(Archive& archive) override {
-        archive(flights_);
+        archive(flights_, now_);
         for (SlidingSum& one : sums_) archive(one);
+        for (PieceSums& one : of_pieces_) archive(one.sum, one.weight);
     }
 
   private:
@@ -135,17 +142,38 @@ class FlightMeter : public CurveMeter {
     }
 
     // Each part of the window has the way and the time that belong to it.
-    static void add_piece(SlidingSum& to, const PathPiece& piece, bool ends_flight) {
+    void add_piece(std::size_t k, const PathPiece& piece, bool ends_flight) {
+        SlidingSum& to = sums_[k];
         for (double from = piece.from; from < piece.to;) {
             const double until = std::min(piece.to, to.end_of_slice(from));
             const double middle = 0.5 * (from + until), span = until - from;
             Eigen::ArrayXd& sums = to.at(middle);
-            sums[flight_bins + 2] +=
+            const double way =
                 length_of_way(piece.velocity_after(middle - piece.from), piece.acceleration, span);
+            sums[flight_bins + 2] += way;
             sums[flight_bins + 3] += span;
+            of_pieces_[k].sum(piece_at(middle), 0) += flown_ == Flown::path ? way : span;
             from = until;
         }
-        if (ends_flight) to.at(piece.to)[flight_bins + 1] += 1.0;
+        if (!ends_flight) return;
+        to.at(piece.to)[flight_bins + 1] += 1.0;
+        of_pieces_[k].weight(piece_at(piece.to), 0) += 1.0;
+    }
+
+    // Of the equal pieces of the run.
+    Eigen::Index piece_at(double time) const {
+        return std::clamp<Eigen::Index>(static_cast<Eigen::Index>(time / piece_), 0, pieces - 1);
+    }
+
+    // From the scatter of pieces of the run that have ended, if these are independent. A mean over
+    // a window has too few of them.
+    double error_of_mean(std::size_t k) const {
+        constexpr double rounding = 1e-9;
+        const auto ended = static_cast<Eigen::Index>(now_ / piece_ + rounding) / 2 * 2;
+        if (window_ || ended < fewest_pieces) return NAN;
+        const auto errors = standard_errors(
+            {of_pieces_[k].sum.topRows(ended), of_pieces_[k].weight.topRows(ended)});
+        return errors ? (*errors)[0] : NAN;
     }
 
     // Flights beyond the reach are counted in bin number flight_bins.
@@ -162,6 +190,8 @@ class FlightMeter : public CurveMeter {
     std::vector<std::vector<double>> kept_;           // of each list, before the reach is known
     std::size_t seen_ = 0, stride_ = 1;
     std::vector<SlidingSum> sums_;  // bins, beyond, collisions, way, time
+    double piece_, now_ = 0.0;
+    std::vector<PieceSums> of_pieces_;  // way or time, and collisions
 };
 
 plot::Stroke stroke_of_law(const PanelContext& context, const std::vector<Chosen>& chosen,
@@ -282,9 +312,11 @@ CurveSubject free_flights(const PanelContext& context, const PanelSpec& spec, Fl
     subject.logarithmic = options_of_flights(spec).logarithmic;
     subject.account = [language, context, chosen, is_path](const CurveValues& values,
                                                            std::size_t line) -> std::string {
-        const double mean = values.numbers[line].front().mean;
+        const auto [mean, error] = values.numbers[line].front();
         if (!std::isfinite(mean)) return "";
-        const std::string number = three_digits(language, mean);
+        const std::string number = std::isfinite(error) && error > 0.0
+                                       ? with_error(language, mean, error)
+                                       : three_digits(language, mean);
         const std::string words = is_path ? say(language, "mean free path {}", number)
                                           : say(language, "mean free time {}", number);
         return chosen.size() > 1
@@ -332,6 +364,9 @@ PanelKind free_time_kind() {
          .shows = "The distribution of the times that particles fly between collisions, with the "
                   "exponential law of memoryless flight.",
          .abilities = {of, over, theory, means, comparison},
+         .asked = {{.name = "mean_free_time",
+                    .meaning = "the mean time between collisions since the start",
+                    .is_result = true}},
          .keys = option_keys(free_flight_keys()),
          .rule = check_free_flights,
          .laws = always(std::vector{LawOf::memoryless}),

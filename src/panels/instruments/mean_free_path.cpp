@@ -37,6 +37,7 @@ PanelKind mean_free_path_kind() {
          .words = Phrase{"mean free path"},
          .shows = "The mean way between collisions with particles and obstacles, since the start.",
          .abilities = {of, means, comparison},
+         .asked = {{"mean_free_path", "the mean free path since the start"}},
          .laws = always(std::vector{LawOf::free_flight}),
          .work = always(PanelWork{.flights = PanelWork::Flights::followed})});
 }

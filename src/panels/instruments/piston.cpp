@@ -60,6 +60,7 @@ PanelKind piston_kind() {
                   "with the mean position over an ideal gas, its standard deviation as a band, and "
                   "the period of the slow oscillations.",
          .abilities = {theory, means, comparison},
+         .asked = {{"position", "where it is"}},
          .keys = moving_keys(),
          .rule = check_moving,
          .laws = always(std::vector{LawOf::piston}),

@@ -179,6 +179,7 @@ PanelKind pressure_kind() {
             .make = make_pressure,
             .meter = meter_of<pressure>,
             .abilities = {over, means, comparison},
+            .asked = {{"pressure", "the pressure, averaged since the start"}},
             .keys = option_keys(pressure_keys()),
             .rule = check_pressure,
             .laws = laws_of_pressure,

@@ -49,6 +49,26 @@ std::vector<LastReading> Instruments::readings() const {
     return all;
 }
 
+double Instruments::value(std::size_t instrument, const std::string& column, bool is_result) const {
+    const Meter& meter = instruments_.at(instrument).reader.meter();
+    const std::vector<double>& last = instruments_[instrument].last;
+    std::vector<std::vector<MeanError>> results;
+    if (is_result) results = meter.results.find();
+    for (std::size_t line = 0; line < meter.lines.size(); ++line) {
+        if (!is_measured(meter.lines[line])) continue;
+        if (!column.empty() && meter.lines[line].column != column) continue;
+        const double value = is_result ? (line < results.size() ? results[line].front().mean : NAN)
+                                       : (line < last.size() ? last[line] : NAN);
+        if (std::isfinite(value) || !column.empty()) return value;
+    }
+    return NAN;
+}
+
+const Quantity& Instruments::quantity(std::size_t instrument, bool is_result) const {
+    const Meter& meter = instruments_.at(instrument).reader.meter();
+    return is_result ? meter.results.of.front() : meter.quantity;
+}
+
 // "temperature at the end", "diffusion coefficient", or the title that the scene gives, with the
 // name of the line if it needs one: "pressure at the end (on the walls)".
 std::vector<RunNumber> Instruments::numbers_of(const Instrument& instrument) {

@@ -43,6 +43,14 @@ class Instruments {
     /// What all of them say after the last moment, in the same order.
     std::vector<LastReading> readings() const;
 
+    /// What the instrument of one of the specs says after the last moment of the line of this
+    /// column: its reading, or its result. Without a column, of the first line that has a number.
+    /// NaN if there is none.
+    double value(std::size_t instrument, const std::string& column, bool is_result) const;
+
+    /// What that number is.
+    const Quantity& quantity(std::size_t instrument, bool is_result) const;
+
   private:
     struct Instrument {
         const PanelSpec* spec;

@@ -84,6 +84,9 @@ PanelKind energy_by_species_kind() {
          .words = Phrase{"energy by species"},
          .shows = "The mean kinetic energy of each species against time.",
          .abilities = {over, means},
+         .asked = {{.name = "mean_energy",
+                    .meaning = "the mean kinetic energy of a particle",
+                    .is_by_line = true}},
          .tried_as = {"energy"},
          .suits = [](const Gas& gas, const Run&) { return gas.species.size() > 1; },
          .laws =

@@ -128,6 +128,7 @@ PanelKind entropy_kind() {
          .shows = "The entropy of the velocities, of the positions, or both (`space`), against "
                   "time.",
          .abilities = {means, comparison},
+         .asked = {{"entropy", "the entropy"}},
          .keys = option_keys(entropy_keys()),
          .laws = laws_of_entropy,
          .several = several_entropies});

@@ -101,6 +101,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::shared_ptr<const PanelState> state_of_runs(
         const std::vector<std::shared_ptr<const PanelState>>& states) const override;
     plot::Plot plot(const PanelState* state) const override;
+    std::vector<PanelNumber> scalars(const PanelState& state) const override;
 
     /// For tests: the chi-squared test of the bars of a choice against its curve, if the scene asks
     /// for it.
@@ -179,6 +180,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     plot::BarNotes bar_notes(const HistogramCounts* now) const;
     plot::Text names_of_choices(Joint joint) const;
     std::string name_of_series(std::size_t k) const;
+    std::string account_of_series(const HistogramCounts& now, std::size_t k) const;
     plot::Role role_of_choice(std::size_t k) const;
     plot::Note note_of_short_title() const;
     plot::Text add_titles();

@@ -207,6 +207,11 @@ void HistogramPanel::add_series(Plot& plot, std::size_t k, const HistogramState*
     if (state == nullptr) return;
     const MeanHistogram& one = state->counts.series[k];
     if (options().fit) {
+        for (const auto& [part, value] :
+             {std::pair{"fit mean", one.mean}, {"fit standard deviation", one.deviation}})
+            plot.numbers.push_back({.part = part,
+                                    .of = compares() ? "" : series.name,
+                                    .more = {column(from_column(), {value})}});
         Polyline fit = line_of(
             "fit",
             normal_curve(axes_.bins, one, parts_ ? one.values() : series.unit * series.values()),
@@ -417,6 +422,39 @@ void HistogramPanel::make_plot() {
         whole_.notes.push_back({.entries = {{{}, {left_out}}}, .of_last_titles = 1});
 }
 
+// "mean 1.25", with the standard error of a mean over runs, and the deviation of what is symmetric
+// or fitted.
+std::string HistogramPanel::account_of_series(const HistogramCounts& now, std::size_t k) const {
+    const Language language = context_.language();
+    const MeanHistogram& one = now.series[k];
+    if (!std::isfinite(one.mean)) return compares() ? say(language, "unknown") : "";
+    const double error = now.mean_errors.empty() ? NAN : now.mean_errors[k];
+    const std::string mean = std::isfinite(error) && error > 0.0
+                                 ? with_error(language, one.mean, error)
+                                 : three_digits(language, one.mean);
+    const std::string words = subject_.symmetric || options().fit
+                                  ? say(language, "mean {}, standard deviation {}", mean,
+                                        three_digits(language, one.deviation))
+                                  : say(language, "mean {}", mean);
+    if (compares() || count() == 1) return words;
+    return say(language, "{}: {}", name_of_series(k), words);
+}
+
+std::vector<PanelNumber> HistogramPanel::scalars(const PanelState& state) const {
+    std::vector<PanelNumber> all;
+    const HistogramCounts& now = static_cast<const HistogramState&>(state).counts;
+    for (std::size_t k = 0; k < count(); ++k) {
+        const MeanHistogram& one = now.series[k];
+        const std::string whose = count() > 1 ? axes_.series[k].name + "." : "";
+        for (const std::string& of : {std::string(), std::string("fit.")}) {
+            if (!of.empty() && !options().fit) continue;
+            all.push_back({whose + of + "mean", subject_.quantity, one.mean});
+            all.push_back({whose + of + "deviation", subject_.quantity, one.deviation});
+        }
+    }
+    return all;
+}
+
 Plot HistogramPanel::plot(const PanelState* state) const {
     const auto* shown = static_cast<const HistogramState*>(state);
     const HistogramCounts* now = shown ? &shown->counts : nullptr;
@@ -427,13 +465,13 @@ Plot HistogramPanel::plot(const PanelState* state) const {
     plot.bar_notes = bar_notes(told);
     for (std::size_t k = 0; k < count(); ++k) add_series(plot, k, shown);
     if (now == nullptr) return plot;
-    const Language language = context_.language();
-    for (const MeanHistogram& one : now->series)
-        plot.accounts_of_runs.push_back(
-            subject_.symmetric
-                ? say(language, "mean {}, standard deviation {}", three_digits(language, one.mean),
-                      three_digits(language, one.deviation))
-                : say(language, "mean {}", three_digits(language, one.mean)));
+    for (std::size_t k = 0; k < count(); ++k) {
+        const std::string words = account_of_series(*now, k);
+        if (compares())
+            plot.accounts_of_runs.push_back(words);
+        else if (!words.empty())
+            plot.account += (k > 0 ? " " : "") + capitalised(words) + ".";
+    }
     if (spec_.test) plot.finding = test_words(*now);
     return plot;
 }

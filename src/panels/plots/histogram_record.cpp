@@ -358,6 +358,7 @@ HistogramCounts mean_of(const std::vector<HistogramCounts>& runs) {
         bars.below = all.numbers[k][of_below].mean;
         bars.above = all.numbers[k][of_above].mean;
         bars.mean = all.numbers[k][of_mean].mean;
+        mean.mean_errors.push_back(all.numbers[k][of_mean].error);
         // The mean square about the mean of all: within the runs, and of their means.
         const auto with_values = static_cast<double>(std::ranges::count_if(
             runs, [k](const auto& run) { return std::isfinite(run.series[k].mean); }));

@@ -118,7 +118,8 @@ struct HistogramCounts {
     std::vector<MeanHistogram> series;
     /// Standard errors of the bars of each series, if they are means of several runs.
     std::vector<std::vector<double>> errors = {};
-    void archive(auto& archive) { archive(series, errors); }
+    std::vector<double> mean_errors = {};  ///< of the mean of the values of each series
+    void archive(auto& archive) { archive(series, errors, mean_errors); }
 };
 
 /// Means over runs, with their standard errors. Requires at least one run.

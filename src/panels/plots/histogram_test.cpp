@@ -146,6 +146,7 @@ PanelKind histogram_kind(PanelKind kind, bool is_from_zero,
         };
     }
     kind.measured_at = measured_at(&HistogramOptions::parts);
+    kind.numbers = {"mean", "deviation", "fit.mean", "fit.deviation"};
     return kind;
 }
 

@@ -37,6 +37,7 @@ PanelKind temperature_kind() {
          .words = Phrase{"temperature"},
          .shows = "The temperature against time, of all particles or of those that `of` names.",
          .abilities = {of, over, means, comparison},
+         .asked = {{"temperature", "the temperature"}},
          .suits = acts_on_gas});
 }
 

@@ -1,4 +1,5 @@
 // The kind of the panel in monitors_panel.cpp.
+#include "panels/meters/meter.h"
 #include "panels/registry.h"
 #include "panels/words/monitors_panel.h"
 #include "scene/panel_kind.h"
@@ -23,6 +24,26 @@ std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpe
                                            spec.title);
 }
 
+Meter meter_of_monitors(const PanelContext& context, const PanelSpec& spec) {
+    std::vector<Monitor> numbers = spec.options.as<MonitorOptions>().numbers;
+    if (numbers.empty())
+        numbers = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy};
+    Meter meter{.quantity = numbers.size() == 1 ? quantity_of(numbers.front())
+                                                : quantities::number.named(Phrase{"monitors"})};
+    for (const Monitor number : numbers) {
+        const std::string name(quantity_of(number).word.english);
+        meter.lines.push_back({name, numbers.size() == 1 ? "" : name});
+    }
+    meter.needs_positions = false;
+    meter.read = [context, numbers](const FrameInput& input) {
+        const MonitorNumbers all = monitor_numbers(context, input);
+        std::vector<double> now;
+        for (const Monitor number : numbers) now.push_back(all.at(index_of(number)));
+        return now;
+    };
+    return meter;
+}
+
 }  // namespace
 
 PanelKind monitors_kind() {
@@ -30,6 +51,17 @@ PanelKind monitors_kind() {
             .words = Phrase{"monitors"},
             .shows = "Numbers: time, collisions, mean speed and others.",
             .make = make_monitors,
+            .meter = meter_of_monitors,
+            .asked = {{.name = "time", .meaning = "the time", .options = "numbers: [time]"},
+                      {.name = "collisions",
+                       .meaning = "the collisions between particles so far",
+                       .options = "numbers: [collisions]"},
+                      {.name = "all_collisions",
+                       .meaning = "the same with those with walls",
+                       .options = "numbers: [all-collisions]"},
+                      {.name = "mean_energy",
+                       .meaning = "the mean kinetic energy of a particle",
+                       .options = "numbers: [mean-energy]"}},
             .keys = option_keys(monitor_keys()),
             .has_plot = false};
 }

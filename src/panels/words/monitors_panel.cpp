@@ -242,6 +242,24 @@ MonitorsPanel::MonitorsPanel(const PanelContext& context, const std::vector<Moni
         echo_.emplace(context);
 }
 
+MonitorNumbers monitor_numbers(const PanelContext& context, const FrameInput& input) {
+    const CollisionCounts& counts = input.advanced.counts;
+    const double mean_speed = mean_of_speeds(context.particles, input.speed);
+    const auto shares = class_shares(input.speed, mean_speed);
+    return {folded_time(context.run(), input.tick.time),
+            static_cast<double>(counts.particle),
+            mean_speed,
+            mean_over_finite_masses(context.particles, input.energy),
+            100.0 * shares[0],
+            100.0 * shares[1],
+            100.0 * shares[2],
+            static_cast<double>(counts.particle + counts.wall),
+            none,
+            100.0 * input.advanced.impulses.largest_overlap};
+}
+
+const Quantity& quantity_of(Monitor number) { return column(number).quantity; }
+
 void MonitorsPanel::survey(const FrameInput& input) {
     if (echo_) echo_->survey(input);
     expect(input.speed, input.energy);
@@ -277,19 +295,7 @@ void MonitorsPanel::archive(Archive& archive) {
 
 std::shared_ptr<const PanelState> MonitorsPanel::state(const FrameInput& input) {
     auto state = std::make_shared<MonitorsState>();
-    const CollisionCounts& counts = input.advanced.counts;
-    const double mean_speed = mean_of_speeds(context_.particles, input.speed);
-    const auto shares = class_shares(input.speed, mean_speed);
-    state->numbers = {folded_time(context_.run(), input.tick.time),
-                      static_cast<double>(counts.particle),
-                      mean_speed,
-                      mean_over_finite_masses(context_.particles, input.energy),
-                      100.0 * shares[0],
-                      100.0 * shares[1],
-                      100.0 * shares[2],
-                      static_cast<double>(counts.particle + counts.wall),
-                      none,
-                      100.0 * input.advanced.impulses.largest_overlap};
+    state->numbers = monitor_numbers(context_, input);
     if (echo_)
         if (const auto apart = echo_->at(input.tick.frame)) {
             state->return_distance = apart->largest;

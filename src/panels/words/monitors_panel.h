@@ -25,6 +25,12 @@ using MonitorNumbers = std::array<double, enum_words<Monitor>.size()>;
 
 inline std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
 
+/// The numbers at a moment; the distance of a return, which takes the whole run, is none.
+MonitorNumbers monitor_numbers(const PanelContext& context, const FrameInput& input);
+
+/// What a number is, with its label.
+const Quantity& quantity_of(Monitor number);
+
 struct MonitorsState : PanelState {
     MonitorNumbers readouts{};  // the numbers that are shown
     MonitorNumbers numbers{};   // a distance as its decimal logarithm, or none

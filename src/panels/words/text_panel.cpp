@@ -202,6 +202,10 @@ PanelKind text_kind() {
             .keys = option_keys(text_keys()),
             .rule = check_text,
             .text = [](const PanelSpec& panel) { return panel.options.as<TextOptions>().words; },
+            .set_text =
+                [](PanelSpec& panel, std::string words) {
+                    panel.options.change<TextOptions>().words = std::move(words);
+                },
             .shows_run = false,
             .has_plot = false};
 }

@@ -9,6 +9,7 @@
 
 #include "scene/keys/hints.h"
 #include "scene/keys/key_text.h"
+#include "scene/numbers/numbers_in_words.h"
 #include "scene/yaml/scalar.h"
 #include "scene/yaml/yaml_text.h"
 #include "util/text.h"
@@ -98,7 +99,8 @@ bool check_formulas(Node& node, Context context) {
 }
 
 void check_text(Node& node, const Form& form, Context context) {
-    const int length = code_points(node.text);
+    const int length =
+        form.formulas ? letters_with_usual_numbers(node.text) : code_points(node.text);
     if (length > form.most.value)
         return refuse(node, fmt::format("{} has {} characters", context.what, length),
                       to_text(form.most), context.errors);

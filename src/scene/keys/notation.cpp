@@ -7,6 +7,7 @@
 #include "physics/gas.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/colors.h"
+#include "scene/numbers/numbers_in_words.h"
 #include "scene/yaml/scalar.h"
 #include "util/formula/formula.h"
 
@@ -132,15 +133,21 @@ Notation<std::string> lines(std::size_t shortest, Limit most) {
 
 Notation<std::string> with_formulas(Notation<std::string> text) {
     text.forms.front().formulas = true;
-    return checked(std::move(text),
-                   [](const std::string& words, const Node& node, Reading& reading) {
-                       try {
-                           formula::check(words);
-                       } catch (const formula::Error& error) {
-                           reading.errors.add(*node.source, place_in_source(node, error.at),
-                                              error.what(), error.hint);
-                       }
-                   });
+    const auto write = text.write;
+    Notation<std::string> all = parsed(
+        std::move(text),
+        [](std::string words, const Node& node, Reading& reading) -> std::optional<std::string> {
+            try {
+                formula::check(words);
+            } catch (const formula::Error& error) {
+                reading.errors.add(*node.source, place_in_source(node, error.at), error.what(),
+                                   error.hint);
+                return words;
+            }
+            return with_marks(words, node, reading.numbers, reading.errors);
+        });
+    all.write = write;
+    return all;
 }
 
 Notation<std::string> word(const std::vector<std::string>& words) {

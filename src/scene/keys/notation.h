@@ -19,6 +19,7 @@
 #include "physics/value_rule.h"
 #include "physics/vec.h"
 #include "scene/keys/keys.h"
+#include "scene/numbers/numbers_in_words.h"
 #include "scene/words.h"
 #include "scene/yaml/node.h"
 
@@ -33,6 +34,7 @@ struct Reading {
     Errors& errors;
     const Gas& gas;
     const Run& run;
+    std::vector<NumberInWords>& numbers;  ///< for which words ask, as far as they have been read
 
     const Box& box() const;  ///< of the gas
 };

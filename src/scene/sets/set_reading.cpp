@@ -152,6 +152,18 @@ std::string template_of(const std::string& name, const Node& written, const fs::
     return (folder_of(set) / name).lexically_normal().string();
 }
 
+// What a set says is of several scenes.
+void refuse(const std::vector<NumberInWords>& numbers) {
+    if (numbers.empty()) return;
+    Diagnostic error = numbers.front().place;
+    error.message = fmt::format(
+        "`{{{}}}`: the words of a set are of several runs, each of which "
+        "has numbers of its own",
+        numbers.front().name);
+    error.hint = "put it into the words of a figure of a scene; a brace is written twice: `{{`";
+    throw SceneError({std::move(error)});
+}
+
 }  // namespace
 
 FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
@@ -211,8 +223,10 @@ bool is_figure_set(const fs::path& path) {
 
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds) {
     Errors errors;
-    Reading reading{errors, scene.gas, scene.run};
+    std::vector<NumberInWords> numbers;
+    Reading reading{errors, scene.gas, scene.run, numbers};
     const auto figure = figure_notation(kinds).read(comparison.node, reading);
+    refuse(numbers);
     errors.throw_if_any();
     return figure.value();
 }
@@ -234,8 +248,10 @@ SetFile load_figure_set(const fs::path& path, PanelKinds kinds,
     SetFile set;
     const Gas no_gas;
     const Run no_run;
-    Reading reading{errors, no_gas, no_run};
+    std::vector<NumberInWords> numbers;
+    Reading reading{errors, no_gas, no_run, numbers};
     table.read(*root, set, reading);
+    refuse(numbers);
     errors.throw_if_any();
     set.text = source->text;
     for (SetComparison& comparison : set.comparisons) comparison.source = source;

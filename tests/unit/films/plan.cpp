@@ -35,7 +35,7 @@ Scene plane(const std::string& more = "") {
         "gas:\n  - {name: light, count: 40, radius: 0.3, speed: 1}\n"
         "  - {name: heavy, count: 1, radius: 1, mass: 9, velocity: [0.5, 0.2], position: [4, 4]}\n"
         "run: {until: 6, equilibrate: 2, events: [{at: 3, reverse: velocities}, "
-        "{at: 1, mark: here}, {at: 2, caption: words}]}\n"
+        "{at: 1, mark: here}, {at: 2, caption: \"words {heavy.speed at 5}, {collisions}\"}]}\n"
         "film: {" +
         std::string(small) +
         "flashes: true, velocities: true, title_card: 1, panels: [speed-histogram, "

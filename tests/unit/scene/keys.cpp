@@ -125,7 +125,8 @@ TEST_CASE("a key may have its former name, with a note") {
         errors.throw_if_any();
         const Gas gas;
         const Run run;
-        Reading reading{errors, gas, run};
+        std::vector<NumberInWords> numbers;
+        Reading reading{errors, gas, run, numbers};
         Lamp lamp;
         table.read(node, lamp, reading);
         return std::pair{lamp.light, errors.notes()};
@@ -286,7 +287,8 @@ TEST_CASE("a table reads what is given and valid, and leaves the defaults of the
     Lamp lamp;
     const Gas gas;
     const Run run;
-    Reading reading{errors, gas, run};
+    std::vector<NumberInWords> numbers;
+    Reading reading{errors, gas, run, numbers};
     lamp_table().read(*root, lamp, reading);
     CHECK(lamp.watts == 40);
     CHECK_FALSE(lamp.lit);

@@ -110,6 +110,10 @@ std::vector<Option> scene_options(SceneOptions& options) {
     return {shortcut(options, "--seed N", "seed", "use this seed for all random choices"),
             {"--set KEY.PATH=VALUE",
              "set a value of the scene; several may follow, and it may be repeated", &options.sets},
+            {"--strict",
+             "refuse a scene on which there is a note, for instance because --set ends its run "
+             "before something of it",
+             &options.is_strict},
             {"--quiet", "print no progress and no report", &options.quiet}};
 }
 
@@ -182,6 +186,7 @@ Overrides overrides_of(const SceneOptions& options) {
 SceneResources resources_of(const SceneOptions& options) {
     SceneResources resources = scene_resources();
     resources.is_classroom = options.is_classroom;
+    resources.is_strict = options.is_strict;
     return resources;
 }
 

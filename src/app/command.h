@@ -89,13 +89,14 @@ struct SceneOptions {
     bool timings = false;
     bool is_classroom = false;
     bool no_sound = false;
+    bool is_strict = false;
 };
 
 /// An option that is a short way to write `--set key=value`.
 Option shortcut(SceneOptions& options, const std::string& flag, const std::string& key,
                 const std::string& meaning);
 
-/// --seed, --set and --quiet.
+/// --seed, --set, --strict and --quiet.
 std::vector<Option> scene_options(SceneOptions& options);
 
 /// --threads.

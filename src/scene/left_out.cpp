@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string_view>
 
@@ -62,17 +63,58 @@ bool is_after(const Node& node, double until) {
     return time && *time > until;
 }
 
+// Returns what names an item of a list: its name or kind, or when it begins; as it is written.
+struct ItemName {
+    std::string_view before, text;  // "at " and "5", or "" and "early"
+};
+ItemName name_of(const Node& item) {
+    if (item.kind == Node::Kind::scalar) return {"", item.text};
+    for (const auto& [key, before] :
+         {std::pair{"name", ""}, {"kind", ""}, {"at", "at "}, {"from", "from "}})
+        if (const Node* found = find(item, key);
+            found != nullptr && found->kind == Node::Kind::scalar)
+            return {before, found->text};
+    return {};
+}
+
+// "2 figures (`early` and `late`)", "1 event (at 5)"; nothing of no items.
+std::string in_words(const std::vector<const Node*>& items, const char* what) {
+    constexpr std::size_t most_named = 6;
+    if (items.empty()) return "";
+    std::vector<std::string> names;
+    std::string_view before;
+    for (const Node* item : items) {
+        const ItemName name = name_of(*item);
+        if (name.text.empty()) continue;
+        if (names.empty()) before = name.before;
+        names.push_back(before.empty() ? in_quotes(name.text) : printable(std::string(name.text)));
+    }
+    std::string words = counted(static_cast<long long>(items.size()), what);
+    if (names.empty()) return words;
+    if (const std::size_t all = names.size(); all > most_named) {
+        names.resize(most_named - 1);
+        names.push_back(fmt::format("{} more", all - names.size()));
+    }
+    return fmt::format("{} ({}{})", words, before, listed(names));
+}
+
 // Removes the events from the end of the run on, except those whose time the command line sets.
-// Returns their number.
-std::size_t remove_events(Node& run, double until) {
+Removed remove_events(Node& run, double until) {
     Node* events = find(run, "events");
-    if (events == nullptr || !events->is_list()) return 0;
-    return std::erase_if(events->items, [&](const Node& event) {
+    if (events == nullptr || !events->is_list()) return {};
+    const auto is_later = [&](const Node& event) {
         const Node* at = find(event, "at");
         if (at == nullptr || at->source->origin == Origin::command_line) return false;
         const auto time = number_in(*at);
         return time && *time >= until;
-    });
+    };
+    std::vector<const Node*> captions, others;
+    for (const Node& event : events->items)
+        if (is_later(event))
+            (find(event, "caption") != nullptr ? captions : others).push_back(&event);
+    Removed removed{in_words(others, "event"), in_words(captions, "caption")};
+    std::erase_if(events->items, is_later);
+    return removed;
 }
 
 void end_slow_motion(Node& spans, double until) {
@@ -82,25 +124,19 @@ void end_slow_motion(Node& spans, double until) {
 }
 
 // A strip keeps its earlier moments if there are at least two.
-void shorten_strips(Node& figures, double until) {
+Removed shorten_strips(Node& figures, double until) {
+    Removed removed;
     for (Node& figure : figures.items) {
         Node* strip = find(figure, "strip");
         if (strip == nullptr || !strip->is_list()) continue;
-        const auto later = std::ranges::count_if(
-            strip->items, [&](const Node& time) { return is_after(time, until); });
-        if (static_cast<std::size_t>(later) + 2 <= strip->items.size())
-            std::erase_if(strip->items, [&](const Node& time) { return is_after(time, until); });
+        const auto is_later = [&](const Node& time) { return is_after(time, until); };
+        const auto later = std::ranges::count_if(strip->items, is_later);
+        if (later == 0 || static_cast<std::size_t>(later) + 2 > strip->items.size()) continue;
+        std::erase_if(strip->items, is_later);
+        removed.push_back(fmt::format("{} in figure {}", counted(later, "moment"),
+                                      in_quotes(name_of(figure).text)));
     }
-}
-
-std::vector<std::string> counts_of(const ListItems& items, std::size_t events) {
-    std::vector<std::string> counts;
-    if (events > 0) counts.push_back(counted(static_cast<long long>(events), "event"));
-    for (const List& list : lists) {
-        const auto number = std::ranges::count(items, list.key, &ListItems::value_type::first);
-        if (number > 0) counts.push_back(counted(number, list.item));
-    }
-    return counts;
+    return removed;
 }
 
 }  // namespace
@@ -123,13 +159,19 @@ bool add_items_with(const std::vector<Diagnostic>& errors, const Node& root, Lis
     return !found.empty();
 }
 
-void remove_items(Node& root, const ListItems& items) {
+Removed remove_items(Node& root, const ListItems& items) {
+    Removed removed;
     for (const List& list : lists) {
         const std::vector<const Node*> all = items_of(root, list);
         std::vector<Node> kept;
+        std::vector<const Node*> others;
         for (std::size_t i = 0; i < all.size(); ++i)
-            if (!items.contains({list.key, i})) kept.push_back(*all[i]);
-        if (kept.size() == all.size()) continue;
+            if (items.contains({list.key, i}))
+                others.push_back(all[i]);
+            else
+                kept.push_back(*all[i]);
+        if (others.empty()) continue;
+        removed.push_back(in_words(others, list.item));
         Node& section = list.section != nullptr ? *find(root, list.section) : root;
         const bool has_default = list.key == std::string_view("panels");  // by the template
         if (kept.empty() && !has_default)
@@ -137,22 +179,25 @@ void remove_items(Node& root, const ListItems& items) {
         else
             find(section, list.key)->items = std::move(kept);
     }
+    return removed;
 }
 
-void leave_out_later(Node& root, const ListItems& items, Errors& errors) {
+void leave_out_later(Node& root, const Removed& before, Errors* notes) {
     const Node* end = end_set_by_command_line(root);
     if (end == nullptr) return;
     const auto until = number_in(*end);
     if (!until || !(*until > 0.0)) return;
-    const std::vector<std::string> counts =
-        counts_of(items, remove_events(*find(root, "run"), *until));
+    Removed all = remove_events(*find(root, "run"), *until);
+    all.insert(all.end(), before.begin(), before.end());
     Node* film = find(root, "film");
     if (Node* slow = film != nullptr ? find(*film, "slow") : nullptr; slow != nullptr)
         end_slow_motion(*slow, *until);
-    if (Node* figures = find(root, "figures"); figures != nullptr) shorten_strips(*figures, *until);
-    if (counts.empty()) return;
-    errors.add_note(
-        *end, fmt::format("the run ends at {} now, before {} of the scene", *until, listed(counts)),
+    if (Node* figures = find(root, "figures"); figures != nullptr)
+        std::ranges::move(shorten_strips(*figures, *until), std::back_inserter(all));
+    std::erase(all, "");
+    if (all.empty() || notes == nullptr) return;
+    notes->add_note(
+        *end, fmt::format("the run ends at {} now, before {} of the scene", *until, listed(all)),
         "they are left out");
 }
 

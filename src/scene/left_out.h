@@ -23,13 +23,16 @@ const Node* end_set_by_command_line(const Node& root);
 /// lies elsewhere, in what the command line sets, or in an item that is contained already.
 bool add_items_with(const std::vector<Diagnostic>& errors, const Node& root, ListItems& items);
 
+/// What has been removed from a scene's lists, in words: "2 figures (`early` and `late`)".
+using Removed = std::vector<std::string>;
+
 /// Removes items from the lists of a scene's tree.
-void remove_items(Node& root, const ListItems& items);
+Removed remove_items(Node& root, const ListItems& items);
 
 /// If the command line ends the run of a scene at a time, removes later events and moments of
-/// strips from its tree, ends slow motion with the run, and adds a note that counts the events and
-/// `items`, which have been removed. Parts of the tree that do not have the expected form are left
-/// as they are.
-void leave_out_later(Node& root, const ListItems& items, Errors& errors);
+/// strips from its tree and ends slow motion with the run. Adds a note to `notes`, unless it is
+/// null, that lists these and what has been removed before. Parts of the tree that do not have the
+/// expected form are left as they are.
+void leave_out_later(Node& root, const Removed& before, Errors* notes);
 
 }  // namespace carom

@@ -225,7 +225,8 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
     complete_physics(draft, tree.root, errors);
     const bool has_film = find(tree.root, "film") != nullptr;
     const bool has_length = wanted == Wanted::film || gives_length(tree.root);
-    if (tree.template_file.is_mapping() && (has_film || wanted != Wanted::physics))
+    const bool wants_pictures = wanted == Wanted::film || wanted == Wanted::figures;
+    if (tree.template_file.is_mapping() && (has_film || wants_pictures))
         complete_film(draft, tree, has_length, resources, reading);
     if (draft.figures_node != nullptr)
         draft.figures =
@@ -244,6 +245,13 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
     if (draft.description.empty()) draft.description = describe(draft);
     draft.notes = errors.notes();
     return draft;
+}
+
+// Throws the notes on a scene as errors, if there are any.
+void refuse_notes(std::vector<Diagnostic> notes) {
+    if (notes.empty()) return;
+    for (Diagnostic& note : notes) note.hint = "without --strict this is a note: " + note.hint;
+    throw SceneError(std::move(notes));
 }
 
 // Refuses a file outside the scene's folder, to which a symbolic link may lead.
@@ -307,9 +315,10 @@ Scene load_once(Source file, const LoadRequest& request) {
                    how_to_start);
         errors.throw_if_any();
     }
-    remove_items(tree.root, left_out);
+    if (wanted == Wanted::run) keep_run(tree.root);
+    const Removed removed = remove_items(tree.root, left_out);
     keep_part(tree.root, part);
-    leave_out_later(tree.root, left_out, errors);
+    leave_out_later(tree.root, removed, wanted == Wanted::run ? nullptr : &errors);
     refuse_newer_format(tree.root);
     refuse_figure_set(tree.root);
     tree.dimension = dimension_of(tree.root);
@@ -322,6 +331,7 @@ Scene load_once(Source file, const LoadRequest& request) {
     Scene scene = read_scene(tree, resources, wanted, errors);
     scene.source = source_of(tree, source, resources, overrides);
     if (!part.is_whole()) return scene;
+    if (resources.is_strict) refuse_notes(scene.notes);
     refuse_many_scenes(scene);
     const Wanted compared = wanted == Wanted::physics ? wanted : Wanted::figures;
     load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {

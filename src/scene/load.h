@@ -26,8 +26,9 @@ std::string text_of_change(const std::string& change);
 /// What the scene is loaded for. If a film is wanted, a scene that gives no length for it gets one
 /// with 1 second per unit of simulated time. Figures take from `film` what it says about pictures;
 /// a length that the scene does not give is not checked for them: a long run has figures even if
-/// no film can show it. If only the physics is wanted, a scene without `film` has none.
-enum class Wanted { film, figures, physics };
+/// no film can show it. If only the physics is wanted, a scene without `film` has none. If the run
+/// alone is wanted, `film` and `figures` are not read, and events after its end do not happen.
+enum class Wanted { film, figures, physics, run };
 
 /// What loading a scene needs besides its file.
 struct SceneResources {
@@ -35,6 +36,7 @@ struct SceneResources {
     PanelKinds panels;     ///< all kinds of panel (panels/registry.h); must stay valid from then on
     FileTexts files = {};  ///< texts to use instead of the files at these paths
     bool is_classroom = false;  ///< whether the narrower limits of classroom.h apply
+    bool is_strict = false;     ///< whether a scene with notes (Scene::notes) is refused
 };
 
 /// The path that stands for standard input.

@@ -123,6 +123,10 @@ void keep_part(Node& root, const ScenePart& part) {
     if (part.film != nullptr) take_film(root, part);
 }
 
+void keep_run(Node& root) {
+    for (const char* key : {"film", "figures"}) erase_key(root, key);
+}
+
 void refuse_many_scenes(const Scene& scene) {
     const FigureSpec* last = nullptr;
     std::size_t runs = 0;

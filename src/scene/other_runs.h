@@ -27,6 +27,9 @@ struct ScenePart {
 /// Reduces a scene's tree to such a part.
 void keep_part(Node& root, const ScenePart& part);
 
+/// Reduces a scene's tree to its run, without film and figures.
+void keep_run(Node& root);
+
 /// Throws SceneError if loading all compared runs, each a scene of its own, would take too much
 /// time and memory.
 void refuse_many_scenes(const Scene& scene);

@@ -162,6 +162,7 @@ bool plan_sweep(SweepRequest request, const fs::path& folder, bool again, Progre
                 const SweepChecker& check) {
     SceneResources resources = scene_resources();
     resources.is_classroom = request.is_classroom;
+    resources.is_strict = request.is_strict;
     const Scene scene = load_scene(request.scene, resources, request.overrides, Wanted::physics);
     if (request.is_seed_of_scene) request.sweep.seeds = {scene.seed, scene.seed};
     const Json its = request_to_json(request, scene);

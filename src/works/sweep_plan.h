@@ -26,6 +26,7 @@ struct SweepRequest {
     bool is_seed_of_scene = false;   ///< use the seed of the scene instead of the sweep's seeds
     std::optional<int> chunks = {};  ///< none: chosen by the time that runs take
     bool is_classroom = false;       ///< hold the scene at each point to the limits of a classroom
+    bool is_strict = false;          ///< refuse a scene with notes
 };
 
 /// Called with a sweep and its scenes before any of its runs is done, for instance to refuse it.

@@ -58,6 +58,7 @@ void make_site(GalleryArguments& arguments) {
     options.film.threads = threads_of(arguments);
     options.quiet = arguments.quiet;
     options.is_classroom = arguments.is_classroom;
+    options.is_strict = arguments.is_strict;
     const GalleryReport report = made(options);
     const std::string site = printable(options.site.string());
     warn(site, report);

@@ -121,7 +121,8 @@ void plan_seeds(const PlanArguments& arguments) {
                          .overrides = overrides_of(arguments),
                          .sweep = sweep_of(arguments),
                          .is_seed_of_scene = arguments.seeds.empty(),
-                         .is_classroom = arguments.is_classroom};
+                         .is_classroom = arguments.is_classroom,
+                         .is_strict = arguments.is_strict};
     const auto is_seed = [](const std::string& change) { return change.starts_with("seed="); };
     if (!arguments.seeds.empty() && std::ranges::any_of(request.overrides, is_seed))
         throw UsageError("--seeds and a value for `seed` cannot be combined");

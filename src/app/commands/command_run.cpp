@@ -39,6 +39,7 @@ struct RunArguments : SceneOptions {
     std::string json, csv, surfaces, xyz, events, depfile;
     int chunk = 0;  // number of a chunk of a sweep; 0: all missing ones
     bool force = false, allow_mixed = false;
+    bool is_run_alone = false;  // whether film and figures are ignored
 
     // The outputs with their options.
     std::array<std::pair<const char*, std::string>, 6> outputs() const {
@@ -205,6 +206,9 @@ void refuse_options_of_scene(const RunArguments& arguments) {
             throw UsageError(fmt::format(
                 "{} is for one scene; carom join {} --csv has a row for each run of a sweep", flag,
                 arguments.scene));
+    if (arguments.is_run_alone)
+        throw UsageError(
+            fmt::format("{} is planned: give --set run.until=T to carom plan", arguments.scene));
     if (!overrides_of(arguments).empty())
         throw UsageError(
             fmt::format("{} is planned: give --seed and --set to carom plan", arguments.scene));
@@ -246,8 +250,9 @@ RunTables tables_of(const RunArguments& arguments) {
 // Runs a scene. The outputs are opened before the work, in case they cannot be written.
 void run_scene(const RunArguments& arguments) {
     refuse_same_files(arguments);
-    const Scene scene = load_scene(arguments.scene, resources_of(arguments),
-                                   overrides_of(arguments), Wanted::physics);
+    const Scene scene =
+        load_scene(arguments.scene, resources_of(arguments), overrides_of(arguments),
+                   arguments.is_run_alone ? Wanted::run : Wanted::physics);
     say_notes(arguments, scene);
     refuse_no_surfaces(arguments, scene);
     if (arguments.is_classroom)
@@ -271,8 +276,20 @@ void run_scene(const RunArguments& arguments) {
     print(arguments, report_text(arguments, scene, report));
 }
 
+Option end_option(RunArguments& its) {
+    return {.name = "--to T",
+            .meaning = "simulate to this time instead of `run.until`, and ignore film and figures",
+            .value =
+                [&its](const std::string& time) {
+                    its.is_run_alone = true;
+                    its.shortcuts.push_back(change_of("run.until", time));
+                },
+            .key = "run.until"};
+}
+
 CommandText run_text() {
-    return {{"carom run SCENE [--json FILE] [--csv FILE] [--xyz FILE] [--events FILE] [options]",
+    return {{"carom run SCENE [--to T] [--json FILE] [--csv FILE] [--xyz FILE] [--events FILE] "
+             "[options]",
              "carom run SWEEP/ [--chunk K] [options]"},
             "Simulates without drawing, and prints a summary: collisions, energy, momentum, "
             "temperature, pressure, and how accurate the run was. Samples are taken at time 0, at "
@@ -281,7 +298,7 @@ CommandText run_text() {
             {{"carom run scenes/time-reversal.yaml", "prints the summary"},
              {"carom run scenes/mixed-masses.yaml --csv samples.csv --json summary.json",
               "every sample as CSV, the summary as JSON"},
-             {"carom run scenes/mixed-masses.yaml --seed 7 --set run.until=20",
+             {"carom run scenes/mixed-masses.yaml --seed 7 --to 20",
               "with other random choices, for a shorter time"}}};
 }
 
@@ -294,6 +311,7 @@ Command run_command() {
         "run", "simulate without drawing: statistics and samples",
         joined<Option>(
             {{{"scene", "a scene file, - for standard input; or the folder of a sweep", &its.scene},
+              end_option(its),
               {"--json FILE", "the statistics as JSON; - for standard output", &its.json},
               {"--csv FILE", "all samples, a row for each particle; - for standard output",
                &its.csv},

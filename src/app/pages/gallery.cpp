@@ -133,6 +133,7 @@ std::string inputs_of(const GalleryOptions& options, const Scene& scene, const S
 std::vector<GalleryItem> items_of(const GalleryOptions& options, const Source& page) {
     SceneResources resources = scene_resources();
     resources.is_classroom = options.is_classroom;
+    resources.is_strict = options.is_strict;
     const OutputFormat& format = output_format(options.format);
     return all_made(files_in(options), [&](const GalleryFile& file) {
         GalleryItem item{file, load_scene(file.path, resources, options.overrides), ""};

@@ -19,6 +19,7 @@ struct GalleryOptions {
     FilmOptions film = {};  ///< the quality and the threads
     Overrides overrides = {};
     bool is_classroom = false;  ///< hold each scene to the limits of a classroom
+    bool is_strict = false;     ///< refuse scenes with notes
     bool force = false;  ///< make everything again, and replace files that carom has not written
     bool quiet = false;  ///< no progress
     std::string depfile = {};  ///< path of a depfile with a rule for index.html; empty: none

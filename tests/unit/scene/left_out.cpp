@@ -68,8 +68,65 @@ TEST_CASE("an earlier end of the run leaves out what comes later, with a note") 
     REQUIRE(scene.notes.size() == 1);
     CHECK(scene.notes[0].span.file == "--set run.until=5");
     CHECK(scene.notes[0].message ==
-          "the run ends at 5 now, before 2 events, 1 panel, 1 callout, 1 spotlight, 1 camera move "
-          "and 3 figures of the scene");
+          "the run ends at 5 now, before 1 event (at 8), 1 caption (at 5), 1 panel "
+          "(`speed-histogram`), 1 callout (at 7), 1 spotlight (from 6), 1 camera move (at 7), 3 "
+          "figures (`late`, `span` and `late-strip`) and 1 moment in figure `strip` of the scene");
+    CHECK(scene.notes[0].hint == "they are left out");
+}
+
+TEST_CASE("what is refused with a note is an error for those who ask for it") {
+    fs::current_path(test::checkout());
+    SceneResources strict = test::resources();
+    strict.is_strict = true;
+    const auto load = [&](const Overrides& overrides) {
+        return load_scene_text(with_later_things, "scenes/test.yaml", strict, overrides);
+    };
+    CHECK(load({}).figures.size() == 6);
+    std::string errors;
+    try {
+        load({"run.until=5"});
+    } catch (const SceneError& error) {
+        errors = error.what();
+    }
+    CAPTURE(errors);
+    CHECK(errors.starts_with("--set run.until=5"));
+    CHECK(errors.find("before 1 event (at 8), 1 caption (at 5), ") != std::string::npos);
+    CHECK(errors.find("hint: without --strict this is a note: they are left out") !=
+          std::string::npos);
+}
+
+TEST_CASE("of many things that are left out some are named") {
+    std::string text = with_later_things;
+    for (int at = 11; at < 20; ++at)
+        text.insert(text.find("film:"), "    - {at: " + std::to_string(at) + ", mark: later}\n");
+    text.replace(text.find("until: 10"), 9, "until: 20");
+    fs::current_path(test::checkout());
+    const Scene scene =
+        load_scene_text(text, "scenes/test.yaml", test::resources(), {"run.until=10.5"});
+    REQUIRE(scene.notes.size() == 1);
+    CHECK(scene.notes[0].message ==
+          "the run ends at 10.5 now, before 9 events (at 11, 12, 13, 14, 15 and 4 more) of the "
+          "scene");
+}
+
+TEST_CASE("a run that is wanted alone is read without film and figures, to any end") {
+    const auto load = [](const std::string& text, const Overrides& overrides) {
+        fs::current_path(test::checkout());
+        return load_scene_text(text, "scenes/test.yaml", test::resources(), overrides, Wanted::run);
+    };
+    const Scene early = load(with_later_things, {"run.until=5"});
+    CHECK(early.run.until == 5.0);
+    CHECK(early.run.events.empty());
+    CHECK(early.figures.empty());
+    CHECK(early.notes.empty());
+    const Scene late = load(with_later_things, {"run.until=50"});
+    CHECK(late.run.until == 50.0);
+    CHECK(late.run.events.size() == 1);
+    std::string mistaken = with_later_things;
+    mistaken.replace(mistaken.find("seconds: 20"), 11, "secnods: 20");
+    CHECK(load(mistaken, {}).run.until == 10.0);
+    mistaken.replace(mistaken.find("heat: {by: 3}"), 13, "heat: {by: x}");
+    CHECK_THROWS_AS(load(mistaken, {}), SceneError);
 }
 
 TEST_CASE("without an earlier end nothing is left out") {

@@ -60,4 +60,11 @@ Scene scene_from(const SceneSource& source, const Overrides& more) {
 
 std::filesystem::path library_folder() { return templates_folder().parent_path() / "scenes"; }
 
+std::filesystem::path manual_folder() {
+    const fs::path data = templates_folder().parent_path();
+    return data.filename() == "carom" && data.parent_path().filename() == "share"
+               ? data.parent_path() / "doc/carom"
+               : data;
+}
+
 }  // namespace carom

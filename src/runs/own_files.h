@@ -25,4 +25,8 @@ Scene scene_from(const SceneSource& source, const Overrides& more = {});
 /// templates_folder() does; it need not exist.
 std::filesystem::path library_folder();
 
+/// The folder with README.md and docs/, the manual. Throws as templates_folder() does; it need not
+/// exist.
+std::filesystem::path manual_folder();
+
 }  // namespace carom

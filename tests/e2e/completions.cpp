@@ -91,6 +91,10 @@ void check_words(const Complete& complete) {
     CHECK(complete("carom run --set run.until=2 film.sec") == Words{"film.seconds="});
     CHECK(complete("carom plan gas.yaml --vary gas.2.cou") == Words{"gas.2.count="});
     CHECK(complete("carom help comp") == Words{"completions"});
+    CHECK(complete("carom help pan") == Words{"panel"});
+    CHECK(complete("carom help panel speed-h") == Words{"speed-histogram"});
+    CHECK(complete("carom help scene equil") == Words{"equilibrate"});
+    CHECK(complete("carom help render re") == Words{});
     CHECK(complete("carom new mine --from crad") == Words{"cradle"});
 }
 

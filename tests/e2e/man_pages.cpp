@@ -3,7 +3,10 @@
 
 #include <filesystem>
 #include <regex>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "e2e/program.h"
 #include "support/files.h"
@@ -61,6 +64,60 @@ TEST_CASE("carom help prints the manual of a command, or of the program") {
     const Outcome wrong = run({program, "help", "rendre"});
     CHECK(wrong.exit_code == 2);
     CHECK(wrong.err == "carom: there is no command `rendre`; did you mean `render`?\n");
+}
+
+TEST_CASE("carom help panel shows what the reference says of a panel") {
+    const auto help = [](const std::vector<std::string>& words) {
+        std::vector<std::string> command{program, "help"};
+        command.insert(command.end(), words.begin(), words.end());
+        return run(command);
+    };
+    const std::string all = help({"panel"}).out;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs/panels")) {
+        if (entry.path().extension() != ".yaml" || entry.path().stem() == "panels") continue;
+        const std::string kind = entry.path().stem().string();
+        CAPTURE(kind);
+        CHECK(has(all, "\n  " + kind + "\n"));
+        const Outcome page = help({"panel", kind});
+        CHECK(page.exit_code == 0);
+        CHECK_FALSE(has(page.out, "]("));
+        std::istringstream scene(contents(entry.path()));
+        for (std::string line; std::getline(scene, line);) CHECK(has(page.out, "  " + line + "\n"));
+    }
+    CHECK(has(help({"panel", "sweep"}).out, "carom panel sweep: a kind of figure\n"));
+    const std::string pressure = help({"panel", "pressure"}).out;
+    CHECK(has(pressure, "\n  gauge "));
+    CHECK(has(pressure, "\nKeys in figures:\n  seeds "));
+    CHECK_FALSE(has(pressure, "\n  lags "));
+    CHECK(has(help({"panel", "sweep"}).out, "see Figures (figures.md)."));
+}
+
+TEST_CASE("carom help scene shows sections, keys and what paths lead to") {
+    const auto help = [](const std::string& name) { return run({program, "help", "scene", name}); };
+    CHECK(has(run({program, "help", "scene"}).out, "\n  measure "));
+    const std::string gas = help("gas").out;
+    CHECK(has(gas, "\nAn item of `gas`:\n"));
+    CHECK(has(gas, "\nAn item of `gas` on a wire:\n  radius        Half the length of each bead"));
+    const std::string temperature = help("temperature").out;
+    CHECK(has(temperature,
+              "\ntemperature, of a wall that acts, an item of `partitions` and an item of "
+              "`events`:\n  Makes it a heat bath"));
+    CHECK(has(temperature, "\ntemperature, of an item of `gas`:\n"));
+    CHECK(has(help("film.slow.factor").out, "\nfilm.slow.factor:\n  The speed of the film there"));
+    CHECK(has(help("gas.0.count").out, "\ngas.0.count:\n  The number of particles."));
+    CHECK(has(help("run.events").out, "\nAn item of `events`:\n"));
+    CHECK(has(help("layout").out, "\n  color_bar "));
+    for (const auto& [name, hint] : {std::pair{"equilibrat", "did you mean `equilibrate`?"},
+                                     {"run.untl", "carom help scene lists them"},
+                                     {"pressure", "write carom help panel pressure"}}) {
+        const Outcome wrong = help(name);
+        CHECK(wrong.exit_code == 2);
+        CHECK(has(wrong.err, hint));
+    }
+    const Outcome wrong = run({program, "help", "panel", "presure"});
+    CHECK(wrong.exit_code == 2);
+    CHECK(wrong.err == "carom: there is no panel `presure`; did you mean `pressure`?\n");
+    CHECK(run({program, "help", "render", "film"}).exit_code == 2);
 }
 
 TEST_CASE("carom help goes through the pager on a terminal only") {

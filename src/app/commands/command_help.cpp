@@ -10,6 +10,7 @@
 #include "app/manual/page_text.h"
 #include "app/manual/pager.h"
 #include "app/manual/roff.h"
+#include "app/manual/scene_pages.h"
 #include "app/manual/shell_completions.h"
 #include "app/output.h"
 #include "util/diagnostics.h"
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct HelpArguments {
-    std::string command;
+    std::string command, topic;
     std::string files;
 };
 
@@ -44,28 +45,42 @@ void write_manual(const fs::path& share) {
     write_whole(share / "fish/vendor_completions.d/carom.fish", completion_script("fish"));
 }
 
+ManualPage page_of_language(const HelpArguments& asked) {
+    if (asked.command == "panel")
+        return asked.topic.empty() ? page_of_panels() : page_of_panel(asked.topic);
+    return asked.topic.empty() ? page_of_scene() : page_of_scene(asked.topic);
+}
+
 void help(const HelpArguments& arguments) {
     if (!arguments.files.empty()) return write_manual(arguments.files);
     const std::vector<Command> commands = all_commands();
     if (arguments.command.empty()) return show_pages(text_of(page_of(commands)));
+    if (arguments.command == "panel" || arguments.command == "scene")
+        return show_pages(text_of(page_of_language(arguments)));
     const auto found = std::ranges::find(commands, arguments.command, &Command::name);
+    if (found != commands.end() && !arguments.topic.empty())
+        throw UsageError("carom help " + arguments.command + " does not take the word " +
+                         arguments.topic);
     if (found != commands.end()) return show_pages(text_of(page_of(*found)));
     std::vector<std::string> names;
     for (const Command& command : commands) names.push_back(command.name);
+    const std::string all = "the commands are " + listed(names);
+    names.insert(names.end(), {"panel", "scene"});
     throw UsageError("there is no command `" + arguments.command + "`; " +
-                     spelling_hint(arguments.command, names, "the commands are " + listed(names)));
+                     spelling_hint(arguments.command, names, all));
 }
 
 CommandText help_text() {
-    return {{"carom help [COMMAND]", "carom help --files FOLDER"},
+    return {{"carom help [COMMAND]", "carom help panel [KIND]", "carom help scene [SECTION|KEY]",
+             "carom help --files FOLDER"},
             "Shows the manual of a command or, without one, of the program; on a terminal with "
             "$PAGER, if that is set. If carom is installed, man carom and man carom-render show "
-            "the same.",
-            {{"carom help", "the manual of the program"},
-             {"carom help render", "the manual of carom render"},
-             {"carom help --files share/",
-              "writes man pages and completions, as they are "
-              "installed"}}};
+            "the same.\n\ncarom help panel lists the panels of films and figures, or shows one "
+            "with its keys; carom help scene shows the keys of a scene, of one of its sections, "
+            "or one key.",
+            {{"carom help render", "the manual of carom render"},
+             {"carom help panel speed-histogram", "what this panel shows, and its keys"},
+             {"carom help scene film", "the keys of `film`, with their values and defaults"}}};
 }
 
 CommandText completions_text() {
@@ -83,14 +98,17 @@ CommandText completions_text() {
 
 Command help_command() {
     const auto arguments = std::make_shared<HelpArguments>();
-    return {"help",
-            "show the manual of a command",
-            {{"[command]", "the command; default: the program", &arguments->command},
-             {"--files FOLDER",
-              "write the man pages, and completions for bash, zsh and fish, into this folder",
-              &arguments->files}},
-            [arguments] { help(*arguments); },
-            help_text()};
+    return {
+        "help",
+        "show the manual of a command",
+        {{"[command]", "the command, panel or scene; default: the program", &arguments->command},
+         {"[topic]", "a kind of panel; a section, a key or the path of a key in scenes",
+          &arguments->topic},
+         {"--files FOLDER",
+          "write the man pages, and completions for bash, zsh and fish, into this folder",
+          &arguments->files}},
+        [arguments] { help(*arguments); },
+        help_text()};
 }
 
 Command completions_command() {

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "app/figures/figure_pages.h"
+#include "app/manual/scene_pages.h"
 #include "panels/registry.h"
 #include "runs/own_files.h"
 #include "scene/reading/scene_reading.h"
@@ -136,8 +137,23 @@ std::vector<Candidate> words_called(const std::string& name, const std::vector<C
     if (name == "PAGE") return without_meaning(page_templates);
     if (name == "TEMPLATE") return yaml_stems(templates_folder() / "films");
     if (name == "KIND") return without_meaning(keys_of_scenes().at("figures.0.kind").words);
-    if (name == "COMMAND") return names_of(commands);
+    if (name == "COMMAND") {
+        std::vector<Candidate> names = names_of(commands);
+        names.push_back({"panel", "the panels of films and figures"});
+        names.push_back({"scene", "the keys of a scene"});
+        return names;
+    }
     return {};
+}
+
+// What carom help shows beside commands.
+std::vector<Candidate> topics_behind(const std::string& word) {
+    std::vector<Candidate> topics;
+    if (word == "panel")
+        for (const PanelKind& kind : panel_kinds()) topics.push_back({kind.name, kind.shows});
+    if (word == "scene")
+        for (const SceneName& known : scene_names()) topics.push_back({known.name, known.meaning});
+    return topics;
 }
 
 std::vector<Candidate> words_for(const Option& option, const Command& command,
@@ -255,7 +271,10 @@ Candidates candidates_for(const std::vector<std::string>& words,
             set != nullptr && is_behind_changes(words))
             add_value_of(*set, word);
         for (const Option& positional : command->options)
-            if (!is_flag(positional)) add_value_of(positional, word);
+            if (name_of(positional) == "TOPIC")
+                add(words.size() > 2 ? topics_behind(words[1]) : std::vector<Candidate>{}, result);
+            else if (!is_flag(positional) && (command->name != "help" || words.size() == 2))
+                add_value_of(positional, word);
     }
     return result;
 }

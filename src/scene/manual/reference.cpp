@@ -7,6 +7,7 @@
 
 #include "scene/keys/key_text.h"
 #include "scene/manual/color_chart.h"
+#include "scene/manual/sections.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/sets/set_reading.h"
@@ -53,19 +54,6 @@ std::string cell(std::string text) {
     return text;
 }
 
-bool is_one_of_needed(const Section& section, const std::string& name) {
-    return std::ranges::any_of(section.choices, [&](const Choice& choice) {
-        return choice.required && std::ranges::find(choice.names, name) != choice.names.end();
-    });
-}
-
-std::string default_of(const Section& section, const Key& key) {
-    if (key.required) return "required";
-    if (!key.default_value.empty()) return "`" + key.default_value + "`";
-    if (!key.default_text.empty()) return key.default_text;
-    return is_one_of_needed(section, key.name) ? "see below" : "none";
-}
-
 std::string row(const Section& section, const Key& key) {
     std::string meaning = key.meaning;
     if (!key.kinds.empty()) meaning += " Applies to " + listed(key.kinds, "and", "`") + ".";
@@ -81,31 +69,24 @@ std::string table(const std::string& rows) {
     return "| key | meaning | values | default |\n| --- | --- | --- | --- |\n" + rows + "\n";
 }
 
-std::string choices(const Section& section) {
-    std::string text;
-    for (const Choice& choice : section.choices)
-        text += fmt::format("{} of {}.\n\n", choice.required ? "Exactly one" : "At most one",
-                            listed(choice.names, "and", "`"));
+// Returns rows about a section on a wire: keys that are new or differ there, and keys that do not
+// exist there.
+std::string wire_rows(const SectionPair& section) {
+    const OnWire others = on_wire(section);
+    std::string rows;
+    for (const Key* key : others.keys) rows += row(*section.wire, *key);
+    std::string text = rows.empty() ? "" : "On a wire:\n\n" + table(rows);
+    if (!others.missing.empty())
+        text += fmt::format("Not on a wire: {}.\n\n", listed(others.missing, "and", "`"));
     return text;
 }
 
-// Returns rows about a section on a wire: keys that are new or differ there, and keys that do not
-// exist there.
-std::string on_wire(const Section& plane, const Section& wire) {
+std::string section_text(const SectionPair& section) {
     std::string rows;
-    std::vector<std::string> missing;
-    for (const Key& key : wire.keys) {
-        const std::size_t index = plane.index(key.name);
-        const bool same =
-            index < plane.keys.size() && row(plane, plane.keys[index]) == row(wire, key);
-        if (!same) rows += row(wire, key);
-    }
-    for (const Key& key : plane.keys)
-        if (wire.index(key.name) == wire.keys.size()) missing.push_back(key.name);
-    std::string text = rows.empty() ? "" : "On a wire:\n\n" + table(rows);
-    if (!missing.empty())
-        text += fmt::format("Not on a wire: {}.\n\n", listed(missing, "and", "`"));
-    return text;
+    for (const Key& key : section.plane->keys) rows += row(*section.plane, key);
+    std::string text = fmt::format("## {}\n\n", capitalised(section.plane->name)) + table(rows);
+    for (const std::string& choice : choices_in_words(*section.plane)) text += choice + "\n\n";
+    return text + wire_rows(section);
 }
 
 class Page {
@@ -115,19 +96,8 @@ class Page {
     // Adds a section of the plane together with that of the wire, then the sections inside it; each
     // name once.
     void add(const Section& plane, const Section& wire) {
-        if (!shown_.insert(plane.name).second) return;
-        std::string rows;
-        for (const Key& key : plane.keys) rows += row(plane, key);
-        text_ += fmt::format("## {}\n\n", capitalised(plane.name)) + table(rows) + choices(plane) +
-                 on_wire(plane, wire);
-        for (const Key& key : plane.keys) {
-            const std::size_t index = wire.index(key.name);
-            const std::vector<const Section*> inner = sections_in(key.forms);
-            const std::vector<const Section*> others =
-                index < wire.keys.size() ? sections_in(wire.keys[index].forms) : inner;
-            for (std::size_t k = 0; k < inner.size(); ++k)
-                add(*inner[k], k < others.size() ? *others[k] : *inner[k]);
-        }
+        for (const SectionPair& section : sections_within(plane, wire))
+            if (shown_.insert(section.plane->name).second) text_ += section_text(section);
     }
 
     void add(const std::string& text) { text_ += text; }

@@ -1,9 +1,11 @@
-// The gallery of panels in the reference page: each kind with a picture and the lines that produce
-// it.
+// The gallery of panels in the reference page: each kind with a picture, the lines that produce it,
+// and its keys.
 #pragma once
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "scene/panel_kind.h"
 
@@ -18,6 +20,11 @@ struct PanelExample {
 
 /// Returns the figure set docs/panels/panels.yaml: the scenes of all kinds, in their order.
 std::string panel_set(PanelKinds kinds);
+
+/// Keys that the gallery tells, each with the section that it belongs to: those that a single kind
+/// takes, and those that several kinds share, of panels in films and of figures.
+using KeysInGallery = std::vector<std::pair<const Section*, const Key*>>;
+KeysInGallery keys_in_gallery(PanelKinds kinds);
 
 /// Returns the section "Panels" of docs/scene-reference.md. `examples` must have an entry for each
 /// kind.

@@ -1,12 +1,16 @@
 #include "scene/manual/reference.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
-#include "scene/keys/key_text.h"
 #include "scene/manual/color_chart.h"
+#include "scene/manual/key_table.h"
 #include "scene/manual/sections.h"
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
@@ -48,64 +52,90 @@ constexpr const char* rules =
 
 )";
 
-std::string cell(std::string text) {
-    for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2))
-        text.insert(i, "\\");
-    return text;
-}
-
-std::string row(const Section& section, const Key& key) {
-    std::string meaning = key.meaning;
-    if (!key.kinds.empty()) meaning += " Applies to " + listed(key.kinds, "and", "`") + ".";
-    if (!key.formerly.empty()) meaning += " Formerly `" + key.formerly + "`, which is still read.";
-    std::string values = forms_text(key);
-    if (std::ranges::find(key.forms, Shape::color, &Form::shape) != key.forms.end())
-        values += ", see [Colours](#colours)";
-    return fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(meaning), cell(values),
-                       cell(default_of(section, key)));
-}
-
-std::string table(const std::string& rows) {
-    return "| key | meaning | values | default |\n| --- | --- | --- | --- |\n" + rows + "\n";
-}
-
 // Returns rows about a section on a wire: keys that are new or differ there, and keys that do not
 // exist there.
 std::string wire_rows(const SectionPair& section) {
     const OnWire others = on_wire(section);
     std::string rows;
-    for (const Key* key : others.keys) rows += row(*section.wire, *key);
-    std::string text = rows.empty() ? "" : "On a wire:\n\n" + table(rows);
+    for (const Key* key : others.keys) rows += key_row(*section.wire, *key);
+    std::string text = rows.empty() ? "" : "On a wire:\n\n" + key_table(rows);
     if (!others.missing.empty())
         text += fmt::format("Not on a wire: {}.\n\n", listed(others.missing, "and", "`"));
     return text;
 }
 
-std::string section_text(const SectionPair& section) {
-    std::string rows;
-    for (const Key& key : section.plane->keys) rows += row(*section.plane, key);
-    std::string text = fmt::format("## {}\n\n", capitalised(section.plane->name)) + table(rows);
-    for (const std::string& choice : choices_in_words(*section.plane)) text += choice + "\n\n";
-    return text + wire_rows(section);
+// "a-panel" for "a panel": where a link to a section leads.
+std::string anchor(const std::string& heading) {
+    std::string place = lower(heading);
+    std::erase_if(place, [](char c) { return c == '`' || c == '\''; });
+    std::ranges::replace(place, ' ', '-');
+    return place;
+}
+
+bool has_kinds(const Section& section) {
+    return std::ranges::any_of(section.keys, [](const Key& key) { return !key.kinds.empty(); });
 }
 
 class Page {
   public:
-    explicit Page(std::string text) : text_(std::move(text)) {}
+    // `panels` is the gallery of panels, which has told these keys.
+    Page(std::string text, const KeysInGallery& panels) : text_(std::move(text)) {
+        for (const auto& [section, key] : panels) told_.push_back({section, key, true});
+    }
 
     // Adds a section of the plane together with that of the wire, then the sections inside it; each
     // name once.
     void add(const Section& plane, const Section& wire) {
         for (const SectionPair& section : sections_within(plane, wire))
-            if (shown_.insert(section.plane->name).second) text_ += section_text(section);
+            if (shown_.insert(section.plane->name).second) add(section);
     }
 
     void add(const std::string& text) { text_ += text; }
     const std::string& text() const { return text_; }
 
   private:
+    // What panels, figures, instruments and comparisons say alike is told once.
+    void add(const SectionPair& section) {
+        const Section& plane = *section.plane;
+        const bool is_of_panels = has_kinds(plane);
+        std::string rows;
+        std::map<std::string, std::vector<std::string>> elsewhere;  // keys by section
+        for (const Key& key : plane.keys) {
+            const auto told = std::ranges::find_if(told_, [&](const Told& one) {
+                return is_of_panels && are_told_alike(plane, key, *one.section, *one.key);
+            });
+            if (told == told_.end())
+                rows += key_row(plane, key);
+            else
+                elsewhere[told->is_in_gallery ? "" : told->section->name].push_back(key.name);
+            if (is_of_panels && told == told_.end()) told_.push_back({&plane, &key, false});
+        }
+        text_ += fmt::format("## {}\n\n", capitalised(plane.name)) + key_table(rows) +
+                 further_keys(elsewhere);
+        for (const std::string& choice : choices_in_words(plane)) text_ += choice + "\n\n";
+        text_ += wire_rows(section);
+    }
+
+    static std::string further_keys(
+        const std::map<std::string, std::vector<std::string>>& elsewhere) {
+        std::vector<std::string> words;
+        for (const auto& [section, keys] : elsewhere)
+            words.push_back(section.empty()
+                                ? "those of its kind, beside its picture in [Panels](#panels)"
+                                : fmt::format("{}, as of [{}](#{})", listed(keys, "and", "`"),
+                                              section, anchor(section)));
+        if (words.empty()) return "";
+        return fmt::format("Further keys: {}.\n\n", fmt::join(words, "; "));
+    }
+
     std::string text_;
     std::set<std::string> shown_;
+    struct Told {
+        const Section* section;
+        const Key* key;
+        bool is_in_gallery;
+    };
+    std::vector<Told> told_;  // keys of panels
 };
 
 }  // namespace
@@ -114,8 +144,9 @@ std::string reference_example() { return example; }
 
 std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& formats,
                             const std::map<std::string, PanelExample>& panels) {
-    Page page(opening + fmt::format("```yaml\n{}```\n\n", example) + rules +
-              panel_gallery(kinds, panels));
+    Page page(
+        opening + fmt::format("```yaml\n{}```\n\n", example) + rules + panel_gallery(kinds, panels),
+        keys_in_gallery(kinds));
     page.add(scene_table(kinds, 2).section(), scene_table(kinds, 1).section());
     page.add(
         "A film template, a file in `templates/films/` or beside the scene, has the keys of "

@@ -201,6 +201,43 @@ TEST_CASE("the reference page tells every key, and its example is valid") {
     CHECK(page.find("(limits.md)") != std::string::npos);
 }
 
+TEST_CASE("the page tells each key of panels once, and names it at each kind that takes it") {
+    const std::string page = reference_page();
+    const Section scene = scene_table(panel_kinds(), 2).section();
+    const Section& panel = section_of(section_of(scene, "film"), "panels");
+    const Section& figure = section_of(scene, "figures");
+    for (const Section* section : {&panel, &figure, &section_of(scene, "measure")})
+        for (const Key& key : section->keys) {
+            CAPTURE(section->name);
+            CAPTURE(key.name);
+            std::set<std::string> rows;
+            std::size_t count = 0;
+            for (const std::string& line : lines_of(page))
+                if (line.starts_with("| `" + key.name + "` | " + key.meaning)) {
+                    rows.insert(line);
+                    ++count;
+                }
+            CHECK(count >= 1);
+            CHECK(count == rows.size());
+            for (const std::string& kind : key.kinds) {
+                CAPTURE(kind);
+                const std::size_t begin = page.find("\n### `" + kind + "`\n");
+                const std::string entry =
+                    page.substr(begin, page.find("\n### ", begin + 1) - begin);
+                CHECK(entry.find("`" + key.name + "`") != std::string::npos);
+            }
+        }
+}
+
+TEST_CASE("no item of the page is longer than a few lines") {
+    constexpr std::size_t most = 600;
+    for (const std::string& line : lines_of(reference_page())) {
+        CAPTURE(line);
+        const bool is_list_of_links = line.starts_with("[`speed-histogram`]");
+        CHECK((line.size() <= most || is_list_of_links));
+    }
+}
+
 TEST_CASE("the page tells what a wire has otherwise") {
     const std::string page = reference_page();
     const std::size_t species = page.find("## An item of `gas`");

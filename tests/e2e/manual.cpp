@@ -1,7 +1,9 @@
 // The manual says what the program does: its options, its outputs, and where its links lead.
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -43,6 +45,28 @@ std::vector<fs::path> documents() {
     for (const auto& entry : fs::directory_iterator(root / "docs"))
         if (entry.path().extension() == ".md") files.push_back(entry.path());
     return files;
+}
+
+std::string without_code(const std::string& text) {
+    return std::regex_replace(text, std::regex("(^|\n)```[^`]*```|\n    [^\n]*|`[^`\n]*`"), "\n");
+}
+
+// Where links to headings of a document may lead: "a-panel", of a second heading "a-panel-1".
+const std::set<std::string>& places_in(const fs::path& document) {
+    static std::map<fs::path, std::set<std::string>> known;
+    const auto [found, is_new] = known.try_emplace(fs::canonical(document));
+    if (!is_new) return found->second;
+    const std::string text = "\n" + contents(document);
+    const std::regex heading("\n#+ ([^\n]*)");
+    for (std::sregex_iterator it(text.begin(), text.end(), heading), end; it != end; ++it) {
+        std::string place = std::regex_replace((*it)[1].str(), std::regex("[^A-Za-z0-9 _-]"), "");
+        for (char& letter : place)
+            letter = letter == ' ' ? '-' : static_cast<char>(std::tolower(letter));
+        std::string name = place;
+        for (int again = 1; !found->second.insert(name).second; ++again)
+            name = place + "-" + std::to_string(again);
+    }
+    return found->second;
 }
 
 }  // namespace
@@ -99,18 +123,25 @@ TEST_CASE("the manual shows what carom check and carom run print") {
     }
 }
 
-TEST_CASE("links from document to document lead somewhere") {
-    const std::regex link(R"re(\]\(([^)#\s]+)(#[^)]*)?\))re");
+TEST_CASE("links from document to document lead to files and headings") {
+    const std::regex link(R"re(\]\(([^)#\s]*)(#([^)]*))?\))re");
+    int headings = 0;
     for (const fs::path& document : documents()) {
-        const std::string text = contents(document);
+        const std::string text = without_code(contents(document));
         for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
-            const std::string target = (*it)[1];
+            const std::string target = (*it)[1], place = (*it)[3];
             if (target.starts_with("http")) continue;
             CAPTURE(document.string());
             CAPTURE(target);
-            CHECK(fs::exists(document.parent_path() / target));
+            CAPTURE(place);
+            const fs::path file = target.empty() ? document : document.parent_path() / target;
+            CHECK(fs::exists(file));
+            if (place.empty()) continue;
+            CHECK(places_in(file).contains(place));
+            ++headings;
         }
     }
+    CHECK(headings > 150);
 }
 
 TEST_CASE("the citation names the version that the program has") {

@@ -52,6 +52,12 @@ TEST_CASE("links in the installed manual lead to installed files") {
                                   installed / "share/carom/integrations/pandoc"})
         for (const fs::directory_entry& entry : fs::directory_iterator(pages))
             if (entry.path().extension() == ".md") checked_links(entry.path());
+    CHECK(checked_links(manual / "docs/tutorial.md") > 14);
+    // The program finds it.
+    const Outcome help =
+        run({(installed / "bin/carom").string(), "help", "panel", "speed-histogram"});
+    CHECK(help.out.find("\nExample:\n  title: Disks that began at one speed\n") !=
+          std::string::npos);
     // Of what is not installed, the words are left.
     CHECK(contents(manual / "docs/limits.md").find("\nsrc/scene/limits.h, and") !=
           std::string::npos);

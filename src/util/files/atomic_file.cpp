@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -231,20 +232,42 @@ void AtomicFile::commit() {
     sync_folder(folder);
 }
 
-AtomicFolder::AtomicFolder(fs::path path) : path_(std::move(path)) {
+namespace {
+
+// A finished file on its way to another folder of the same file system.
+class MovedFile : public PendingOutput {
+  public:
+    MovedFile(fs::path from, fs::path to) : from_(std::move(from)), to_(std::move(to)) {}
+
+    void settle() override {
+        std::error_code error;
+        if (fs::is_directory(fs::symlink_status(to_, error))) fail("write", to_, EISDIR);
+    }
+    void commit() override {
+        if (rename(from_.c_str(), to_.c_str()) != 0) fail("write", to_);
+    }
+    std::string name() const override { return to_.string(); }
+
+  private:
+    fs::path from_, to_;
+};
+
+}  // namespace
+
+AtomicFolder::AtomicFolder(fs::path path, Earlier earlier) : path_(std::move(path)) {
     if (!path_.has_filename()) path_ = path_.parent_path();  // removes a slash at the end
     std::error_code error;
     const fs::file_status found = fs::status(path_, error);
     if (fs::is_directory(found)) {
-        const bool empty = fs::is_empty(path_, error);
-        if (!error && !empty) fail("write", path_, ENOTEMPTY);
+        is_filled_ = !fs::is_empty(path_, error);
+        if (!error && is_filled_ && earlier == Earlier::kept) fail("write", path_, ENOTEMPTY);
         if (!error) path_ = fs::canonical(path_, error);  // a link to the folder is kept
         if (error) fail("write", path_, error.value());
     } else if (fs::exists(found)) {
         fail("write", path_, ENOTDIR);
     }
     create_folder_of(path_);
-    folder_ = temporary_folder(path_);
+    folder_ = temporary_folder(is_filled_ ? path_ / "files" : path_);
     if (folder_.descriptor < 0) fail("write", path_);
 }
 
@@ -257,18 +280,40 @@ AtomicFolder::AtomicFolder(Scratch) : path_(name_of_scratch("folder")), is_scrat
 AtomicFolder::~AtomicFolder() { discard(folder_); }
 
 void AtomicFolder::write(const std::string& name, std::span<const std::uint8_t> bytes) const {
-    write_new_file(folder_.name / name, bytes, is_scratch_ ? path_ : path_ / name);
+    write_pieces(name, [&](const TakePiece& take) {
+        take({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+}
+
+void AtomicFolder::write_pieces(const std::string& name,
+                                const std::function<void(const TakePiece&)>& copy) const {
+    write_new_file(folder_.name / name, copy, is_scratch_ ? path_ : path_ / name);
 }
 
 void AtomicFolder::settle() {
-    if (is_scratch_) return;
+    if (is_scratch_ || is_filled_) return;
     if (chmod(folder_.name.c_str(), usual_rights(0777)) != 0) fail("write", path_);
     sync_folder(folder_.name);
+}
+
+// What is in the temporary folder then is removed with it.
+void AtomicFolder::commit_files() {
+    std::vector<std::unique_ptr<PendingOutput>> files;
+    for (const auto& entry : fs::directory_iterator(folder_.name))
+        files.push_back(std::make_unique<MovedFile>(entry.path(), path_ / entry.path().filename()));
+    std::ranges::sort(files, {}, [](const auto& file) { return file->name(); });
+    std::vector<PendingOutput*> together;
+    for (const auto& file : files) together.push_back(file.get());
+    commit_together(together);
+    note_output();
+    sync_folder(path_);
+    discard(folder_);
 }
 
 // rename() replaces an empty folder in a single step, and fails for any other folder.
 void AtomicFolder::commit() {
     if (is_scratch_) throw std::logic_error("a temporary folder gets no name");
+    if (is_filled_) return commit_files();
     settle();
     const fs::path folder = folder_of(path_);
     throw_if_memory_ran_out();

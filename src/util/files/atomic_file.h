@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "util/files/new_file.h"
 #include "util/files/one_use_paths.h"
 #include "util/files/stored_file.h"
 #include "util/interrupt.h"
@@ -78,27 +80,39 @@ class AtomicFile : public PendingOutput {
     bool is_settled_ = false;
 };
 
-/// A folder that is filled under a temporary name next to `path`; `commit()` gives it its name. It
-/// never replaces anything: at most an empty folder may already exist there. Destroyed without
-/// commit(), it leaves nothing behind.
+/// A folder that is filled under a temporary name next to `path`; `commit()` gives it its name.
+/// Destroyed without commit(), it leaves nothing behind.
 class AtomicFolder : public PendingOutput {
   public:
-    /// Creates the folders above `path` if they are missing. Throws SystemError, naming the path
-    /// and the cause.
-    explicit AtomicFolder(std::filesystem::path path);
+    /// Creates the folders above `path` if they are missing. With Earlier::kept at most an empty
+    /// folder may already exist there. With Earlier::replaced a folder with other files keeps them:
+    /// it is filled inside of it, and commit() moves each file to its place, where it replaces an
+    /// earlier one. Throws SystemError, naming the path and the cause.
+    explicit AtomicFolder(std::filesystem::path path, Earlier earlier = Earlier::kept);
     explicit AtomicFolder(Scratch);
     ~AtomicFolder() override;
 
     /// Writes a new file in the folder and syncs it. Throws SystemError. May be called by several
     /// threads if each name is used once.
     void write(const std::string& name, std::span<const std::uint8_t> bytes) const;
+
+    /// The same for bytes that come in pieces.
+    void write_pieces(const std::string& name,
+                      const std::function<void(const TakePiece&)>& copy) const;
+
+    /// Whether the folder appears as a whole, rather than file by file in one that has others.
+    bool is_new() const { return !is_filled_; }
+
     void settle() override;
     void commit() override;
     std::string name() const override { return path_.string(); }
 
   private:
+    void commit_files();
+
     std::filesystem::path path_;
     bool is_scratch_ = false;
+    bool is_filled_ = false;  ///< there is a folder that keeps its files
     TemporaryFile folder_;
     MustCleanUp named_;
 };

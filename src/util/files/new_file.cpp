@@ -64,18 +64,31 @@ void sync_file(int descriptor, const fs::path& shown) {
     }
 }
 
-void write_new_file(const fs::path& path, std::span<const std::uint8_t> bytes,
+void write_new_file(const fs::path& path, const std::function<void(const TakePiece&)>& copy,
                     const fs::path& shown) {
     const int descriptor = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) throw_unwritable(shown, errno);
     try {
-        write_all(descriptor, bytes, shown);
+        copy([&](std::string_view piece) {
+            write_all(descriptor,
+                      {reinterpret_cast<const std::uint8_t*>(piece.data()), piece.size()}, shown);
+        });
         sync_file(descriptor, shown);
     } catch (...) {
         close(descriptor);
         throw;
     }
     if (close(descriptor) != 0) throw_unwritable(shown, errno);
+}
+
+void write_new_file(const fs::path& path, std::span<const std::uint8_t> bytes,
+                    const fs::path& shown) {
+    write_new_file(
+        path,
+        [&](const TakePiece& take) {
+            take({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        },
+        shown);
 }
 
 void discard(TemporaryFile& file) noexcept {

@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "util/pending/temporary.h"
 
@@ -30,7 +32,13 @@ std::optional<std::size_t> read_at(int descriptor, std::int64_t place, std::span
 /// Waits until all of an open file is on the disk, if the file system supports that.
 void sync_file(int descriptor, const std::filesystem::path& shown);
 
-/// Creates a file with these bytes and syncs it. It must not exist yet.
+/// Passes bytes on, in order and in pieces.
+using TakePiece = std::function<void(std::string_view)>;
+
+/// Creates a file and syncs it. `copy` gives it its bytes. It must not exist yet.
+void write_new_file(const std::filesystem::path& path,
+                    const std::function<void(const TakePiece&)>& copy,
+                    const std::filesystem::path& shown);
 void write_new_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes,
                     const std::filesystem::path& shown);
 

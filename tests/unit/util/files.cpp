@@ -134,6 +134,48 @@ TEST_CASE("an atomic folder replaces nothing, also what came while it was filled
                          SystemError);
 }
 
+TEST_CASE("files appear together in a folder that keeps its others") {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "site";
+    fs::create_directory(path);
+    std::ofstream(path / "mine") << "mine";
+    std::ofstream(path / "b") << "earlier";
+    const auto add = [](const AtomicFolder& files) {
+        files.write("a", {});
+        files.write_pieces("b", [](const TakePiece& take) {
+            take("in ");
+            take("pieces");
+        });
+    };
+    {
+        AtomicFolder files(path, Earlier::replaced);
+        CHECK_FALSE(files.is_new());
+        add(files);
+    }
+    CHECK(contents(path / "b") == "earlier");
+    CHECK(std::distance(fs::directory_iterator(path), {}) == 2);
+    {
+        AtomicFolder files(path, Earlier::replaced);
+        add(files);
+        files.write("mine", {});
+        fs::remove(path / "mine");
+        fs::create_directory(path / "mine");
+        CHECK_THROWS_WITH_AS(files.commit(), doctest::Contains("site/mine: Is a directory"),
+                             SystemError);
+    }
+    CHECK(contents(path / "b") == "earlier");
+    CHECK(std::distance(fs::directory_iterator(path), {}) == 2);
+    {
+        AtomicFolder files(path, Earlier::replaced);
+        add(files);
+        files.commit();
+    }
+    CHECK(contents(path / "b") == "in pieces");
+    CHECK(fs::is_directory(path / "mine"));
+    CHECK(std::distance(fs::directory_iterator(path), {}) == 3);
+    CHECK(AtomicFolder(folder.path() / "new", Earlier::replaced).is_new());
+}
+
 TEST_CASE("a file over the limit is refused with the number") {
     const TemporaryFolder folder;
     std::ofstream(folder.path() / "big") << std::string(100, 'x');

@@ -197,7 +197,7 @@ string latex_name(const string& file) {
 
 class Filler {
   public:
-    Filler(PageKind kind, Language language) : kind_(kind), language_(language) {}
+    explicit Filler(PageKind kind) : kind_(kind) {}
 
     string fill(const std::vector<Part>& parts, const std::vector<const PageFields*>& scopes) {
         string text;
@@ -213,9 +213,16 @@ class Filler {
     }
 
   private:
+    static Language language_in(const std::vector<const PageFields*>& scopes) {
+        for (const PageFields* scope : scopes)
+            if (scope->language) return *scope->language;
+        return Language::english;
+    }
+
     std::optional<string> value(const string& name,
                                 const std::vector<const PageFields*>& scopes) const {
-        if (const auto phrase = phrase_of(name)) return escaped(say(language_, *phrase), kind_);
+        if (const auto phrase = phrase_of(name))
+            return escaped(say(language_in(scopes), *phrase), kind_);
         for (const PageFields* scope : scopes) {
             if (const auto words = scope->words.find(name); words != scope->words.end())
                 return escaped(words->second, kind_);
@@ -247,7 +254,6 @@ class Filler {
     }
 
     PageKind kind_;
-    Language language_;
 };
 
 // The template must be UTF-8, like the words that are filled in.
@@ -283,7 +289,7 @@ string filled_page(const Source& page, PageKind kind, const PageFields& fields,
     require_utf8(page, errors);
     const std::vector<Part> parts = Parser(page, names, errors).parse();
     errors.throw_if_any();
-    return Filler(kind, fields.language).fill(parts, {&fields});
+    return Filler(kind).fill(parts, {&fields});
 }
 
 }  // namespace carom

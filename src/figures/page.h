@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,8 @@ struct PageFields {
     std::map<std::string, std::string> files = {};
     std::map<std::string, std::string> inlined = {};  ///< addresses, as data_address() makes them
     std::map<std::string, std::vector<PageFields>> lists = {};
-    Language language = Language::english;  ///< language of the page, for the program's own words
+    /// Of the program's own words; none: as around it, or English for the page itself.
+    std::optional<Language> language = {};
 };
 
 /// The placeholders of pages of figures.

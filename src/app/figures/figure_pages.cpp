@@ -150,10 +150,11 @@ PageTemplate page_template(const std::string& asked) {
 std::string page_text(const FigureSet& set, const PageTemplate& page,
                       std::span<const SetFigure> figures, std::span<const SetFilm> films) {
     PageFields all;
-    all.language = set.parts.front().scene.film.language;
+    const Language language = set.parts.front().scene.film.language;
+    all.language = language;
     all.words = {{"title", set.title},
                  {"description", set.description},
-                 {"language", std::string(word_of(all.language))},
+                 {"language", std::string(word_of(language))},
                  {"carom", CAROM_VERSION}};
     std::vector<PageFields>&all_figures = all.lists["figures"], &all_films = all.lists["films"];
     std::vector<PageFields> sections;

@@ -61,14 +61,14 @@ Source document_template(const std::string& name) {
     return {path.string(), read_file(path, most)};
 }
 
-std::string film_page(const Source& page, const FilmPage& content) {
+PageFields film_fields(const FilmPage& content) {
     const Scene& scene = content.scene;
     PageFields fields;
     fields.language = scene.film.language;
     fields.words = {{"title", scene.title},
                     {"subtitle", scene.subtitle},
                     {"description", scene.description},
-                    {"language", std::string(word_of(fields.language))},
+                    {"language", std::string(word_of(scene.film.language))},
                     {"carom", CAROM_VERSION},
                     {"type", media_type(content.film.name)},
                     {"film_file", as_utf8(fs::path(content.film.name).filename().string())},
@@ -90,7 +90,17 @@ std::string film_page(const Source& page, const FilmPage& content) {
     std::vector<PageFields>& changes = fields.lists["changes"];
     for (const std::string& change : scene.source.overrides)
         changes.push_back({.words = {{"change", as_utf8(change)}}});
-    return filled_page(page, PageKind::html, fields, placeholders_of_film());
+    return fields;
+}
+
+std::string film_page(const Source& page, const FilmPage& content) {
+    return filled_page(page, PageKind::html, film_fields(content), placeholders_of_film());
+}
+
+std::vector<std::uint8_t> drawn_poster(const FilmPlan& plan, const FilmOptions& options,
+                                       Progress& progress) {
+    return draw_still(plan, time_of_poster(plan.scene, options), output_format("png"), progress)
+        .file();
 }
 
 RenderReport render_page(const Scene& scene, FilmOptions options, Output& output,
@@ -106,8 +116,7 @@ RenderReport render_page(const Scene& scene, FilmOptions options, Output& output
     RenderReport report = render(plan, options, progress);
     report.path = page;
     if (!fits(report, options)) return report;
-    const std::vector<std::uint8_t> poster =
-        draw_still(plan, time_of_poster(scene, options), output_format("png"), progress).file();
+    const std::vector<std::uint8_t> poster = drawn_poster(plan, options, progress);
     const std::string stem =
         Output::is_standard_output(page) ? "film" : fs::path(page).stem().string();
     const std::string film = stem + options.output.extension().string();

@@ -1,8 +1,10 @@
 // An HTML page that shows one film with its chapters, its transcript and its scene.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/output.h"
 #include "figures/page.h"
@@ -32,12 +34,19 @@ struct FilmPage {
     std::string index = {};  ///< URL of the first page of that site
 };
 
+/// The values of the placeholders for a film, on a page of its own or among others.
+PageFields film_fields(const FilmPage& content);
+
 /// The page as UTF-8. `page` is the template. Throws SceneError if the template has a mistake.
 std::string film_page(const Source& page, const FilmPage& content);
 
 /// Upper limit for the bytes of a film embedded in a page. Not all browsers play larger ones:
 /// Firefox accepts data URLs of up to 32 MiB.
 inline constexpr double most_inlined_bytes = 24e6;
+
+/// The poster of a film as PNG; `options` are those of its plan.
+std::vector<std::uint8_t> drawn_poster(const FilmPlan& plan, const FilmOptions& options,
+                                       Progress& progress);
 
 /// Renders the film of a scene into a page of its own, which appears complete or not at all. If the
 /// film exceeds `options.most_bytes`, nothing is written, and the function may be called again. The

@@ -184,11 +184,12 @@ std::string index_page(const GalleryOptions& options, const std::vector<GalleryI
                        const Source& page) {
     const std::string counted = "#";  // the script of the page writes the number there
     PageFields all;
-    all.language = items.front().scene.film.language;
+    const Language language = items.front().scene.film.language;
+    all.language = language;
     all.words = {{"title", title_of(options)},
-                 {"language", std::string(word_of(all.language))},
+                 {"language", std::string(word_of(language))},
                  {"carom", CAROM_VERSION},
-                 {"shown", say(all.language, "{} of {} films", counted, items.size())}};
+                 {"shown", say(language, "{} of {} films", counted, items.size())}};
     std::vector<PageFields>& sections = all.lists["sections"];
     const std::string* folder = nullptr;
     for (const GalleryItem& item : items) {

@@ -55,6 +55,15 @@ TEST_CASE("placeholders become words, lists and nothing") {
     CHECK(filled("{{{title}}}", page, PageKind::latex) == "{outer}");
 }
 
+TEST_CASE("the program's words have the language of the item around them, or of the page") {
+    PageFields page = two_figures();
+    page.language = Language::german;
+    page.lists["figures"][0].language = Language::spanish;
+    CHECK(filled("{{_Figure}}{{#figures}} {{_Figure}}{{/figures}}", page) ==
+          "Abbildung Figura Abbildung");
+    CHECK(filled("{{_Figure}}", {}) == "Figure");
+}
+
 TEST_CASE("a line with nothing but the tag of a list leaves no line") {
     CHECK(filled("{{#figures}}\n- {{name}}\n{{/figures}}\nend\n", two_figures()) ==
           "- a\n- b\nend\n");

@@ -128,12 +128,13 @@ std::vector<Option> work_options(SceneOptions& options) {
 
 int most_chunks() { return static_cast<int>(std::max(most_frames.value, most_runs.value)); }
 
-std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed) {
+std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed,
+                                  const std::string& force_too) {
     return {{.name = "--chunk K",
              .meaning = "for a plan: the number of the chunk to make; default: all missing chunks",
              .value = &chunk,
              .most = most_chunks()},
-            {"--force", "for a plan: make chunks again even if they are done", &force},
+            {"--force", "for a plan: make chunks again even if they are done" + force_too, &force},
             {"--allow-mixed",
              "for a plan: accept one made by another build of carom or with other libraries",
              &allow_mixed}};
@@ -233,19 +234,20 @@ void refuse_other_format(const std::string& output, const std::string& format) {
                                      extension, format));
 }
 
-void refuse_file_for_folder(const std::string& output, const std::string& what) {
+void refuse_file_for_folder(const std::string& output, const std::string& what,
+                            const std::string& flag) {
     std::error_code failed;
     const bool exists = fs::exists(output, failed);
     const bool is_file = exists && !fs::is_directory(output, failed);
     const std::string ending = ending_of(output);
-    std::vector<std::string> endings{".jpg", ".jpeg", ".csv", ".json"};
+    std::vector<std::string> endings{".jpg", ".jpeg", ".csv", ".json", ".html"};
     for (const OutputFormat& format : output_formats()) endings.push_back("." + format.name);
     const bool is_named_so = !exists && std::ranges::count(endings, ending) > 0;
     if (is_file || is_named_so)
         throw UsageError(
-            fmt::format("-o {}: {} is a folder of several files; name a folder, for "
+            fmt::format("{} {}: {} is a folder of several files; name a folder, for "
                         "instance {}",
-                        output, what, fs::path(output).replace_extension().string() + "/"));
+                        flag, output, what, fs::path(output).replace_extension().string() + "/"));
 }
 
 fs::path output_path(const std::string& output, bool several, const std::string& scene,

@@ -42,6 +42,8 @@ struct Option {
     std::vector<std::string> choices = {};  ///< the only valid values; none: any value
     std::string key = {};                   ///< key of the scene that the option sets; empty: none
     int most = 1024;                        ///< upper limit of an int
+    std::string absent = {};  ///< the value if only the flag is given, "--slides [FOLDER]"; empty:
+                              ///< a value is needed
 };
 
 /// The argument of --set, KEY.PATH=VALUE, that is equivalent to giving an option for `key` this
@@ -109,8 +111,11 @@ std::vector<Option> work_options(SceneOptions& options);
 /// sweep.
 int most_chunks();
 
-/// --chunk, --force and --allow-mixed: which part of a plan is done, and how.
-std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed);
+/// --chunk, --force and --allow-mixed: which part of a plan is done, and how. `force_too`: what
+/// else
+/// --force does.
+std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed,
+                                  const std::string& force_too = "");
 
 /// --limits, which sets `is_classroom`.
 Option limits_option(bool& is_classroom);
@@ -138,8 +143,9 @@ void say_notes(const SceneOptions& options, const Scene& scene);
 /// (granted_cores.h).
 int threads_of(const SceneOptions& options);
 
-/// Throws UsageError if the folder that -o names is a file, or is named like one.
-void refuse_file_for_folder(const std::string& output, const std::string& what);
+/// Throws UsageError if the folder that an option names is a file, or is named like one.
+void refuse_file_for_folder(const std::string& output, const std::string& what,
+                            const std::string& flag = "-o");
 
 /// The path of the output of `scene`: out/SCENE with the first of the extensions if `output` (the
 /// value of -o) is empty. Otherwise `output` is a file with any of the extensions, or a folder if

@@ -2,6 +2,7 @@
 //
 //   node pages.cjs film PAGE.html [PICTURE.png]      a page of one film
 //   node pages.cjs gallery SITE/index.html [PICTURE.png]   a site
+//   node pages.cjs slides SLIDES/index.html [PICTURE.png]  slides of Reveal.js; PICTURE of the first
 //   node pages.cjs pictures PAGE.html FOLDER         screenshots at three widths, light and dark
 //   node pages.cjs picture PAGE.html PICTURE.png WIDTH HEIGHT   one screenshot
 //   node pages.cjs inlined PAGE.html     whether each of several SVGs in a page looks as it does alone
@@ -30,13 +31,13 @@ function watched(page) {
   return bad;
 }
 
-async function violations(page) {
+async function violations(page, preload = true) {
   const found = [];
   for (const colorScheme of ['light', 'dark']) {
     await page.emulateMedia({ colorScheme });
     // The page's own policy forbids scripts that are added: this one comes by the debugger.
     if (!(await page.evaluate(() => 'axe' in window))) await page.evaluate(require('fs').readFileSync(axe, 'utf8'));
-    const result = await page.evaluate(tags => window.axe.run(document, { runOnly: { type: 'tag', values: tags } }), rules);
+    const result = await page.evaluate(([tags, preload]) => window.axe.run(document, { runOnly: { type: 'tag', values: tags }, preload }), [rules, preload]);
     for (const one of result.violations)
       found.push(`${colorScheme}: ${one.id}: ${one.nodes.map(node => node.html.slice(0, 120)).join(' | ')}`);
   }
@@ -175,6 +176,131 @@ async function gallery(page, url) {
   return answer;
 }
 
+// What the film of a slide does; `at` is the number of the slide.
+const filmOf = (page, at) => page.evaluate(number => {
+  const film = document.querySelectorAll('.slides > section')[number].querySelector('video');
+  return { paused: film.paused, time: film.currentTime };
+}, at);
+
+// Whether the film of a slide plays: its time goes on.
+async function goesOn(page, at) {
+  const before = (await filmOf(page, at)).time;
+  return page.waitForFunction(([number, time]) => {
+    const film = document.querySelectorAll('.slides > section')[number].querySelector('video');
+    return !film.paused && film.currentTime > time + 0.1;
+  }, [at, before], { timeout: 20000 }).then(() => true, () => false);
+}
+
+async function stands(page, at) {
+  const before = await filmOf(page, at);
+  await page.waitForTimeout(400);
+  const after = await filmOf(page, at);
+  return before.paused && after.paused && before.time === after.time;
+}
+
+// Where a slide is on the screen, and what of the film is covered: nothing should be.
+const drawn = (page, at) => page.evaluate(number => {
+  const slide = document.querySelectorAll('.slides > section')[number], box = slide.querySelector('video').getBoundingClientRect();
+  const strip = slide.querySelector('.strip').getBoundingClientRect();
+  const points = [[0.5, 0.5], [0.01, 0.01], [0.99, 0.01], [0.01, 0.99], [0.99, 0.99]];
+  return { bare: points.every(([x, y]) => document.elementFromPoint(box.left + x * box.width, box.top + y * box.height).tagName === 'VIDEO'),
+    inside: box.left >= 0 && box.top >= 0 && box.right <= innerWidth && strip.bottom <= innerHeight + 1 && box.bottom <= strip.top + 1,
+    share: box.width * box.height / (innerWidth * innerHeight) };
+}, at);
+
+async function slides(page, url) {
+  await page.goto(url);
+  await page.waitForFunction(() => window.Reveal && Reveal.isReady());
+  const answer = { title: await page.title(), language: await page.evaluate(() => document.documentElement.lang), changed: await page.evaluate(() => typeof window.changed) };
+  answer.slides = await page.evaluate(() => Array.from(document.querySelectorAll('.slides > section'), slide => {
+    const film = slide.querySelector('video'), color = element => getComputedStyle(element).color;
+    return { heading: slide.querySelector('h2').textContent, language: slide.lang, background: slide.dataset.backgroundColor, ink: color(slide),
+      film: film.querySelector('source').getAttribute('src'), poster: film.getAttribute('poster'), label: film.getAttribute('aria-label'),
+      about: document.getElementById(film.getAttribute('aria-describedby')).textContent, direction: getComputedStyle(slide.querySelector('h2')).direction,
+      play: slide.querySelector('.play').getAttribute('aria-label'), tracks: Array.from(film.textTracks, track => track.kind),
+      notes: slide.querySelector('aside.notes').innerText || slide.querySelector('aside.notes').textContent };
+  }));
+  const last = answer.slides.length - 1, play = at => page.locator('.slides > section').nth(at).locator('.play');
+  await page.waitForFunction(() => Reveal.getCurrentSlide().querySelector('video').readyState >= 2, null, { timeout: 30000 });
+  await page.waitForTimeout(500);
+  answer.before = await stands(page, 0);
+  answer.drawn = await drawn(page, 0);
+  answer.poster = await page.evaluate(() => new Promise(done => {
+    const image = new Image(); image.onload = () => done(image.naturalWidth); image.onerror = () => done(0);
+    image.src = document.querySelector('video').poster;
+  }));
+  // A click on the film starts it, the next one stops it; so do the space bar and the button.
+  const middle = page.locator('.slides > section').nth(0).locator('video');
+  await middle.click();
+  answer.clicked = await goesOn(page, 0);
+  await middle.click();
+  answer.clickedAgain = await stands(page, 0);
+  await page.keyboard.press('Space');
+  answer.spaced = await goesOn(page, 0);
+  await page.keyboard.press('k');
+  answer.stopped = await stands(page, 0);
+  await play(0).focus();
+  await page.keyboard.press('Enter');
+  answer.entered = await goesOn(page, 0);
+  await page.keyboard.press('Space');
+  answer.buttonStopped = await stands(page, 0);
+  answer.words = await play(0).getAttribute('aria-label');
+  // The slider belongs to the arrows when it has the focus, and to nobody after a click.
+  const slider = page.locator('.slides > section').nth(0).locator('input');
+  await slider.focus();
+  await page.keyboard.press('Home');
+  await page.waitForFunction(() => document.querySelector('video').currentTime < 0.05, null, { timeout: 20000 }).catch(() => {});
+  answer.rewound = (await filmOf(page, 0)).time;
+  await page.keyboard.press('ArrowRight');
+  answer.kept = await page.evaluate(() => Reveal.getIndices().h);
+  await page.evaluate(() => document.activeElement.blur());
+  const button = page.locator('.slides > section').nth(0).locator('.captions');
+  if (await button.count()) {
+    await button.click();
+    answer.captions = await page.evaluate(async () => {
+      const track = Array.from(document.querySelector('video').textTracks).find(one => one.kind === 'captions');
+      for (let i = 0; i < 100 && !(track.cues && track.cues.length); ++i) await new Promise(wake => setTimeout(wake, 50));
+      return { mode: track.mode, cues: Array.from(track.cues || [], cue => cue.text) };
+    });
+    await button.click();
+  }
+  if (last > 0) {
+    // The film stops when its slide is left, and the next one waits.
+    await page.evaluate(() => { document.querySelector('video').currentTime = 0; });
+    await page.keyboard.press('Space');
+    answer.playsAgain = await goesOn(page, 0);
+    await page.keyboard.press('ArrowRight');
+    answer.at = await page.evaluate(() => Reveal.getIndices().h);
+    answer.left = await stands(page, 0);
+    await page.waitForTimeout(500);
+    answer.waits = await stands(page, 1);
+    answer.titleNow = await page.title();
+    // The one key of a presenter.
+    await page.keyboard.press('PageDown');
+    answer.presented = await goesOn(page, 1);
+    answer.stays = await page.evaluate(() => Reveal.getIndices().h);
+    await page.keyboard.press('PageUp');
+    answer.back = await page.evaluate(() => Reveal.getIndices().h);
+    answer.leftByPresenter = await stands(page, 1);
+    await page.locator('.slides > section').nth(0).locator('.next').click();
+    answer.turned = await page.evaluate(() => Reveal.getIndices().h);
+  }
+  // What the speaker sees.
+  const opening = page.context().waitForEvent('page', { timeout: 20000 }).catch(() => null);
+  await page.keyboard.press('s');
+  const speaker = await opening;
+  if (speaker) {
+    const bad = watched(speaker);
+    await speaker.waitForFunction(() => { const its = document.querySelector('.speaker-controls-notes .value'); return its && its.innerText.trim() !== ''; }, null, { timeout: 20000 }).catch(() => {});
+    answer.speaker = { notes: await speaker.evaluate(() => { const its = document.querySelector('.speaker-controls-notes .value'); return its && its.innerText; }), bad };
+    await speaker.close();
+  }
+  answer.overview = await page.evaluate(() => { Reveal.toggleOverview(true); Reveal.toggleOverview(false); return true; });
+  await page.evaluate(() => Reveal.slide(0));
+  answer.violations = await violations(page, false);  // the policy of the page keeps axe from fetching style sheets
+  return answer;
+}
+
 // Each picture is compared at the same place with and without the others, so that pixels can be equal.
 async function inlined(page, url) {
   const shot = index => page.locator(`svg >> nth=${index}`).screenshot();
@@ -222,7 +348,7 @@ async function picture(browser, url, file, width, height) {
     if (mode === 'picture') return console.log(JSON.stringify(await picture(browser, url, more, width, height)));
     const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
     const bad = watched(page);
-    const answer = await { film, gallery, inlined }[mode](page, url);
+    const answer = await { film, gallery, slides, inlined }[mode](page, url);
     if (more) await page.screenshot({ path: more, fullPage: true });
     console.log(JSON.stringify({ ...answer, bad }));
   } finally {

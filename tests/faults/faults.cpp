@@ -203,6 +203,7 @@ const std::vector<Work>& all_work() {
         {"join", "$carom " + film + " --seed 3 && $carom " + plan + " && $carom " + chunk,
          "join plan -o film.mp4 --words --poster --quiet"},
         {"render of a page", "$carom " + page + " --seed 3", page},
+        {"render of slides", "", "render scene.yaml --slides slides --threads 1" + small},
         {"new", "", "new mine --quiet"},
     };
     return all;

@@ -22,6 +22,7 @@
 
 #include "app/command.h"
 #include "app/commands/suggestions.h"
+#include "app/commands/typed_words.h"
 #include "app/manual/page_text.h"
 #include "app/manual/shell_completions.h"
 #include "app/output.h"
@@ -284,20 +285,6 @@ void refuse_empty_values(CLI::App& app) {
                 option->check(complaint);
 }
 
-// Turns `--set a=1 b=2` into `--set a=1 --set b=2`, unless a file has such a name.
-std::vector<std::string> with_each_set(int argc, const char* const* argv) {
-    std::vector<std::string> words(argv + 1, argv + argc);
-    const auto is_change = [](const std::string& word) {
-        std::error_code error;
-        return !word.starts_with('-') && word.find('=') != std::string::npos &&
-               !std::filesystem::exists(word, error);
-    };
-    for (std::size_t i = 2; i < words.size(); ++i)
-        if (words[i - 2] == "--set" && is_change(words[i]))
-            words.insert(words.begin() + static_cast<std::ptrdiff_t>(i++), "--set");
-    return words;
-}
-
 // Flushes standard output; throws if output was lost. It is no error if standard output was closed
 // from the start.
 void finish_standard_output() {
@@ -321,7 +308,9 @@ int parse_and_run(int argc, const char* const* argv, const std::vector<Command>&
     refuse_empty_values(app);
     refuse_unknown_command(app, argc, argv);
     try {
-        std::vector<std::string> words = with_each_set(argc, argv);
+        std::vector<std::string> words = with_each_set({argv + 1, argv + argc});
+        for (const Command& command : commands)
+            if (command.name == called) fill_absent_values(words, command.options);
         std::ranges::reverse(words);  // the library expects them in reverse order
         app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {

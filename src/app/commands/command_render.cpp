@@ -11,12 +11,14 @@
 
 #include "app/command.h"
 #include "app/commands/film_plans.h"
+#include "app/commands/render_arguments.h"
 #include "app/commands/render_words.h"
 #include "app/depfile.h"
 #include "app/film/film_path.h"
 #include "app/film/film_request.h"
 #include "app/output.h"
 #include "app/pages/film_page.h"
+#include "app/pages/slides.h"
 #include "films/cost/film_shape.h"
 #include "films/cost/fitted_scenes.h"
 #include "films/cost/work.h"
@@ -38,17 +40,6 @@ namespace carom {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct RenderArguments : SceneOptions {
-    std::vector<std::string> scenes;
-    FilmDestination destination;
-    FilmOptions film;      ///< without the path
-    std::string max_size;  // empty: any
-    std::string depfile, cache;
-    bool join = false;
-    int chunk = 0;  // number of a chunk of a plan; 0: all missing ones
-    bool force = false, allow_mixed = false;
-};
 
 // A scene to be rendered, and the values that a list of scenes overrides in it.
 struct ListedScene {
@@ -105,22 +96,6 @@ void refuse_join(const RenderArguments& arguments, const std::vector<Scene>& sce
                       format_of_film(film_path(arguments.destination, arguments.scenes.front())));
 }
 
-// Refuses options that are incompatible with a page, or with the pages of a PDF.
-void refuse_page_options(const RenderArguments& arguments, const OutputFormat& format) {
-    if (!arguments.max_size.empty() && format.in_one_piece)
-        throw UsageError("--max-size: the pages of a PDF have no pixels, and no size is foreseen");
-    if (arguments.destination.page.empty()) return;
-    if (arguments.join)
-        throw UsageError("--page: a page shows the film of one scene; leave --join out");
-    if (arguments.film.text)
-        throw UsageError("--page: the page holds the words of the film; leave --words out");
-    if (format.name != "mp4" && format.name != "webm")
-        throw UsageError(
-            fmt::format("--page: browsers play MP4 and WebM, and not {}; give "
-                        "--format mp4 or webm",
-                        upper_case(format.name)));
-}
-
 // The depfile rules: what each film was made from. A joined film is made from several scenes.
 std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::path>& outputs,
                        const std::vector<ListedScene>& listed_scenes,
@@ -132,12 +107,17 @@ std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::p
             "with -o");
     std::string text;
     std::vector<std::string> files;
+    const bool is_one = arguments.join || !arguments.destination.slides.empty();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         std::ranges::copy(files_of(scenes[i]), std::back_inserter(files));
-        if (arguments.join && i + 1 < scenes.size()) continue;
+        if (is_one && i + 1 < scenes.size()) continue;
         if (arguments.join && listed_scenes.front().name != arguments.scenes.front())
             files.push_back(arguments.scenes.front());  // the set
-        std::string made = outputs[arguments.join ? 0 : i].string();
+        std::string made = outputs[is_one ? 0 : i].string();
+        if (!arguments.destination.slides.empty()) {
+            made = (fs::path(arguments.destination.slides) / "index.html").string();
+            files.push_back(document_template("slides.html").name);
+        }
         if (made.ends_with('/')) made.pop_back();
         text += depfile_rule(std::vector{made}, files);
         files.clear();
@@ -145,14 +125,9 @@ std::string depfile_of(const RenderArguments& arguments, const std::vector<fs::p
     return text;
 }
 
-// The largest number of bytes that a film may have.
-double most_bytes(const RenderArguments& arguments) {
-    if (arguments.max_size.empty()) return std::numeric_limits<double>::infinity();
-    return parsed_bytes("--max-size", arguments.max_size);
-}
-
-void print_report(const RenderArguments& arguments, const Scene& scene,
-                  const RenderReport& report) {
+// `later`: if given, takes what is to be printed once the film is there.
+void print_report(const RenderArguments& arguments, const Scene& scene, const RenderReport& report,
+                  std::string* later) {
     if (arguments.quiet && !arguments.timings) return;
     const std::string& output = arguments.destination.output;
     const bool streamed = Output::is_stream(output);
@@ -162,6 +137,10 @@ void print_report(const RenderArguments& arguments, const Scene& scene,
     std::string text = words_of(report, scene.film, name, arguments.max_size);
     if (arguments.timings) text += timings_of(report);
     if (streamed) return print_to_stderr(text);
+    if (later != nullptr) {
+        *later += text;
+        return;
+    }
     fmt::print("{}", text);
 }
 
@@ -200,10 +179,16 @@ std::vector<Scene> fitted(const RenderArguments& arguments, const std::vector<Sc
     return *std::move(found);
 }
 
-// Renders the film of one scene, or the joined film of several.
+// Slides whose films are rendered one by one, and what is printed when they are there.
+struct SlideWork {
+    Slides slides;
+    std::string said = {};
+};
+
+// Renders the film of one scene, or the joined film of several; for slides, the next one.
 void render_film(const RenderArguments& arguments, const std::string& name,
                  const std::vector<Scene>& asked, const fs::path& output,
-                 const JoinedTitle& title = {}) {
+                 const JoinedTitle& title = {}, SlideWork* slides = nullptr) {
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(name));
     FilmOptions options = arguments.film;
     options.cache = arguments.cache;
@@ -221,7 +206,9 @@ void render_film(const RenderArguments& arguments, const std::string& name,
     for (double aim = options.most_bytes;; aim *= 0.9) {
         if (std::isfinite(aim)) scenes = fitted(arguments, asked, title, aim, options, progress);
         if (!whole && (is_page || Output::is_stream(target))) whole.emplace(target);
-        if (is_page)
+        if (slides != nullptr)
+            report = slides->slides.add(scenes.front(), options, progress);
+        else if (is_page)
             report = render_page(scenes.front(), options, *whole, progress);
         else if (whole)
             report = render_to_stream(*whole, scenes, title, options, progress);
@@ -229,22 +216,9 @@ void render_film(const RenderArguments& arguments, const std::string& name,
             report = render_all(scenes, title, options, progress);
         if (fits(report, options)) break;
     }
-    print_report(arguments, scenes.front(), report);
+    print_report(arguments, scenes.front(), report, slides != nullptr ? &slides->said : nullptr);
     if (!arguments.quiet)
         print_to_stderr(warnings_of(report, format_of_film(options.output), is_page));
-}
-
-// Refuses options that a plan has fixed already, or that would be the same for all its chunks.
-void refuse_film_options(const RenderArguments& arguments) {
-    const bool changes = !arguments.destination.output.empty() ||
-                         !arguments.destination.format.empty() || changes_film(arguments.film) ||
-                         arguments.film.text || arguments.join || !arguments.max_size.empty() ||
-                         !overrides_of(arguments).empty() || !arguments.destination.page.empty() ||
-                         !arguments.depfile.empty() || !arguments.cache.empty();
-    if (changes)
-        throw UsageError(
-            "the chunks of a plan are drawn as it says; give what changes the film to carom plan, "
-            "and -o and --words to carom join");
 }
 
 void render_plan(const RenderArguments& arguments) {
@@ -258,10 +232,28 @@ void render_plan(const RenderArguments& arguments) {
                    .quiet = arguments.quiet});
 }
 
+void render_slides(const RenderArguments& arguments, const std::vector<Scene>& scenes,
+                   const std::vector<fs::path>& outputs) {
+    std::vector<std::string> names;
+    for (const fs::path& output : outputs) names.push_back(output.stem().string());
+    SlideWork work{Slides({.folder = arguments.destination.slides,
+                           .names = std::move(names),
+                           .format = format_of_film(outputs.front()).name,
+                           .words = arguments.film.text,
+                           .force = arguments.force})};
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+        render_film(arguments, arguments.scenes[i], {scenes[i]}, outputs[i], {}, &work);
+    const SlidesReport report = work.slides.finish();
+    print_to_stderr(warnings_of(report, arguments.destination.slides));
+    if (!arguments.quiet) work.said += words_of(report, work.slides.page().string(), scenes.size());
+    fmt::print("{}", work.said);
+}
+
 void render_loaded(const RenderArguments& arguments, const std::vector<Scene>& scenes,
                    const std::vector<fs::path>& outputs, const JoinedTitle& title) {
     if (arguments.join)
         return render_film(arguments, arguments.scenes.front(), scenes, outputs.front(), title);
+    if (!arguments.destination.slides.empty()) return render_slides(arguments, scenes, outputs);
     std::size_t rendered = 0;
     try {
         for (; rendered < scenes.size(); ++rendered)
@@ -277,7 +269,8 @@ void render_loaded(const RenderArguments& arguments, const std::vector<Scene>& s
 // Refuses outputs, films and their text files, that would replace files in use.
 void refuse_used(const RenderArguments& arguments, const std::vector<Scene>& scenes,
                  const std::vector<fs::path>& outputs) {
-    if (Output::is_stream(arguments.destination.output)) return;
+    if (Output::is_stream(arguments.destination.output) || !arguments.destination.slides.empty())
+        return;
     const auto has_words = [&](const std::string& what) {
         if (arguments.film.text) return true;
         const OutputFormat& format =
@@ -313,10 +306,12 @@ void refuse_much_work(const RenderArguments& arguments, const std::vector<Scene>
 
 void render_scenes(RenderArguments& arguments) {
     if (std::ranges::any_of(arguments.scenes, is_plan)) return render_plan(arguments);
-    if (arguments.chunk > 0 || arguments.force || arguments.allow_mixed)
+    const bool is_slides = !arguments.destination.slides.empty();
+    if (arguments.chunk > 0 || (arguments.force && !is_slides) || arguments.allow_mixed)
         throw UsageError(
             "--chunk, --force and --allow-mixed apply to the folder of a plan; make one with carom "
             "plan SCENE -o PLAN/");
+    if (is_slides) refuse_slide_options(arguments);
     refuse_second_standard_input(arguments.scenes);
     arguments.destination.several = arguments.scenes.size() > 1 && !arguments.join;
     const std::vector<fs::path> outputs =
@@ -392,10 +387,17 @@ Command render_command() {
                "html: write a page that contains the film, its chapters, transcript and scene",
                &its.destination.page,
                {"html"}},
+              {.name = "--slides [FOLDER]",
+               .meaning =
+                   "write a folder with a page of slides (Reveal.js), one for each scene, and "
+                   "the films and posters; default: out/slides",
+               .value = &its.destination.slides,
+               .absent = "out/slides"},
               {"--join",
                "make one film of all scenes, or those of a figure set, each fading into the next",
                &its.join}},
-             chunk_options(its.chunk, its.force, its.allow_mixed),
+             chunk_options(its.chunk, its.force, its.allow_mixed,
+                           "; for slides: replace files that carom did not write"),
              scene_options(its),
              {limits_option(its.is_classroom)},
              picture_options(its),

@@ -93,4 +93,25 @@ std::string warnings_of(const RenderReport& report, const OutputFormat& format, 
            warning_of_callouts(report.never_shown);
 }
 
+std::string words_of(const SlidesReport& report, const std::string& page, std::size_t slides) {
+    std::string text =
+        fmt::format("{}: {}", printable(page), counted(static_cast<long long>(slides), "slide"));
+    if (!report.removed.empty())
+        text += fmt::format(", {} of other slides removed",
+                            counted(static_cast<long long>(report.removed.size()), "file"));
+    return text + "\n";
+}
+
+std::string warnings_of(const SlidesReport& report, const std::string& folder) {
+    std::string text;
+    if (!report.replaced.empty())
+        text = fmt::format("carom: {}: replaced {}, not written by carom or changed since\n",
+                           printable(folder), printable(listed(report.replaced)));
+    if (!report.left.empty())
+        text += fmt::format(
+            "carom: {}: {} of slides that are there no longer; changed since, and left\n",
+            printable(folder), printable(listed(report.left)));
+    return text;
+}
+
 }  // namespace carom

@@ -1,9 +1,11 @@
 // Messages of `carom render` about a finished film.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "app/pages/slides.h"
 #include "films/render.h"
 #include "media/formats.h"
 
@@ -29,5 +31,12 @@ std::string warning_of_cut(const std::vector<std::string>& cut);
 /// All warnings about a film: missing sound, a large size for its format or for a page (`in_page`),
 /// words that are cut, callouts that no frame shows. Empty if there are none.
 std::string warnings_of(const RenderReport& report, const OutputFormat& format, bool in_page);
+
+/// What was made of a folder of slides, in a line; `page` is the name of its page.
+std::string words_of(const SlidesReport& report, const std::string& page, std::size_t slides);
+
+/// Warns of files that were replaced, or left, because others have changed them. Empty if there are
+/// none.
+std::string warnings_of(const SlidesReport& report, const std::string& folder);
 
 }  // namespace carom

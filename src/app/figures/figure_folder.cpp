@@ -158,6 +158,24 @@ void FigureFolder::write(const FilmWriter& film, const std::string& file,
     manifest_.files[file] = {"", inputs, all.digits()};
 }
 
+void FigureFolder::write(AtomicFolder& files, const std::map<std::string, std::string>& contents) {
+    const auto record = [&] {
+        for (const auto& [file, content] : contents) manifest_.files[file] = {"", "", content};
+    };
+    if (files.is_new()) {
+        record();
+        std::string text = manifest_json(manifest_);
+        files.write_pieces(manifest_name_, [&](const TakePiece& take) { take(text); });
+        files.commit();
+        saved_ = std::move(text);
+        return;
+    }
+    for (const auto& [file, content] : contents) announce(file, "", content);
+    save();
+    files.commit();
+    record();
+}
+
 void FigureFolder::remember(const std::string& figure, WrittenWords words) {
     manifest_.figures[figure] = std::move(words);
 }

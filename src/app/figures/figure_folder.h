@@ -13,6 +13,7 @@
 
 #include "figures/figure_words.h"
 #include "media/film_writer.h"
+#include "util/files/atomic_file.h"
 #include "util/files/stored_file.h"
 
 namespace carom {
@@ -72,6 +73,10 @@ class FigureFolder {
 
     /// Writes a film that is finished to a file, and records it in the same way.
     void write(const FilmWriter& film, const std::string& file, const std::string& inputs);
+
+    /// Gives files that are written in `files`, an AtomicFolder of this path, their names,
+    /// together. `contents`: the fingerprint of each. The manifest is one of them in a new folder.
+    void write(AtomicFolder& files, const std::map<std::string, std::string>& contents);
 
     void remember(const std::string& figure, WrittenWords words);
 

@@ -51,7 +51,7 @@ fs::path frames_folder(std::string output, const std::string& scene) {
 
 // For standard output, a device or a pipe: the path that the film would have as a file.
 fs::path streamed_path(const FilmDestination& destination) {
-    const auto& [output, format, page, several] = destination;
+    const auto& [output, format, page, slides, several] = destination;
     if (several) refuse_several(output);
     if (format == "png")
         throw UsageError(fmt::format(
@@ -67,7 +67,7 @@ fs::path streamed_path(const FilmDestination& destination) {
 
 // The path of a single film whose file or folder of frames is given by -o.
 fs::path named_path(const FilmDestination& destination, const std::string& scene) {
-    const auto& [output, format, page, several] = destination;
+    const auto& [output, format, page, slides, several] = destination;
     if (output.ends_with('/') || (format == "png" && !is_video(output)))
         return frames_folder(output, scene);
     if (!is_video(output) && !is_same_file(output, scene))
@@ -77,8 +77,15 @@ fs::path named_path(const FilmDestination& destination, const std::string& scene
     return output_path(output, false, scene, {ending_of(output)});
 }
 
+// Of a film that a page shows.
+std::string format_of_page(const FilmDestination& its) {
+    return its.format.empty() ? "mp4" : its.format;
+}
+
 // The path of the film of a scene, or of the page that contains it.
 fs::path output_of(const FilmDestination& its, const std::string& scene) {
+    if (!its.slides.empty())
+        return fs::path(its.slides) / (scene_stem(scene) + "." + format_of_page(its));
     if (its.page.empty()) return film_path(its, scene);
     if (Output::is_standard_output(its.output)) return its.output;
     return output_path(its.output, its.several, scene, {"." + its.page});
@@ -91,7 +98,7 @@ bool is_video(const fs::path& path) {
 }
 
 fs::path film_path(const FilmDestination& destination, const std::string& scene) {
-    const auto& [output, format, page, several] = destination;
+    const auto& [output, format, page, slides, several] = destination;
     if (Output::is_stream(output)) return streamed_path(destination);
     if (is_video(output)) refuse_other_format(output, format);
     if (several && is_video(output)) refuse_several(output);
@@ -112,9 +119,10 @@ std::vector<fs::path> outputs_of(const FilmDestination& destination,
     for (const std::string& scene : scenes) {
         const fs::path path = output_of(destination, scene);
         if (std::ranges::find(outputs, path) != outputs.end())
-            throw UsageError(
-                fmt::format("two scenes would be written to {}; render them one by one with -o",
-                            path.string()));
+            throw UsageError(fmt::format("two scenes would be written to {}; {}", path.string(),
+                                         destination.slides.empty()
+                                             ? "render them one by one with -o"
+                                             : "rename one of them"));
         outputs.push_back(path);
     }
     return outputs;
@@ -122,7 +130,7 @@ std::vector<fs::path> outputs_of(const FilmDestination& destination,
 
 fs::path film_at(const FilmDestination& destination, const fs::path& output) {
     if (destination.page.empty()) return output;
-    return "film." + (destination.format.empty() ? "mp4" : destination.format);
+    return "film." + format_of_page(destination);
 }
 
 }  // namespace carom

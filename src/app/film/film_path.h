@@ -7,12 +7,13 @@
 
 namespace carom {
 
-/// -o, --format and --page as given; each may be empty.
+/// -o, --format, --page and --slides as given; each may be empty.
 struct FilmDestination {
     std::string output;
     std::string format;
-    std::string page = {};  ///< kind of the page that contains the film
-    bool several = false;   ///< the command renders several scenes
+    std::string page = {};    ///< kind of the page that contains the film
+    std::string slides = {};  ///< folder of slides that contains the films
+    bool several = false;     ///< the command renders several scenes
 };
 
 /// Whether a path has the ending of a film format that is a single file.

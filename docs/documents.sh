@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws the pictures of docs/documents.md: the page of a film, the site of the scene library, and
+# Draws the pictures of docs/documents.md: the page of a film, the site of the scene library, slides, and
 # the example of integrations/ as rendered by pandoc, MyST, Jupyter and LaTeX. Needs what
 # `./dev setup full` installs.
 # Usage: documents.sh CAROM SITE OUTPUT, where SITE was made by `./dev gallery`
@@ -17,6 +17,9 @@ picture() { node "$root/tests/browser/pages.cjs" picture "$1" "$output/$2.png" "
 
 picture "$site/films/time-reversal.html" page 1200 800
 picture "$site/index.html" gallery 1200 1000
+
+"$carom" render "$root"/scenes/{one-hot-particle,time-reversal,mixed-masses}.yaml --slides "$work/talk" --size 720p --quiet
+picture "$work/talk/index.html" slides 1280 720
 
 pandoc -s lecture.md -L ../pandoc/carom.lua -o lecture.html
 picture lecture.html pandoc 820 1150

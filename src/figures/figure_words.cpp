@@ -191,11 +191,18 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
     std::string what = kind_and_time(scene, figure);
     if (is_mean)
         what = say(language, "{}, mean of {} independent runs", what, figure.spec->panel.seeds);
+    // The numbers of a histogram or a series say nothing of its gas.
+    const auto tells_gas = [](const Figure& one) {
+        return dynamic_cast<const HistogramPanel*>(one.panel) != nullptr ||
+               dynamic_cast<const SeriesPanel*>(one.panel) != nullptr || account_of(one).empty();
+    };
+    if (!tells_gas(figure)) return what + ". " + account;
+    const auto first = std::ranges::find_if(
+        run.figures(), [&](const Figure& one) { return one.sides.empty() && tells_gas(one); });
+    if (&*first == &figure)
+        return fmt::format("{}. {}{}{}", what, account, account.empty() ? "" : " ",
+                           scene.description);
     if (!account.empty()) return what + ". " + account;
-    const auto first = std::ranges::find_if(run.figures(), [](const Figure& one) {
-        return one.sides.empty() && account_of(one).empty();
-    });
-    if (&*first == &figure) return what + ". " + scene.description;
     if (is_mean) return say(language, "{} of “{}”.", what, scene.title);
     return say(language, "{} of “{}”, {}.", what, scene.title,
                counted(language, figure.moments.back().collisions.particle,

@@ -14,7 +14,7 @@
 #include "scene/file_texts.h"
 #include "scene/film.h"
 #include "scene/looks.h"
-#include "scene/numbers/numbers_in_words.h"
+#include "scene/keys/numbers_in_words.h"
 #include "scene/panel_spec.h"
 #include "scene/sweep.h"
 #include "util/diagnostics.h"

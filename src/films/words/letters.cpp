@@ -8,7 +8,7 @@
 
 #include "draw/text.h"
 #include "panels/registry.h"
-#include "scene/numbers/numbers_in_words.h"
+#include "scene/keys/numbers_in_words.h"
 #include "scene/panel_kind.h"
 #include "scene/scene.h"
 #include "util/formula/formula.h"

@@ -429,9 +429,12 @@ std::string HistogramPanel::account_of_series(const HistogramCounts& now, std::s
     const MeanHistogram& one = now.series[k];
     if (!std::isfinite(one.mean)) return compares() ? say(language, "unknown") : "";
     const double error = now.mean_errors.empty() ? NAN : now.mean_errors[k];
+    // A mean that is 0 within the rounding of its sum is 0.
+    const bool is_small = subject_.symmetric && std::abs(one.mean) < one.deviation;
     const std::string mean = std::isfinite(error) && error > 0.0
                                  ? with_error(language, one.mean, error)
-                                 : three_digits(language, one.mean);
+                             : is_small ? steady_number(language, one.mean, {0.0, one.deviation})
+                                        : three_digits(language, one.mean);
     const std::string words = subject_.symmetric || options().fit
                                   ? say(language, "mean {}, standard deviation {}", mean,
                                         three_digits(language, one.deviation))

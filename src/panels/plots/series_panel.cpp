@@ -208,6 +208,31 @@ std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) co
     return accounts;
 }
 
+// "Temperature 1.02." or "Mean energy: light 2.19, heavy 2.21.", with standard errors of a mean
+// over runs. Empty for many lines, and without a number.
+std::string SeriesPanel::account_of(const Measured& now) const {
+    constexpr std::ptrdiff_t most_lines = 4;
+    const std::vector<MeterLine>& lines = meter().lines;
+    if (std::ranges::count(lines, false, &MeterLine::is_theory) > most_lines || now.x.empty())
+        return "";
+    const Language language = context_.language();
+    std::vector<std::string> numbers;
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        const double value = now.y[k].back();
+        if (lines[k].is_theory || !std::isfinite(value)) continue;
+        const double error = now.error.empty() ? NAN : now.error[k].back();
+        const std::string number = std::isfinite(error) && error > 0.0
+                                       ? with_error(language, value, error)
+                                       : three_digits(language, value);
+        numbers.push_back(lines[k].name.empty() ? number : lines[k].name + " " + number);
+    }
+    const std::string word = say(language, meter().quantity.word);
+    if (numbers.empty() || word.empty()) return "";
+    const bool is_one = numbers.size() == 1 && !names_lines();
+    const std::string all = fmt::format("{}", fmt::join(numbers, ", "));
+    return capitalised(is_one ? word + " " + all : say(language, "{}: {}", word, all)) + ".";
+}
+
 // Lines end at the present, bands of errors at the last sample.
 plot::Plot SeriesPanel::plot(const PanelState* state) const {
     plot::Plot now = whole_;
@@ -229,7 +254,10 @@ plot::Plot SeriesPanel::plot(const PanelState* state) const {
     for (plot::AnyLayer& layer : now.layers)
         if (auto* band = std::get_if<plot::Band>(&layer); band && !band->still)
             band->shown.end = samples;
-    if (record_.compares()) now.accounts_of_runs = accounts_of_runs(shown);
+    if (record_.compares())
+        now.accounts_of_runs = accounts_of_runs(shown);
+    else if (now.account.empty())
+        now.account = account_of(runs.front());
     return now;
 }
 

@@ -67,6 +67,7 @@ class SeriesPanel : public FramesPanel<HistoryRecord> {
     bool has_numbers(bool of_theory = false) const;
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;
+    std::string account_of(const Measured& now) const;
     void add_run(std::size_t run);
 
     /// A line of the plot that ends at the present: its layer, and what it shows.

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "panels/meters/instruments.h"
-#include "scene/scene.h"
+#include "scene/keys/numbers_in_words.h"
 
 namespace carom {
+
+struct FigureSpec;
+struct Scene;
 
 /// A number for which words ask, and the simulated time of which it is.
 struct WordRequest {

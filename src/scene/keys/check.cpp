@@ -9,7 +9,7 @@
 
 #include "scene/keys/hints.h"
 #include "scene/keys/key_text.h"
-#include "scene/numbers/numbers_in_words.h"
+#include "scene/keys/numbers_in_words.h"
 #include "scene/yaml/scalar.h"
 #include "scene/yaml/yaml_text.h"
 #include "util/text.h"

@@ -7,7 +7,7 @@
 #include "physics/gas.h"
 #include "scene/keys/binding.h"
 #include "scene/keys/colors.h"
-#include "scene/numbers/numbers_in_words.h"
+#include "scene/keys/numbers_in_words.h"
 #include "scene/yaml/scalar.h"
 #include "util/formula/formula.h"
 

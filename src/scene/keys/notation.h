@@ -19,7 +19,7 @@
 #include "physics/value_rule.h"
 #include "physics/vec.h"
 #include "scene/keys/keys.h"
-#include "scene/numbers/numbers_in_words.h"
+#include "scene/keys/numbers_in_words.h"
 #include "scene/words.h"
 #include "scene/yaml/node.h"
 

@@ -18,12 +18,12 @@ namespace {
 
 /// The name of a number: a quantity, of particles or of a surface if it says so. "light.speed" and
 /// "speed.light" are the same.
-struct Parts {
+struct NumberName {
     std::string quantity, of;
 };
 
-std::vector<Parts> parts_of(const std::string& name) {
-    std::vector<Parts> all{{name, ""}};
+std::vector<NumberName> names_in(const std::string& name) {
+    std::vector<NumberName> all{{name, ""}};
     if (const std::size_t last = name.rfind('.'); last != std::string::npos)
         all.push_back({name.substr(last + 1), name.substr(0, last)});
     if (const std::size_t first = name.find('.'); first != std::string::npos)
@@ -101,7 +101,7 @@ Found reader_of(const Scene& scene, PanelKinds kinds, const std::string& name) {
     for (const PanelSpec& spec : scene.measure)
         if (spec.title == name) return {NumberInWords{.name = {}, .instrument = spec}};
     Found last;
-    for (const auto& [quantity, of] : parts_of(name))
+    for (const auto& [quantity, of] : names_in(name))
         for (const PanelKind& kind : kinds)
             for (const AskedNumber& asked : kind.asked) {
                 if (asked.name != quantity) continue;

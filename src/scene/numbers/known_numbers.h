@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/numbers/numbers_in_words.h"
+#include "scene/keys/numbers_in_words.h"
 #include "scene/panel_kind.h"
 #include "util/diagnostics.h"
 

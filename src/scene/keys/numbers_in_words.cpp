@@ -1,9 +1,10 @@
-#include "scene/numbers/numbers_in_words.h"
+#include "scene/keys/numbers_in_words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "scene/yaml/node.h"
 #include "scene/yaml/scalar.h"
 #include "util/formula/formula.h"
 #include "util/text.h"
@@ -133,14 +134,14 @@ std::string with_marks(const std::string& words, const Node& node,
 }
 
 std::string filled(std::string_view marked,
-                   const std::function<std::string(std::size_t)>& text_of) {
+                   const std::function<std::string(std::size_t)>& words_for) {
     std::string words;
     for (std::size_t i = 0; i < marked.size();) {
         const std::size_t begin = std::min(marked.find(begins_mark, i), marked.size());
         words += marked.substr(i, begin - i);
         if (begin == marked.size()) break;
         const std::size_t end = marked.find(ends_mark, begin);
-        words += text_of(std::stoul(std::string(marked.substr(begin + 1, end - begin - 1))));
+        words += words_for(std::stoul(std::string(marked.substr(begin + 1, end - begin - 1))));
         i = end + 1;
     }
     return words;

@@ -11,9 +11,12 @@
 #include <vector>
 
 #include "scene/panel_spec.h"
-#include "scene/yaml/node.h"
+#include "util/diagnostics.h"
 
 namespace carom {
+
+class Errors;
+struct Node;
 
 /// A number for which words of a scene ask.
 struct NumberInWords {
@@ -35,8 +38,9 @@ struct NumberInWords {
 std::string with_marks(const std::string& words, const Node& node,
                        std::vector<NumberInWords>& numbers, Errors& errors);
 
-/// Returns marked words with what `text_of` gives for each number, by its index.
-std::string filled(std::string_view marked, const std::function<std::string(std::size_t)>& text_of);
+/// Returns marked words with what `words_for` gives for each number, by its index.
+std::string filled(std::string_view marked,
+                   const std::function<std::string(std::size_t)>& words_for);
 
 /// Returns the indices of the numbers in marked words, in order.
 std::vector<std::size_t> numbers_in(std::string_view marked);

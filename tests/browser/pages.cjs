@@ -262,7 +262,12 @@ async function slides(page, url) {
       for (let i = 0; i < 100 && !(track.cues && track.cues.length); ++i) await new Promise(wake => setTimeout(wake, 50));
       return { mode: track.mode, cues: Array.from(track.cues || [], cue => cue.text) };
     });
-    await button.click();
+    // By the keyboard: the space bar is the button's then, and not the film's.
+    await button.focus();
+    await page.keyboard.press('Space');
+    answer.captions.after = await page.evaluate(() => Array.from(document.querySelector('video').textTracks).find(one => one.kind === 'captions').mode);
+    answer.captions.stood = await stands(page, 0);
+    await page.evaluate(() => document.activeElement.blur());
   }
   if (last > 0) {
     // The film stops when its slide is left, and the next one waits.

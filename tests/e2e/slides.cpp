@@ -115,6 +115,8 @@ TEST_CASE("each scene gets a slide, whose film starts at a click and stops when 
     CHECK(second["play"] == "Film starten");
     CHECK(answer["poster"] == 640);
     CHECK(answer["captions"]["mode"] == "showing");
+    CHECK(answer["captions"]["after"] == "disabled");
+    CHECK(answer["captions"]["stood"] == true);
     CHECK(answer["captions"]["cues"] == json{"The first words", "The last words"});
     CHECK(answer["drawn"]["share"].get<double>() > 0.6);
     CHECK(answer["playsAgain"] == true);

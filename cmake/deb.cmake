@@ -50,7 +50,7 @@ gives carom::physics.")
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE license)
 string(REPLACE "\n\n" "\n.\n" license "${license}")
 string(REPLACE "\n" "\n " license "${license}")
-file(READ ${PROJECT_SOURCE_DIR}/templates/pages/reveal/LICENSE.txt reveal_license)
+file(READ ${PROJECT_SOURCE_DIR}/templates/reveal/LICENSE.txt reveal_license)
 string(REPLACE "\n\n" "\n.\n" reveal_license "${reveal_license}")
 string(REPLACE "\n" "\n " reveal_license "${reveal_license}")
 file(WRITE ${doc_folder}/copyright "Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
@@ -61,7 +61,7 @@ Copyright: 2026 The carom authors
 License: Expat
  ${license}
 
-Files: usr/share/carom/templates/pages/reveal/*
+Files: usr/share/carom/templates/reveal/*
 Copyright: 2011-2026 Hakim El Hattab and reveal.js contributors
 License: Expat and BSD-3-clause
  ${reveal_license}

@@ -271,7 +271,7 @@ TEST_CASE("what does not go with slides is refused, with what to write instead")
 
 TEST_CASE("the files of Reveal.js are those of its package") {
     const fs::path dist = root / "build/npm/node_modules/reveal.js/dist",
-                   own = root / "templates/pages/reveal";
+                   own = root / "templates/reveal";
     if (!fs::exists(dist)) {
         MESSAGE("reveal.js is not in build/npm: its files are not compared");
         return;

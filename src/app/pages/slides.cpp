@@ -11,7 +11,9 @@
 #include "draw/style.h"
 #include "films/first_pass.h"
 #include "panels/panel.h"
+#include "runs/own_files.h"
 #include "util/diagnostics.h"
+#include "util/files/input_file.h"
 #include "util/fingerprint.h"
 #include "util/text.h"
 
@@ -42,9 +44,10 @@ const Placeholders& placeholders_of_slides() {
 }
 
 std::map<std::string, std::string> files_of_reveal() {
+    constexpr std::int64_t most_bytes = 1 << 20;
     std::map<std::string, std::string> files;
     for (const auto& [name, file] : reveal_files)
-        files[file] = document_template(fmt::format("reveal/{}", name)).text;
+        files[file] = read_file(templates_folder() / "reveal" / name, most_bytes);
     return files;
 }
 

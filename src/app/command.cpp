@@ -174,6 +174,7 @@ std::string with_equals_sign(const std::string& set) {
 Overrides overrides_of(const SceneOptions& options) {
     Overrides overrides = options.shortcuts;
     if (options.no_sound) overrides.emplace_back("film.sound=none");
+    if (options.no_recipe) overrides.emplace_back("film.recipe=false");
     for (const std::string& set : options.sets) {
         const std::size_t equals = set.find('=');
         if (equals == std::string::npos || equals == 0)

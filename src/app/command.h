@@ -92,6 +92,7 @@ struct SceneOptions {
     bool is_classroom = false;
     bool no_sound = false;
     bool is_strict = false;
+    bool no_recipe = false;
 };
 
 /// An option that is a short way to write `--set key=value`.

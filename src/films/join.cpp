@@ -150,14 +150,17 @@ std::string webvtt_of(const std::vector<FilmChapter>& chapters, double fps) {
 FilmPlan plan_of_all(const std::vector<Scene>& scenes, int frames) {
     FilmPlan all;
     all.scene.film = scenes.front().film;
-    for (const Scene& scene : scenes)
+    for (const Scene& scene : scenes) {
         if (scene.film.sound) all.scene.film.sound = scene.film.sound;
+        if (!scene.film.has_recipe) all.scene.film.has_recipe = false;
+    }
     all.span = {0, frames};
     all.starts.emplace_back();
     return all;
 }
 
-// A writer for a film of all parts; its metadata contain all that is needed to make it again.
+// A writer for a film of all parts; its metadata contain all that is needed to make it again,
+// unless one of the scenes keeps that to itself.
 std::unique_ptr<FilmWriter> writer_of_all(const std::vector<Scene>& scenes,
                                           const JoinedTitle& title, const FilmOptions& options,
                                           const std::vector<JoinedPart>& parts) {

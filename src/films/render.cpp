@@ -21,8 +21,9 @@ namespace carom {
 namespace {
 
 // The text from which the film can be made again: the seed, the changes of the command line, and
-// the scene.
+// the scene. Empty if the film shall not contain it.
 std::string recipe(const Scene& scene, const FilmOptions& options) {
+    if (!scene.film.has_recipe) return "";
     std::string text = fmt::format("seed: {}\n", scene.seed);
     if (options.from) text += fmt::format("--from {}\n", *options.from);
     if (options.to) text += fmt::format("--to {}\n", *options.to);

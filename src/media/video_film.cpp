@@ -82,6 +82,7 @@ constexpr std::array<std::string_view, 14> keys_of_mp4 = {
 void set_metadata(AVFormatContext& context, const VideoSettings& settings, const Codec& codec) {
     std::string others;
     for (const auto& [key, value] : settings.metadata) {
+        if (value.empty()) continue;
         if (codec.keeps_all_metadata ||
             std::find(keys_of_mp4.begin(), keys_of_mp4.end(), key) != keys_of_mp4.end())
             api().av_dict_set(&context.metadata, key.c_str(), value.c_str(), 0);

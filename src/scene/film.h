@@ -146,6 +146,7 @@ struct Film {
     std::optional<Field> field;
     FilmRuns runs;
     std::optional<Sound> sound;             ///< none: the film is silent
+    bool has_recipe = true;                 ///< whether its file contains what it was made from
     Language language = Language::english;  ///< of carom's own words, not the scene's
 };
 

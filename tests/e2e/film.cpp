@@ -120,6 +120,40 @@ TEST_CASE(
         "seed: 7\n--set seed=7\n--set film.size=[321, 181]\n\ntitle: One disk"));
 }
 
+TEST_CASE("a film may keep its scene to itself, and so may its page") {
+    const TemporaryFolder folder;
+    const std::string note = "# the answer is 42\n";
+    const fs::path scene = folder.write("scene.yaml", std::string(still_life) + note);
+    const auto made = [&](const std::string& name, const std::vector<std::string>& options) {
+        std::vector<std::string> call{"render", scene.string(), "--size", "320x180"};
+        call.insert(call.end(), options.begin(), options.end());
+        if (name.ends_with(".html"))
+            call.insert(call.end(), {"--page", "html", "-o", name});
+        else
+            call.insert(call.end(), {"-o", name});
+        const Outcome outcome = run_carom(call, folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+        return contents(folder.path() / name);
+    };
+    for (const std::string name : {"film.mp4", "film.webm", "film.gif"}) {
+        CAPTURE(name);
+        CHECK(made(name, {}).find("the answer is 42") != std::string::npos);
+        const std::string kept = made(name, {"--no-recipe"});
+        CHECK(kept.find("the answer is 42") == std::string::npos);
+        CHECK(kept.find("film.recipe") == std::string::npos);
+        CHECK(kept.find("One disk at rest") != std::string::npos);
+    }
+    const nlohmann::json tags = probe(folder.path() / "film.mp4")["format"]["tags"];
+    CHECK_FALSE(tags.contains("comment"));
+    CHECK(tags["title"] == "One disk at rest");
+    CHECK(made("film.html", {}).find("data:text/yaml") != std::string::npos);
+    const std::string page = made("film.html", {"--set", "film.recipe=false"});
+    CHECK(page.find("text/yaml") == std::string::npos);
+    CHECK(page.find("--set") == std::string::npos);
+    CHECK(page.find("id=\"save\"") != std::string::npos);
+}
+
 TEST_CASE("the decoded colours are those that were drawn") {
     const TemporaryFolder folder;
     const fs::path scene = folder.write("scene.yaml", still_life);

@@ -93,6 +93,24 @@ TEST_CASE("only what has changed is made again, and what is gone is removed") {
     CHECK(has(contents(folder.path() / "site/index.html"), "<h1>Gases &lt;of&gt; mine</h1>"));
 }
 
+TEST_CASE("a site does not offer a scene that keeps itself out of its film") {
+    const TemporaryFolder folder;
+    folder.write("scenes/one.yaml", scene("Open"));
+    std::string closed = scene("Closed");
+    closed.insert(closed.find("seconds:"), "recipe: false, ");
+    folder.write("scenes/two.yaml", closed);
+    REQUIRE(gallery(folder).exit_code == 0);
+    const fs::path films = folder.path() / "site/films";
+    CHECK(fs::exists(films / "one.yaml"));
+    CHECK(has(contents(films / "one.html"), "one.yaml"));
+    CHECK_FALSE(fs::exists(films / "two.yaml"));
+    CHECK_FALSE(has(contents(films / "two.html"), "two.yaml"));
+    CHECK_FALSE(has(contents(films / "two.mp4"), "argon, count"));
+    CHECK(gallery(folder).out == "site: up to date, 2 films\n");
+    REQUIRE(gallery(folder, {"--no-recipe"}).exit_code == 0);
+    CHECK_FALSE(fs::exists(films / "one.yaml"));
+}
+
 TEST_CASE("files of others are neither replaced nor removed") {
     const TemporaryFolder folder;
     write_scenes(folder);

@@ -67,6 +67,7 @@ const std::vector<std::pair<std::string, std::string>> meant_flags{
     {"--bitrate", "--max-size"},
     {"--mute", "--no-sound"},
     {"--no-audio", "--no-sound"},
+    {"--no-metadata", "--no-recipe"},
     {"--lang", "--language"},
     {"-l", "--language"},
     {"-D", "--set"},

@@ -32,6 +32,11 @@ std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film)
              &options.no_sound,
              {},
              "film.sound"},
+            {"--no-recipe",
+             "leave the scene out of the film's file: film.recipe=false",
+             &options.no_recipe,
+             {},
+             "film.recipe"},
             {"--quality",
              "draft, standard or final",
              [&film](const std::string& name) {

@@ -9,13 +9,13 @@
 
 namespace carom {
 
-/// --from, --to, --fps, --seconds, --no-sound and --quality.
+/// --from, --to, --fps, --seconds, --no-sound, --no-recipe and --quality.
 std::vector<Option> film_options(SceneOptions& options, FilmOptions& film);
 
 /// --cache, of films and stills.
 Option cache_option(std::string& folder);
 
-/// Only --fps, --seconds, --no-sound and --quality.
+/// Only --fps, --seconds, --no-sound, --no-recipe and --quality.
 std::vector<Option> film_shape_options(SceneOptions& options, FilmOptions& film);
 
 /// Whether --from, --to or --quality is given.

@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 const Placeholders& placeholders_of_film() {
     static const Placeholders names{
-        {"", {"title",        "subtitle",      "description", "language",   "carom",   "film",
-              "film_file",    "type",          "poster",      "width",      "height",  "captions",
-              "descriptions", "chapter_track", "scene",       "scene_file", "changed", "about",
-              "site",         "site_index",    "chapters",    "passages",   "changes"}},
+        {"", {"title",        "subtitle",      "description", "language",   "carom",    "film",
+              "film_file",    "type",          "poster",      "width",      "height",   "captions",
+              "descriptions", "chapter_track", "scene",       "scene_file", "offered",  "changed",
+              "about",        "site",          "site_index",  "chapters",   "passages", "changes"}},
         {"chapters", {"at", "clock", "words"}},
         {"passages", {"clock", "words"}},
         {"changes", {"change"}}};
@@ -65,19 +65,21 @@ PageFields film_fields(const FilmPage& content) {
     const Scene& scene = content.scene;
     PageFields fields;
     fields.language = scene.film.language;
-    fields.words = {{"title", scene.title},
-                    {"subtitle", scene.subtitle},
-                    {"description", scene.description},
-                    {"language", std::string(word_of(scene.film.language))},
-                    {"carom", CAROM_VERSION},
-                    {"type", media_type(content.film.name)},
-                    {"film_file", as_utf8(fs::path(content.film.name).filename().string())},
-                    {"scene_file", as_utf8(fs::path(content.source.name).filename().string())},
-                    {"width", std::to_string(scene.film.size.width)},
-                    {"height", std::to_string(scene.film.size.height)},
-                    {"about", content.text.about},
-                    {"site", content.site},
-                    {"changed", scene.source.overrides.empty() ? "" : "changed"}};
+    fields.words = {
+        {"title", scene.title},
+        {"subtitle", scene.subtitle},
+        {"description", scene.description},
+        {"language", std::string(word_of(scene.film.language))},
+        {"carom", CAROM_VERSION},
+        {"type", media_type(content.film.name)},
+        {"film_file", as_utf8(fs::path(content.film.name).filename().string())},
+        {"scene_file", as_utf8(fs::path(content.source.name).filename().string())},
+        {"width", std::to_string(scene.film.size.width)},
+        {"height", std::to_string(scene.film.size.height)},
+        {"about", content.text.about},
+        {"site", content.site},
+        {"offered", scene.film.has_recipe ? "offered" : ""},
+        {"changed", scene.film.has_recipe && !scene.source.overrides.empty() ? "changed" : ""}};
     put(fields, "film", content.film);
     put(fields, "poster", content.poster);
     put(fields, "scene", content.source);
@@ -128,7 +130,8 @@ RenderReport render_page(const Scene& scene, FilmOptions options, Output& output
          .poster = {stem + ".png",
                     data_address("image/png",
                                  {reinterpret_cast<const char*>(poster.data()), poster.size()})},
-         .source = {stem + ".yaml", data_address("text/yaml", scene.source.text)}}));
+         .source = {stem + ".yaml",
+                    scene.film.has_recipe ? data_address("text/yaml", scene.source.text) : ""}}));
     output.commit();
     return report;
 }

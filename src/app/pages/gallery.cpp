@@ -105,11 +105,12 @@ struct GalleryItem {
     // By what they are.
     std::map<std::string, std::string> files(const std::string& format) const {
         const std::string stem = "films/" + file.name;
-        return {{"film", stem + "." + format},
-                {"poster", stem + ".poster.png"},
-                {"card", stem + ".card.png"},
-                {"page", stem + ".html"},
-                {"scene", stem + ".yaml"}};
+        std::map<std::string, std::string> all{{"film", stem + "." + format},
+                                               {"poster", stem + ".poster.png"},
+                                               {"card", stem + ".card.png"},
+                                               {"page", stem + ".html"}};
+        if (scene.film.has_recipe) all.emplace("scene", stem + ".yaml");
+        return all;
     }
 };
 
@@ -308,13 +309,14 @@ class GalleryMaker {
         const auto beside = [&](const char* what) {
             return PageFile{fs::path(files.at(what)).filename().string(), ""};
         };
-        return film_page(film_template_, {.scene = plan.scene,
-                                          .text = plan.text,
-                                          .film = beside("film"),
-                                          .poster = beside("poster"),
-                                          .source = beside("scene"),
-                                          .site = title_of(options_),
-                                          .index = way_to_index(item.file.name)});
+        return film_page(film_template_,
+                         {.scene = plan.scene,
+                          .text = plan.text,
+                          .film = beside("film"),
+                          .poster = beside("poster"),
+                          .source = files.contains("scene") ? beside("scene") : PageFile{},
+                          .site = title_of(options_),
+                          .index = way_to_index(item.file.name)});
     }
 
     // The page, the scene, and the same frame twice: as large as the film, and for its card. The
@@ -327,7 +329,7 @@ class GalleryMaker {
             files.push_back({names.at(what), {bytes.begin(), bytes.end()}, "", item.inputs});
         };
         add("page", page_of(item, plan));
-        add("scene", item.scene.source.text);
+        if (names.contains("scene")) add("scene", item.scene.source.text);
         const double at = time_of_poster(plan.scene);
         const OutputFormat& png = output_format("png");
         add("poster", draw_still(plan, at, png, progress).file());

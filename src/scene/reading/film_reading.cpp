@@ -254,9 +254,13 @@ std::vector<Binding<FilmDraft>> film_keys(PanelKinds kinds) {
         bind_key("callouts", &FilmDraft::written_callouts, callouts_notation(),
                  "Words that point to a particle, or to a place in a plot, for a while.")
             .default_text("none")};
-    const std::vector beside{beside_key()}, sound{sound_key()};
+    const std::vector beside{beside_key()}, sound{sound_key()},
+        recipe{bind_key("recipe", &Film::has_recipe, flag(),
+                        "Whether the film's file contains this scene and what the command line "
+                        "changed, so that the film can be made again from it; a page then offers "
+                        "the scene, too.")};
     return joined<FilmDraft>(picture_keys(), gas_keys(kinds), frame_keys(kinds), overlay_keys(),
-                             callouts, beside, sound);
+                             callouts, beside, sound, recipe);
 }
 
 const std::vector<Choice> film_choices{{{"seconds", "pace"}}};

@@ -85,12 +85,14 @@ const Values needed{{"surfaces", "With a partition of this name"},
 
 std::string lines_of(const Key& key, const Section& section, const Values& values,
                      const std::string& indent) {
+    const std::string end_of_words = indent + "#\n";  // no key stands behind them
     if (const std::string other = given_instead_of(key, section, values); !other.empty())
-        return comment(instead(key, other, values), indent);
+        return comment(instead(key, other, values), indent) + end_of_words;
     if (const auto found = needed.find(key.name); found != needed.end())
         return comment(fmt::format("{}, `{}: {}`: {}", found->second, key.name,
                                    value_of(key, values), words_of(key)),
-                       indent);
+                       indent) +
+               end_of_words;
     return comment(words_of(key), indent) + fmt::format("{}{}{}: {}\n", indent,
                                                         is_given(values, key.name) ? "" : "# ",
                                                         key.name, value_of(key, values));

@@ -78,7 +78,8 @@ std::vector<Definition> environment() {
 }
 
 const std::vector<std::string> program_calls{"carom COMMAND [options]", "carom help [COMMAND]",
-                                             "carom --version"};
+                                             "carom help panel [KIND]",
+                                             "carom help scene [SECTION|KEY]", "carom --version"};
 
 const std::string program_summary = "lecture films and figures of gases from scene files";
 

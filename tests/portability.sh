@@ -75,7 +75,8 @@ package_rows() {
             && apt-get install -y -qq --no-install-recommends ./carom_*.deb \
             && (cd / && carom render /usr/share/carom/scenes/one-hot-particle.yaml -o /tmp/film.mp4 --quiet) \
             && [ -s /tmp/film.mp4 ] && carom help render | grep -q chunk && zcat /usr/share/man/man1/carom-render.1.gz | grep -q chunk \
-            && [ -e /usr/share/bash-completion/completions/carom ] \
+            && [ -e /usr/share/bash-completion/completions/carom ] && [ -s /usr/share/doc/carom/docs/tutorial/1.png ] \
+            && carom help panel sides | grep -q '^Example:' \
             && apt-get purge -y -qq carom && find / -xdev -name '*carom*' ! -path '/carom/*' | sort | diff <(grep -v ^/carom/ before) -"
     fi
     rm -rf --one-file-system "$root"

@@ -50,6 +50,7 @@ struct LineKey {
     int weight;
     bool tabular;
     double max_width;
+    const std::string* family;  ///< null: the usual one
     auto operator<=>(const LineKey&) const = default;
 };
 
@@ -73,7 +74,12 @@ Layout create_layout(PangoContext* context, const LineKey& key) {
         pango_attr_list_insert_before(attributes.get(), pango_attr_font_features_new("tnum=1"));
 
     const Description description{pango_font_description_new()};
-    pango_font_description_set_family_static(description.get(), font_family);
+    // Letters that it lacks come from the usual one.
+    const std::string families = key.family != nullptr ? *key.family + "," + font_family : "";
+    if (families.empty())
+        pango_font_description_set_family_static(description.get(), font_family);
+    else
+        pango_font_description_set_family(description.get(), families.c_str());
     pango_font_description_set_weight(description.get(), static_cast<PangoWeight>(key.weight));
     pango_font_description_set_absolute_size(description.get(), key.size * PANGO_SCALE);
     pango_layout_set_font_description(layout.get(), description.get());
@@ -232,10 +238,18 @@ class Typesetter {
         return line;
     }
 
-    Layout in_declared(const LineKey& key) const {
-        Layout layout = create_layout(declared_.context.get(), key);
+    const Fonts& fonts_in(const std::string* family) {
+        if (family == nullptr) return declared_;
+        const auto known = own_.find(family);
+        if (known != own_.end()) return known->second;
+        return own_.emplace(family, declared_fonts(*family)).first->second;
+    }
+
+    Layout in_declared(const LineKey& key) {
+        Layout layout = create_layout(fonts_in(key.family).context.get(), key);
         const bool has_markup = key.markup.find('<') != std::string::npos;
-        require_fonts_of(layout.get(), has_markup ? 0 : key.weight);
+        const bool has_all_weights = key.family == nullptr;
+        require_fonts_of(layout.get(), has_markup || !has_all_weights ? 0 : key.weight);
         return layout;
     }
 
@@ -258,6 +272,7 @@ class Typesetter {
     }
 
     Fonts declared_ = declared_fonts();
+    std::map<const std::string*, Fonts> own_;  ///< of families that styles name
     std::optional<Fonts> machine_;
     std::map<PangoFont*, Font> fonts_;
     std::map<LineKey, TextLine> lines_;
@@ -269,8 +284,17 @@ Typesetter& typesetter() {
     return own;
 }
 
+const std::string* family_of(const TextStyle& style) {
+    if (style.fonts == nullptr) return nullptr;
+    const std::string& family = style.lettering == Lettering::text      ? style.fonts->text
+                                : style.lettering == Lettering::numbers ? style.fonts->numbers
+                                                                        : style.fonts->formulas;
+    return family.empty() ? nullptr : &family;
+}
+
 const TextLine& line_of(const std::string& markup, const TextStyle& style) {
-    return typesetter().line({markup, style.size, style.weight, style.tabular, style.max_width});
+    return typesetter().line(
+        {markup, style.size, style.weight, style.tabular, style.max_width, family_of(style)});
 }
 
 // The whole pixel at or before a position, and the sub-pixel phase after it.
@@ -361,7 +385,8 @@ std::vector<std::string> wrapped(const std::string& words, const TextStyle& styl
     std::vector<std::string> lines;
     std::size_t begin = 0;
     if (!words.empty()) {
-        const LineKey key{escape_markup(words), style.size, style.weight, style.tabular, 0.0};
+        const LineKey key{escape_markup(words), style.size, style.weight,
+                          style.tabular,        0.0,        family_of(style)};
         const Layout layout = typesetter().paragraph(key, style.max_width);
         const GSList* line = pango_layout_get_lines_readonly(layout.get());
         for (; line != nullptr && lines.size() + 1 < most; line = line->next) {
@@ -379,7 +404,7 @@ std::vector<std::string> wrapped(const std::string& words, const TextStyle& styl
 
 std::vector<std::string> missing_letters(const std::string& text) {
     const auto lacks = [](const std::string& words) {
-        return typesetter().lacks({escape_markup(words), 16.0, 400, true, 0.0});
+        return typesetter().lacks({escape_markup(words), 16.0, 400, true, 0.0, nullptr});
     };
     std::vector<std::string> letters;
     std::unordered_set<std::string> seen;
@@ -425,5 +450,7 @@ Ink ink_of(const std::string& markup, const TextStyle& style) {
 }
 
 void require_font() { declared_fonts(); }
+
+std::vector<std::string> installed_families() { return families_of_machine(); }
 
 }  // namespace carom

@@ -1,28 +1,34 @@
 // Text on a canvas: the only interface to Pango and fontconfig. Every letter comes from one
-// declared font (Inter) through a private font configuration, so that text is the same on every
-// machine that has the font. A line with a letter that Inter lacks is set with the machine's own
-// fonts as well. Thread safety: may be used in several threads at once; each has its own fonts and
-// its own cache of recent lines.
+// declared font (Inter, or the one that a style names) through a private font configuration, so
+// that text is the same on every machine that has the font. A line with a letter that neither this
+// font nor Inter has is set with the machine's own fonts as well. Thread safety: may be used in
+// several threads at once; each has its own fonts and its own cache of recent lines.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "draw/canvas.h"
+#include "draw/fonts/font_families.h"
 
 namespace carom {
 
 enum class Align { left, center, right };
+
+/// What the letters of a text are, which decides its family of fonts.
+enum class Lettering { text, numbers, formulas };
 
 struct TextStyle {
     double size = 16;  ///< height of the em, in the unit of the canvas
     int weight = 400;  ///< 400 to 600, or 900
     Color color = {};
     Align align = Align::left;
-    bool tabular = true;   ///< digits of equal width
-    double max_width = 0;  ///< > 0: a longer line ends in an ellipsis
-    double halo = 0;       ///< > 0: an outline of this width around the letters,
-    Color behind = {};     ///< in this colour, so that they are legible on anything
+    bool tabular = true;                  ///< digits of equal width
+    double max_width = 0;                 ///< > 0: a longer line ends in an ellipsis
+    double halo = 0;                      ///< > 0: an outline of this width around the letters,
+    Color behind = {};                    ///< in this colour, so that they are legible on anything
+    const FontFamilies* fonts = nullptr;  ///< null: Inter. Must stay valid until the thread ends
+    Lettering lettering = Lettering::text;
 };
 
 struct TextExtent {
@@ -83,5 +89,8 @@ std::string escape_markup(const std::string& text);
 
 /// Throws SystemError, with the Debian package to install, if the font is not on this machine.
 void require_font();
+
+/// The families of fonts that this machine has. Throws SystemError.
+std::vector<std::string> installed_families();
 
 }  // namespace carom

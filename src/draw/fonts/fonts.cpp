@@ -12,6 +12,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <map>
+#include <mutex>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +34,7 @@ using ObjectSet = Owned<FcObjectSet, FcObjectSetDestroy>;
 using FontSet = Owned<FcFontSet, FcFontSetDestroy>;
 using FontOptions = Owned<cairo_font_options_t, cairo_font_options_destroy>;
 using Description = Owned<PangoFontDescription, pango_font_description_free>;
+using Text = Owned<char, g_free>;
 using LayoutIter = Owned<PangoLayoutIter, pango_layout_iter_free>;
 
 std::string file_of(FcPattern* pattern) {
@@ -116,18 +120,24 @@ FcConfig* machine() {
 }
 
 // A configuration with the folders that Fontconfig searches by default, with its caches on Debian
-// and Fedora; of the fonts there only the declared family. The fonts are known from the caches, as
-// scanned by the machine's rules: no font file is read for it.
-std::string declared_in_usual_folders() {
+// and Fedora; of the fonts there only the declared families. The fonts are known from the caches,
+// as scanned by the machine's rules: no font file is read for it.
+std::string declared_in_usual_folders(std::span<const std::string> families) {
+    std::string accepted;
+    for (const std::string& family : families) {
+        const Text escaped{g_markup_escape_text(family.data(), static_cast<gssize>(family.size()))};
+        accepted +=
+            fmt::format("<pattern><patelt name=\"family\"><string>{}</string></patelt></pattern>",
+                        escaped.get());
+    }
     return fmt::format(
         "<fontconfig><dir>/usr/share/fonts</dir><dir>/usr/local/share/fonts</dir>"
         "<dir prefix=\"xdg\">fonts</dir><dir>~/.fonts</dir>"
         "<cachedir>/var/cache/fontconfig</cachedir><cachedir>/usr/lib/fontconfig/cache</cachedir>"
         "<cachedir prefix=\"xdg\">fontconfig</cachedir>"
-        "<selectfont><rejectfont><pattern/></rejectfont><acceptfont><pattern>"
-        "<patelt name=\"family\"><string>{}</string></patelt>"
-        "</pattern></acceptfont></selectfont></fontconfig>",
-        font_family);
+        "<selectfont><rejectfont><pattern/></rejectfont><acceptfont>{}"
+        "</acceptfont></selectfont></fontconfig>",
+        accepted);
 }
 
 bool is_configured_by_environment() {
@@ -136,58 +146,86 @@ bool is_configured_by_environment() {
         [](const char* name) { return std::getenv(name) != nullptr; });
 }
 
-// A configuration that knows none but the declared family.
+// Whether one of the fonts is of a family, by one of the names that it has.
+bool has_family(const FcFontSet* fonts, const std::string& family) {
+    const auto* const wanted = reinterpret_cast<const FcChar8*>(family.c_str());
+    for (int i = 0; fonts != nullptr && i < fonts->nfont; ++i) {
+        FcChar8* name = nullptr;
+        for (int k = 0; FcPatternGetString(fonts->fonts[i], FC_FAMILY, k, &name) == FcResultMatch;
+             ++k)
+            if (FcStrCmpIgnoreCase(name, wanted) == 0) return true;
+    }
+    return false;
+}
+
+// A configuration that knows none but the usual family and, if it is another, the declared one.
 class DeclaredFonts {
   public:
-    DeclaredFonts() {
+    explicit DeclaredFonts(const std::string& family) {
+        const bool is_usual = family == font_family;
+        std::vector<std::string> families{font_family};
+        if (!is_usual) families.push_back(family);
         // Without memory for fontconfig, or a thread for Pango, these would terminate the program.
         require_memory(first_text_bytes, "setting text");
         require_threads(threads_of_pango, [] {});
-        g_log_set_writer_func(on_glib_message, nullptr, nullptr);
+        if (is_usual) g_log_set_writer_func(on_glib_message, nullptr, nullptr);
         own_.reset(FcConfigCreate());
         const std::string text =
-            is_configured_by_environment() ? "<fontconfig/>" : declared_in_usual_folders();
+            is_configured_by_environment() ? "<fontconfig/>" : declared_in_usual_folders(families);
         if (!own_ ||
             !FcConfigParseAndLoadFromMemory(
                 own_.get(), reinterpret_cast<const FcChar8*>(text.c_str()), FcTrue) ||
             !FcConfigBuildFonts(own_.get()))
             refuse_configuration();
         // Otherwise Pango would read the configuration of the machine.
-        if (!FcConfigSetCurrent(own_.get())) refuse_configuration();
+        if (is_usual && !FcConfigSetCurrent(own_.get())) refuse_configuration();
         const FcFontSet* found = FcConfigGetFonts(own_.get(), FcSetSystem);
+        if (!is_usual) {
+            has_font_ = has_family(found, family) || add_machine_fonts(family);
+            if (!has_family(found, font_family)) add_machine_fonts(font_family);
+            return;
+        }
         has_font_ = found != nullptr && found->nfont > 0;
         if (!has_font_ || !have_used_weights({found->fonts, std::size_t(found->nfont)}))
-            add_machine_fonts();
+            has_font_ |= add_machine_fonts(family);
     }
 
     bool has_font() const { return has_font_; }
     FcConfig* get() const { return own_.get(); }
 
   private:
-    // The declared family from wherever the machine is configured to have fonts.
-    void add_machine_fonts() {
+    // A family from wherever the machine is configured to have fonts; whether it has any.
+    bool add_machine_fonts(const std::string& family) {
+        bool has_any = false;
         const Pattern wanted{FcPatternCreate()};
         const ObjectSet fields{FcObjectSetBuild(FC_FILE, FC_WEIGHT, nullptr)};
         if (!wanted || !fields) refuse_configuration();
-        FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(font_family));
+        FcPatternAddString(wanted.get(), FC_FAMILY,
+                           reinterpret_cast<const FcChar8*>(family.c_str()));
         const FontSet found{FcFontList(machine(), wanted.get(), fields.get())};
         if (!found) refuse_configuration();
         for (int i = 0; i < found->nfont; ++i) {
-            if (!has_a_used_weight(found->fonts[i])) continue;  // each takes a millisecond to read
+            if (family == font_family && !has_a_used_weight(found->fonts[i]))
+                continue;  // each takes a millisecond to read
             const std::string file = file_of(found->fonts[i]);
             if (!FcConfigAppFontAddFile(own_.get(), reinterpret_cast<const FcChar8*>(file.c_str())))
                 refuse(file);
-            has_font_ = true;
+            has_any = true;
         }
+        return has_any;
     }
 
     FontConfig own_;
     bool has_font_ = false;
 };
 
-const DeclaredFonts& declared() {
-    static const DeclaredFonts all;
-    return all;
+const DeclaredFonts& declared(const std::string& family) {
+    static const DeclaredFonts usual{font_family};
+    if (family == font_family) return usual;
+    static std::mutex mutex;
+    static std::map<std::string, DeclaredFonts> others;
+    const std::scoped_lock lock(mutex);
+    return others.try_emplace(family, family).first->second;
 }
 
 Fonts fonts_of(FcConfig* configuration) {
@@ -237,12 +275,29 @@ void require_font_of(const PangoGlyphItem& run, int weight) {
 
 }  // namespace
 
-Fonts declared_fonts() {
-    if (!declared().has_font())
+Fonts declared_fonts(const std::string& family) {
+    const DeclaredFonts& fonts = declared(family);
+    if (!fonts.has_font())
         throw SystemError(
-            "the typeface Inter is not installed on this machine: install the Debian package "
-            "fonts-inter");
-    return fonts_of(declared().get());
+            fmt::format("the typeface {} is not installed on this machine{}", family,
+                        family == font_family ? ": install the Debian package fonts-inter" : ""));
+    return fonts_of(fonts.get());
+}
+
+std::vector<std::string> families_of_machine() {
+    const Pattern any{FcPatternCreate()};
+    const ObjectSet fields{FcObjectSetBuild(FC_FAMILY, nullptr)};
+    if (!any || !fields) refuse_configuration();
+    const FontSet found{FcFontList(machine(), any.get(), fields.get())};
+    if (!found) refuse_configuration();
+    std::set<std::string> names;
+    for (int i = 0; i < found->nfont; ++i) {
+        FcChar8* name = nullptr;
+        for (int k = 0; FcPatternGetString(found->fonts[i], FC_FAMILY, k, &name) == FcResultMatch;
+             ++k)
+            names.insert(reinterpret_cast<const char*>(name));
+    }
+    return {names.begin(), names.end()};
 }
 
 Fonts machine_fonts() { return fonts_of(machine()); }

@@ -1,11 +1,13 @@
-// The fonts used for text, for text.cpp: Inter through a private font configuration, and all fonts
-// of the machine. Detects fonts that could not be read, which Pango and Cairo do not report: they
-// draw other letters or none.
+// The fonts used for text, for text.cpp: Inter, or another family, through a private font
+// configuration, and all fonts of the machine. Detects fonts that could not be read, which Pango
+// and Cairo do not report: they draw other letters or none.
 #pragma once
 
 #include <pango/pangocairo.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace carom {
 
@@ -19,7 +21,7 @@ struct Releaser {
 template <typename T, auto release>
 using Owned = std::unique_ptr<T, Releaser<release>>;
 
-/// The typeface of all pictures.
+/// The typeface of all pictures without another.
 inline constexpr const char* font_family = "Inter";
 
 /// The fonts of one thread: Pango's fonts may not be shared between threads.
@@ -28,9 +30,13 @@ struct Fonts {
     Owned<PangoContext, g_object_unref> context;
 };
 
-/// Only the fonts of the declared family. Throws SystemError if the family is not on this machine
-/// (with the Debian package to install), or if a file of it cannot be read.
-Fonts declared_fonts();
+/// Only the fonts of one family, and of Inter, which has the letters that it lacks. Throws
+/// SystemError if the family is not on this machine (for Inter with the Debian package to install),
+/// or if a file of it cannot be read.
+Fonts declared_fonts(const std::string& family = font_family);
+
+/// The names of all families of the machine, each once, in order. Throws SystemError.
+std::vector<std::string> families_of_machine();
 
 /// All fonts of the machine. Throws SystemError.
 Fonts machine_fonts();

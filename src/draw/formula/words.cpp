@@ -9,23 +9,26 @@
 #include <utility>
 
 #include "draw/formula/ink.h"
-#include "draw/formula/inter_font.h"
+#include "draw/formula/text_font.h"
 
 namespace carom {
 namespace {
 
 using formula::Box;
-using formula::InterFont;
 using formula::Piece;
 using formula::Span;
 using formula::Standing;
+using formula::TextFont;
 
 // The layout of a formula, cached for each thread.
-const Box& box_of(const std::string& tex, int weight, Standing standing) {
-    thread_local std::map<std::tuple<std::string, int, Standing>, Box> known;
+const Box& box_of(const std::string& tex, const TextStyle& style, Standing standing) {
+    using Key = std::tuple<std::string, int, const FontFamilies*, Standing>;
+    thread_local std::map<Key, Box> known;
     if (known.size() > 200) known.clear();
-    const auto [entry, is_new] = known.try_emplace({tex, weight, standing});
-    if (is_new) entry->second = formula::box_of(formula::parsed(tex), InterFont(weight), standing);
+    const auto [entry, is_new] = known.try_emplace({tex, style.weight, style.fonts, standing});
+    if (is_new)
+        entry->second =
+            formula::box_of(formula::parsed(tex), TextFont(style.weight, style.fonts), standing);
     return entry->second;
 }
 
@@ -48,7 +51,7 @@ TextExtent walk(const std::string& line, const TextStyle& style,
     for (const Span& span : formula::spans_of(line)) {
         TextExtent its;
         if (span.is_formula) {
-            const Box& box = box_of(span.text, style.weight, standing);
+            const Box& box = box_of(span.text, style, standing);
             if (formula) formula(box, extent.width);
             its = {box.width * style.size, box.height * style.size, box.depth * style.size};
         } else {
@@ -95,7 +98,7 @@ void draw_rule(Canvas& canvas, Rect rect, Color color) {
 }  // namespace
 
 void draw_formula(Canvas& canvas, Point at, const Box& box, const TextStyle& style) {
-    const InterFont font(style.weight);
+    const TextFont font(style.weight, style.fonts);
     const double em = style.size, rule = font.common().rule * em;
     for (const Piece& piece : box.pieces) {
         const Point origin{at.x + em * piece.at.x, at.y + em * piece.at.y};
@@ -117,12 +120,14 @@ void draw_formula(Canvas& canvas, Point at, const Box& box, const TextStyle& sty
         }
         TextStyle its = without_place(style);
         its.tabular = false;
+        its.lettering = Lettering::formulas;
         its.size = em * formula::scale_of(piece.size);
         if (piece.of == Piece::Of::large) {
             its.size = em * formula::scale_of_large;
             its.weight = font.weight_of_large();
         }
-        draw_text(canvas, {origin.x, origin.y + its.size * formula::lowering_of(piece.letter)},
+        draw_text(canvas,
+                  {origin.x, origin.y + its.size * formula::lowering_of(piece.letter, style.fonts)},
                   formula::markup_of(piece.letter), its);
     }
 }

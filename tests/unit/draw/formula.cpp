@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "draw/formula/inter_font.h"
 #include "draw/formula/layout.h"
+#include "draw/formula/text_font.h"
 #include "draw/formula/words.h"
 #include "support/computer_modern.h"
 #include "support/pdflatex_boxes.h"
@@ -33,7 +33,7 @@ TEST_CASE("boxes of formulae are those of pdfLaTeX, with its font") {
 namespace {
 
 formula::Box box_in_inter(const std::string& tex) {
-    return formula::box_of(formula::parsed(tex), formula::InterFont(400), formula::Standing::alone);
+    return formula::box_of(formula::parsed(tex), formula::TextFont(400), formula::Standing::alone);
 }
 
 const formula::Piece& piece_of(const formula::Box& box, const std::string& letter) {
@@ -47,7 +47,7 @@ const formula::Piece& piece_of(const formula::Box& box, const std::string& lette
 
 TEST_CASE("a fraction's bar is level with a minus, and clear of what is above and below") {
     const formula::Box box = box_in_inter("-\\frac{g}{T}");
-    const formula::InterFont font(400);
+    const formula::TextFont font(400);
     const auto bar = std::ranges::find(box.pieces, formula::Piece::Of::rule, &formula::Piece::of);
     REQUIRE(bar != box.pieces.end());
     const double rule = font.common().rule;
@@ -83,8 +83,7 @@ TEST_CASE("every symbol has a picture in the declared typeface or in lines") {
         CAPTURE(name);
         const formula::Piece piece{
             .letter = {symbol->letter, symbol->is_slanted}, .width = 1.0, .height = 1.0};
-        const formula::Metrics m =
-            formula::InterFont(400).letter(piece.letter, formula::Size::text);
+        const formula::Metrics m = formula::TextFont(400).letter(piece.letter, formula::Size::text);
         CHECK(m.width > 0.1);
         CHECK(m.height > 0.1);
         if (!formula::lines_of(piece).empty()) continue;

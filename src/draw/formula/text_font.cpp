@@ -1,4 +1,4 @@
-#include "draw/formula/inter_font.h"
+#include "draw/formula/text_font.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +16,16 @@ namespace {
 constexpr double lean = 0.165;  // horizontal over vertical, of slanted letters
 
 // The ink of a line of markup at an em of 1. Each thread caches those that it has measured.
-const Ink& ink_at_one(const std::string& markup, int weight) {
-    thread_local std::map<std::tuple<std::string, int>, Ink> known;
-    const auto [entry, is_new] = known.try_emplace({markup, weight});
+const Ink& ink_at_one(const std::string& markup, int weight, const FontFamilies* fonts) {
+    thread_local std::map<std::tuple<std::string, int, const FontFamilies*>, Ink> known;
+    const auto [entry, is_new] = known.try_emplace({markup, weight, fonts});
     if (is_new) {
         constexpr double size = 1000.0;
-        const Ink ink = ink_of(markup, {.size = size, .weight = weight, .tabular = false});
+        const Ink ink = ink_of(markup, {.size = size,
+                                        .weight = weight,
+                                        .tabular = false,
+                                        .fonts = fonts,
+                                        .lettering = Lettering::formulas});
         entry->second = {
             ink.advance / size,
             {ink.rect.x / size, ink.rect.y / size, ink.rect.width / size, ink.rect.height / size}};
@@ -118,14 +122,14 @@ std::string markup_of(const Letter& letter) {
     return letter.is_slanted ? "<i>" + escape_markup(text) + "</i>" : escape_markup(text);
 }
 
-double lowering_of(const Letter& letter) {
+double lowering_of(const Letter& letter, const FontFamilies* fonts) {
     if (letter.text != "′") return 0.0;
-    const Rect ink = ink_at_one(letter.text, 400).rect;
+    const Rect ink = ink_at_one(letter.text, 400, fonts).rect;
     return -(ink.y + ink.height);
 }
 
-InterFont::InterFont(int weight) : weight_(weight) {
-    const auto ink = [&](const char* letter) { return ink_at_one(letter, weight).rect; };
+TextFont::TextFont(int weight, const FontFamilies* fonts) : weight_(weight), fonts_(fonts) {
+    const auto ink = [&](const char* letter) { return ink_at_one(letter, weight, fonts).rect; };
     x_height_ = -ink("x").y;
     digit_height_ = -ink("1").y;
     const Rect minus = ink("−");
@@ -135,7 +139,7 @@ InterFont::InterFont(int weight) : weight_(weight) {
 
 // TeX's values fit Computer Modern; these have the same ratio to Inter's larger letters as TeX's to
 // those of Computer Modern.
-Lengths InterFont::lengths(Size size) const {
+Lengths TextFont::lengths(Size size) const {
     const double s = scale_of(size), up = x_height_ / 0.430555 * s;
     constexpr double script = 0.72;
     return {.x_height = s * x_height_,
@@ -154,7 +158,7 @@ Lengths InterFont::lengths(Size size) const {
             .axis = s * axis_};
 }
 
-CommonLengths InterFont::common() const {
+CommonLengths TextFont::common() const {
     return {.rule = rule_,
             .gap = 0.045,
             .limit_gap = {0.11, 0.17, 0.2, 0.6, 0.06},
@@ -162,13 +166,13 @@ CommonLengths InterFont::common() const {
             .no_bracket = 0.1};
 }
 
-Metrics InterFont::letter(const Letter& letter, Size size) const {
+Metrics TextFont::letter(const Letter& letter, Size size) const {
     const double s = scale_of(size);
     if (const auto drawn = drawn_sign(letter.text))
         return {s * drawn->width, s * (axis_ + drawn->half_height),
                 s * (drawn->half_height - axis_)};
-    const Ink& ink = ink_at_one(markup_of(letter), weight_);
-    const double low = lowering_of(letter);
+    const Ink& ink = ink_at_one(markup_of(letter), weight_, fonts_);
+    const double low = lowering_of(letter, fonts_);
     Metrics m{.width = ink.advance,
               .height = -ink.rect.y - low,
               .depth = std::max(0.0, ink.rect.y + ink.rect.height + low)};
@@ -179,23 +183,23 @@ Metrics InterFont::letter(const Letter& letter, Size size) const {
     return scaled(m, s);
 }
 
-std::optional<double> InterFont::kern(const Letter& first, const Letter& second, Size size) const {
+std::optional<double> TextFont::kern(const Letter& first, const Letter& second, Size size) const {
     if (first.is_slanted != second.is_slanted || drawn_sign(first.text) ||
         drawn_sign(second.text) || first.text == "′")
         return std::nullopt;
     const auto advance = [&](const std::string& text) {
-        return ink_at_one(markup_of({text, first.is_slanted}), weight_).advance;
+        return ink_at_one(markup_of({text, first.is_slanted}), weight_, fonts_).advance;
     };
     return scale_of(size) *
            (advance(first.text + second.text) - advance(first.text) - advance(second.text));
 }
 
-int InterFont::weight_of_large() const {
+int TextFont::weight_of_large() const {
     return std::max(100, static_cast<int>(std::lround(weight_ / scale_of_large / 100.0)) * 100);
 }
 
-Metrics InterFont::large(const Letter& operation) const {
-    const Ink& ink = ink_at_one(markup_of(operation), weight_of_large());
+Metrics TextFont::large(const Letter& operation) const {
+    const Ink& ink = ink_at_one(markup_of(operation), weight_of_large(), fonts_);
     return scaled({.width = ink.advance,
                    .height = -ink.rect.y,
                    .depth = ink.rect.y + ink.rect.height,
@@ -203,7 +207,7 @@ Metrics InterFont::large(const Letter& operation) const {
                   scale_of_large);
 }
 
-Metrics InterFont::bracket(const Letter& bracket, double least, Size size) const {
+Metrics TextFont::bracket(const Letter& bracket, double least, Size size) const {
     const double s = scale_of(size), total = std::max(least, 0.96 * s);
     double width = 0.34 * s + 0.05 * std::min(total, 3.0);
     if (bracket.text == "|") width = 0.28 * s;
@@ -211,19 +215,19 @@ Metrics InterFont::bracket(const Letter& bracket, double least, Size size) const
     return {.width = width, .height = total};
 }
 
-Metrics InterFont::root(double least, Size size) const {
+Metrics TextFont::root(double least, Size size) const {
     return {.width = scale_of(size) * 0.52 + 0.06 * std::min(least, 3.0),
             .height = rule_,
             .depth = least - rule_};
 }
 
-Metrics InterFont::accent(const std::string& name, Size size) const {
+Metrics TextFont::accent(const std::string& name, Size size) const {
     const AccentShape shape = accent_shape(name);
     return scaled({.width = shape.width, .height = x_height_ + shape.to + 0.5 * rule_},
                   scale_of(size));
 }
 
-double InterFont::accent_base(const std::string&, Size size) const {
+double TextFont::accent_base(const std::string&, Size size) const {
     return scale_of(size) * x_height_;
 }
 

@@ -1,18 +1,20 @@
-// The typeface of films as a font for formulae: the letters are those of the typeface; signs that
+// A typeface of texts as a font for formulae: the letters are those of the typeface; signs that
 // it lacks, and brackets that must grow, are drawn with lines of the same thickness.
 #pragma once
 
 #include <span>
 #include <vector>
 
+#include "draw/fonts/font_families.h"
 #include "draw/formula/layout.h"
 #include "draw/geometry.h"
 
 namespace carom::formula {
 
-class InterFont : public Font {
+class TextFont : public Font {
   public:
-    explicit InterFont(int weight);
+    /// `fonts`: as in TextStyle.
+    explicit TextFont(int weight, const FontFamilies* fonts = nullptr);
 
     Lengths lengths(Size size) const override;
     CommonLengths common() const override;
@@ -32,6 +34,7 @@ class InterFont : public Font {
 
   private:
     int weight_;
+    const FontFamilies* fonts_;
     double x_height_ = 0.0, digit_height_ = 0.0, axis_ = 0.0, rule_ = 0.0;
 };
 
@@ -45,7 +48,7 @@ std::string markup_of(const Letter& letter);
 
 /// The distance, in its em, by which a letter is drawn lower than in the typeface: that of a prime,
 /// which is set as an index here.
-double lowering_of(const Letter& letter);
+double lowering_of(const Letter& letter, const FontFamilies* fonts);
 
 /// A sign, bracket, root or accent as polylines in a unit square (y down); empty if the typeface
 /// has it.

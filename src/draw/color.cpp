@@ -18,6 +18,12 @@ double linear(double channel) {
     return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
 }
 
+// The same from light to code value.
+double encoded(double light) {
+    const double inside = std::clamp(light, 0.0, 1.0);
+    return inside <= 0.0031308 ? 12.92 * inside : 1.055 * std::pow(inside, 1.0 / 2.4) - 0.055;
+}
+
 }  // namespace
 
 std::optional<Color> parse_color(std::string_view text) {
@@ -51,6 +57,18 @@ Oklab oklab(Color color) {
     return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
             1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
             0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
+}
+
+Color from_oklab(const Oklab& color) {
+    const auto cubed = [&](double a, double b) {
+        const double root = color.lightness + a * color.a + b * color.b;
+        return root * root * root;
+    };
+    const double l = cubed(0.3963377774, 0.2158037573), m = cubed(-0.1055613458, -0.0638541728),
+                 s = cubed(-0.0894841775, -1.2914855480);
+    return {encoded(4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s),
+            encoded(-1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s),
+            encoded(-0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s)};
 }
 
 double difference(const Oklab& one, const Oklab& other) {

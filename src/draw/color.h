@@ -47,6 +47,9 @@ struct Oklab {
 };
 Oklab oklab(Color color);
 
+/// The nearest sRGB colour, channel by channel.
+Color from_oklab(const Oklab& color);
+
 /// The perceptual difference of two colours, their distance in Oklab: about 0.02 is just noticeable
 /// side by side.
 double difference(const Oklab& one, const Oklab& other);

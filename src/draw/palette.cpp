@@ -163,12 +163,30 @@ std::span<const std::string> color_map_names() {
     return names;
 }
 
+ColorMap ramp_map(const Theme& theme) {
+    constexpr int steps = 64;
+    std::vector<Oklab> knots;
+    for (const Color color : theme.ramp) knots.push_back(oklab(color));
+    const auto last = static_cast<double>(knots.size() - 1);
+    std::vector<Color> samples;
+    for (int i = 0; i <= steps; ++i) {
+        const double place = last * i / steps;
+        const auto below = std::min(static_cast<std::size_t>(place), knots.size() - 2);
+        const double share = place - static_cast<double>(below);
+        const Oklab &a = knots[below], &b = knots[below + 1];
+        samples.push_back(from_oklab({std::lerp(a.lightness, b.lightness, share),
+                                      std::lerp(a.a, b.a, share), std::lerp(a.b, b.b, share)}));
+    }
+    return ColorMap(std::move(samples));
+}
+
 ColorMap netlogo_map(bool dark_ground) {
     const auto& colors = dark_ground ? netlogo_on_dark : netlogo_on_light;
     return ColorMap({colors.begin(), colors.end()});
 }
 
 Color speed_class_color(std::size_t index, const Theme& theme) {
+    if (!theme.ramp.empty()) return ramp_map(theme).at(0.5 * static_cast<double>(index));
     constexpr std::array greys = {in_print[3], in_print[2], in_print[0]};
     if (theme.kind == ThemeKind::print) return greys.at(index);
     return (theme.dark ? netlogo_on_dark : netlogo_on_light).at(index);
@@ -194,6 +212,7 @@ ColorMap grey_map() {
 }
 
 Color kind_color(std::size_t index, const Theme& theme) {
+    if (!theme.series.empty()) return theme.series[index % theme.series.size()];
     switch (theme.kind) {
         case ThemeKind::dark:
             return on_dark[index % on_dark.size()];
@@ -217,6 +236,7 @@ ColorMap direction_map(const Theme& theme) {
 }
 
 std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme) {
+    if (!theme.series.empty()) return {theme.series.begin(), theme.series.end()};
     constexpr double least_contrast_with_words = 1.6;
     std::vector<std::pair<double, Color>> kinds;
     const std::size_t count = theme.kind == ThemeKind::print ? in_print.size() : on_dark.size();

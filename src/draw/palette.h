@@ -40,13 +40,16 @@ std::span<const std::string> color_map_names();
 /// dark, on a light ground light.
 ColorMap color_map_on(std::string_view name, const Theme& theme);
 
+/// The map of a theme with a ramp of its own, through its colours in even steps of Oklab.
+ColorMap ramp_map(const Theme& theme);
+
 /// Blue, green and red, as in NetLogo's models of gases, with a contrast of 3 to the ground. All
 /// viewers can tell the three kinds apart; the colours interpolated between them are no scale for
 /// colour-blind viewers.
 ColorMap netlogo_map(bool dark_ground);
 
-/// The colours of slow, medium and fast: NetLogo's blue, green and red, greys in print; independent
-/// of the colour scale of the film.
+/// The colours of slow, medium and fast: those of the theme's ramp, or NetLogo's blue, green and
+/// red, greys in print; independent of the palette of the film.
 Color speed_class_color(std::size_t index, const Theme& theme);
 
 /// A colour that no viewer confuses with a colour of the named map, for what has no place on that
@@ -60,16 +63,16 @@ ColorMap direction_map(const Theme& theme);
 /// Greys from light to dark in even steps of lightness, for print; all are far from black.
 ColorMap grey_map();
 
-/// Colours for kinds of particles, in a fixed order for each theme: blue, coral (so that of a cold
-/// and a hot kind the latter is warm), green, violet and two with little colour; greys in print.
-/// They repeat after six, in print after four. All viewers can tell them from each other and, in
-/// colour, from the theory curve, whose hue none of them has. Pale greys need an edge (see
-/// edge_of).
+/// Colours for kinds of particles, in a fixed order for each theme: those of its series, or blue,
+/// coral (so that of a cold and a hot kind the latter is warm), green, violet and two with little
+/// colour; greys in print. They repeat after six, in print after four. All viewers can tell them
+/// from each other and, in colour, from the theory curve, whose hue none of them has. Pale greys
+/// need an edge (see edge_of).
 Color kind_color(std::size_t index, const Theme& theme);
 
 /// The colours of kind_color(), ordered by their distance from all of `others`, from words and from
 /// curves of theory, farthest first, but of the first two the bluer first: for kinds in a picture
-/// where the others have another meaning.
+/// where the others have another meaning. A series of the theme's own keeps its order.
 std::vector<Color> kind_colors_beside(std::span<const Color> others, const Theme& theme);
 
 }  // namespace carom

@@ -1,10 +1,11 @@
-// The colours of a picture by their role, for each theme. Contains colours only; sizes and
-// positions belong to the layout.
+// The colours of a picture by their role, for each theme, and its fonts. Sizes and positions belong
+// to the layout.
 #pragma once
 
 #include <span>
 
 #include "draw/color.h"
+#include "draw/fonts/font_families.h"
 
 namespace carom {
 
@@ -27,6 +28,10 @@ struct Theme {
     Color highlight;  ///< what the viewer should look at: a caption, a reversal
     ThemeKind kind = ThemeKind::dark;
     bool dark = false;
+    std::span<const Color> series = {};   ///< of kinds of particles and of compared runs, in order;
+                                          ///< empty: those of the palette
+    std::span<const Color> ramp = {};     ///< of the scale from slow to fast; empty: the palette's
+    const FontFamilies* fonts = nullptr;  ///< null: the usual font
 };
 
 /// The least contrast ratios of WCAG 2.2 with the background: of words (1.4.3), and of other marks

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <set>
+#include <string>
 #include <system_error>
 
 #include "app/granted_cores.h"
@@ -152,10 +154,16 @@ Option language_option(SceneOptions& options) {
                     "language of carom's own words: en, de, fr or es");
 }
 
+Option style_option(SceneOptions& options) {
+    return shortcut(options, "--style STYLE", "style",
+                    "colours, fonts and sizes: a style file, or the name of one of carom's");
+}
+
 std::vector<Option> picture_options(SceneOptions& options) {
     return {
         shortcut(options, "--template TEMPLATE", "film.template",
                  "layout: the name of a template, or a file"),
+        style_option(options),
         shortcut(options, "--theme THEME", "film.theme", "colours: light, dark or print"),
         language_option(options),
         shortcut(options, "--ground GROUND", "film.ground",
@@ -201,7 +209,10 @@ std::string note_text(const Diagnostic& note) {
 
 void say_notes(const SceneOptions& options, const Scene& scene) {
     if (options.quiet) return;
-    for (const Diagnostic& note : scene.notes) print_to_stderr("carom: " + note_text(note) + "\n");
+    static std::set<std::string> said;  // several scenes may have the same style
+    for (const Diagnostic& note : scene.notes)
+        if (const std::string text = note_text(note); said.insert(text).second)
+            print_to_stderr("carom: " + text + "\n");
 }
 
 int threads_of(const SceneOptions& options) {

@@ -124,7 +124,10 @@ Option limits_option(bool& is_classroom);
 /// --language.
 Option language_option(SceneOptions& options);
 
-/// --template, --theme, --language, --ground and --size.
+/// --style.
+Option style_option(SceneOptions& options);
+
+/// --template, --style, --theme, --language, --ground and --size.
 std::vector<Option> picture_options(SceneOptions& options);
 
 /// All overrides of the scene, from --set and its shortcuts. Throws UsageError if a --set is not

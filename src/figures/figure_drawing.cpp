@@ -11,6 +11,7 @@
 #include "panels/registry.h"
 #include "panels/words/text_panel.h"
 #include "scene/panel_kind.h"
+#include "scene/style/style.h"
 #include "util/text.h"
 
 namespace carom {
@@ -127,7 +128,11 @@ void draw_plot(Canvas& canvas, const DrawContext& whole, const Sheet& sheet, con
 
 }  // namespace
 
-double smallest_type(const FigureSpec& spec) { return spec.slide ? slide_type : print_type; }
+double smallest_type(const FigureSpec& spec) {
+    const Style* style = spec.style.get();
+    if (spec.slide) return slide_type * (style != nullptr ? style->film_text : 1.0);
+    return style != nullptr ? style->figure_text.value_or(print_type) : print_type;
+}
 
 std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
     const double unit = centimetres(smallest_type(spec));
@@ -138,7 +143,8 @@ std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
 
 void refuse_long_words(const Scene& scene, const FigureSpec& spec) {
     const double unit = smallest_type(spec) / 72.0 * print_dots;
-    auto problem = problem_of_words(spec.panel, plot_in(sheet_of(scene, spec), unit), unit);
+    auto problem = problem_of_words(spec.panel, plot_in(sheet_of(scene, spec), unit), unit,
+                                    theme_of(spec.theme, spec.style.get()).fonts);
     if (!problem) return;
     problem->hint = "write fewer or shorter words, or make the figure larger";
     throw SceneError({*problem});
@@ -147,7 +153,8 @@ void refuse_long_words(const Scene& scene, const FigureSpec& spec) {
 Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<VectorFormat> format,
                    const PictureWords& words) {
     const FigureSpec& spec = *figure.spec;
-    const double raster = spec.slide ? slide_dots : print_dots;
+    const double usual = spec.slide ? slide_dots : print_dots;
+    const double raster = spec.style != nullptr ? spec.style->dots.value_or(usual) : usual;
     const double dots = format ? vector_dots : raster;
     const double unit = smallest_type(spec) / 72.0 * dots;
     const Sheet sheet = sheet_of(run.scene(), spec);
@@ -161,8 +168,10 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
         canvas.set_resolution(raster);
     }
     DiskPainter disks;
-    const DrawContext dc{
-        {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec.theme), disks};
+    const DrawContext dc{{0.0, 0.0, double(size.width), double(size.height)},
+                         unit,
+                         theme_of(spec.theme, spec.style.get()),
+                         disks};
     if (!transparent) canvas.fill_all(dc.theme.page);
     if (draws_box(spec))
         draw_gas(canvas, dc, sheet, figure, run.scene());
@@ -172,7 +181,7 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
 }
 
 Table table_of(const Figure& figure) {
-    const Theme& colors = theme_of(figure.spec->theme);
+    const Theme& colors = theme_of(figure.spec->theme, figure.spec->style.get());
     Table whole;
     for (const FigureMoment& moment : figure.moments) {
         Table table = figure.panel->table(*moment.state, colors);

@@ -205,14 +205,15 @@ std::unique_ptr<FilmWriter> writer_of_part(FilmWriter& whole, const JoinedPart& 
 
 void draw_title(Canvas& canvas, const Film& film, const JoinedTitle& title) {
     canvas.fill_all(page_color(film));
-    const Theme& theme = theme_of(film.theme);
-    const double width = film.size.width, unit = Grid(film.layout, film.size).unit();
+    const Theme& theme = theme_of(film);
+    const double width = film.size.width, unit = Grid(film).unit();
     const TextStyle large{.size = 3.4 * unit,
                           .weight = 600,
                           .color = theme.ink,
                           .align = Align::center,
                           .tabular = false,
-                          .max_width = 0.84 * width};
+                          .max_width = 0.84 * width,
+                          .fonts = theme.fonts};
     TextStyle small = large;
     small.size = 1.6 * unit;
     small.weight = 400;

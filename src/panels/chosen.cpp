@@ -129,8 +129,9 @@ std::string column_name_of(const Scene& scene, const Chosen& chosen) {
 namespace {
 
 plot::Role kind_role(const PanelContext& context, std::size_t index) {
-    return plot::own_role(
-        [&](const Theme& theme) { return kind_in(context.film(), index, theme); });
+    return plot::own_role(themes_of(context.film()), [&](const Theme& theme) {
+        return kind_in(context.film(), index, theme);
+    });
 }
 
 }  // namespace

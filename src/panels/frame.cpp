@@ -15,7 +15,7 @@
 
 namespace carom {
 
-Color page_color(const Film& film) { return theme_of(film.theme).page; }
+Color page_color(const Film& film) { return theme_of(film).page; }
 
 namespace {
 
@@ -33,8 +33,8 @@ Rect before(Rect line, const Rect& other, double unit) {
 FramePainter::FramePainter(const PanelSet& panels)
     : scene_(panels.scene()),
       panels_(panels),
-      theme_(theme_of(scene_.film.theme)),
-      grid_(scene_.film.layout, scene_.film.size),
+      theme_(theme_of(scene_.film)),
+      grid_(scene_.film),
       unit_(grid_.unit()),
       captions_(caption_schedule(scene_)),
       subtitle_(subtitle_showing(scene_)),
@@ -275,7 +275,8 @@ void FramePainter::draw_slowness(Canvas& canvas, const Tick& tick) const {
     TextStyle style{.size = 1.5 * unit_,
                     .weight = 600,
                     .color = with_alpha(theme_.highlight, tick.slow.share),
-                    .align = Align::right};
+                    .align = Align::right,
+                    .fonts = theme_.fonts};
     const double width = measure_text(words, style).width + 1.2 * unit_;
     canvas.fill({box.right() - width, box.y, width, 2.3 * unit_},
                 with_alpha(theme_.ground, plate_alpha * tick.slow.share));
@@ -302,7 +303,8 @@ void FramePainter::draw_announcement(Canvas& canvas, const Tick& tick) const {
         TextStyle style{.size = 2.2 * unit_,
                         .weight = 600,
                         .color = with_alpha(theme_.ink, alpha),
-                        .align = Align::center};
+                        .align = Align::center,
+                        .fonts = theme_.fonts};
         const double padding = 3.0 * unit_;
         const bool is_covered =
             std::ranges::any_of(panels_.panels(), &PanelSet::Placed::is_over_box);

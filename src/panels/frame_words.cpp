@@ -26,7 +26,8 @@ PlacedWords FramePainter::title_place(double end) const {
                     .weight = 600,
                     .color = theme_.ink,
                     .tabular = false,
-                    .max_width = area.width};
+                    .max_width = area.width,
+                    .fonts = theme_.fonts};
     const auto from_top = [&](const std::vector<std::string>& lines) {
         PlacedWords title{{}, style};
         double y = area.y + above_baseline * style.size;
@@ -37,7 +38,10 @@ PlacedWords FramePainter::title_place(double end) const {
         return title;
     };
     const double share =
-        area.width / measure_text(escape_markup(scene_.title), {style.size, style.weight}).width;
+        area.width /
+        measure_text(escape_markup(scene_.title),
+                     {.size = style.size, .weight = style.weight, .fonts = style.fonts})
+            .width;
     if (share >= smallest_in_one / largest) {
         style.size *= std::min(1.0, share);
         style.max_width *= 1.0 + 1e-3;  // letters are set at whole sizes
@@ -49,7 +53,9 @@ PlacedWords FramePainter::title_place(double end) const {
         if (is_smallest) style.size = smallest * unit_;
         const std::vector<std::string> lines = wrapped(scene_.title, style, 2);
         const double width =
-            measure_text(escape_markup(lines.back()), {style.size, style.weight}).width;
+            measure_text(escape_markup(lines.back()),
+                         {.size = style.size, .weight = style.weight, .fonts = style.fonts})
+                .width;
         if (is_smallest || width <= area.width) return from_top(lines);
     }
 }
@@ -66,7 +72,8 @@ void FramePainter::draw_title(Canvas& canvas, double end, bool has_title) const 
                           .weight = 400,
                           .color = theme_.muted,
                           .tabular = false,
-                          .max_width = area.width};
+                          .max_width = area.width,
+                          .fonts = theme_.fonts};
     const double line = subtitle_line * unit_;
     const auto most = static_cast<std::size_t>(std::max(0.0, area.bottom() - y) / line + 1e-6);
     for (const std::string& words :
@@ -123,7 +130,11 @@ PlacedWords FramePainter::caption_place(const std::string& words) const {
     constexpr double largest = 1.47, smallest = 1.0;  // units
     constexpr double least_of_larger_lines = 3.0;     // units: lower places have a single such line
     const Rect place = before_numbers(grid_.place(*scene_.film.layout.caption));
-    TextStyle style{.size = largest * unit_, .weight = 500, .color = theme_.ink, .tabular = false};
+    TextStyle style{.size = largest * unit_,
+                    .weight = 500,
+                    .color = theme_.ink,
+                    .tabular = false,
+                    .fonts = theme_.fonts};
     const double in_one = place.width / measure_words(words, style).width * style.size;
     const bool has_more_lines = place.height >= 2.0 * line_of_caption * smallest * unit_;
     const bool may_be_large = place.height > least_of_larger_lines * unit_;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/film.h"
+#include "scene/style/style.h"
+
 namespace carom {
 namespace {
 
@@ -12,10 +15,15 @@ double line_under_box(const Grid& grid) { return grid.height_of(1.9); }
 
 }  // namespace
 
-Grid::Grid(const LayoutSpec& layout, PictureSize size)
+Grid::Grid(const LayoutSpec& layout, PictureSize size, double text)
     : across_(size.width / layout.grid_width),
       up_(size.height / layout.grid_height),
-      unit_(std::min(across_, up_)) {}
+      unit_(std::min(across_, up_) * text) {}
+
+Grid::Grid(const Film& film, const LayoutSpec& layout)
+    : Grid(layout, film.size, film.style != nullptr ? film.style->film_text : 1.0) {}
+
+Grid::Grid(const Film& film) : Grid(film, film.layout) {}
 
 Rect Grid::place(const Slot& slot) const {
     return {slot.x * across_, slot.y * up_, slot.width * across_, slot.height * up_};

@@ -13,11 +13,18 @@
 
 namespace carom {
 
+struct Film;
+
 /// The grid of a template, stretched to fill a picture. Text is not stretched: its unit is the
-/// smaller of the two grid steps.
+/// smaller of the two grid steps, times the size of text.
 class Grid {
   public:
-    Grid(const LayoutSpec& layout, PictureSize size);
+    /// `text`: the size of text, relative to the usual one.
+    Grid(const LayoutSpec& layout, PictureSize size, double text = 1.0);
+
+    /// That of a film in its size and style, with its own layout or with another.
+    explicit Grid(const Film& film);
+    Grid(const Film& film, const LayoutSpec& layout);
 
     double unit() const { return unit_; }  ///< pixels
     Rect place(const Slot& slot) const;    ///< pixels

@@ -23,22 +23,18 @@ void refuse(Diagnostic place, std::string message, std::string hint) {
     throw SceneError({place});
 }
 
-const Theme& theme_of(ThemeName name) {
-    if (name == ThemeName::light) return theme(ThemeKind::light);
-    return theme(name == ThemeName::print ? ThemeKind::print : ThemeKind::dark);
-}
-
 TextStyle label_style(const DrawContext& dc) {
-    return {.size = dc.unit, .weight = 400, .color = dc.theme.muted};
+    return {.size = dc.unit, .weight = 400, .color = dc.theme.muted, .fonts = dc.theme.fonts};
 }
 
 TextStyle title_style(const DrawContext& dc) {
-    return {.size = 1.15 * dc.unit, .weight = 500, .color = dc.theme.ink};
+    return {.size = 1.15 * dc.unit, .weight = 500, .color = dc.theme.ink, .fonts = dc.theme.fonts};
 }
 
 AxisStyle axis_style(const DrawContext& dc) {
     TextStyle numbers = label_style(dc);
     numbers.color = dc.theme.second;
+    numbers.lettering = Lettering::numbers;
     return {.line_width = 0.07 * dc.unit,
             .tick_length = 0.3 * dc.unit,
             .label = numbers,

@@ -28,6 +28,7 @@ struct Film;
 struct Gas;
 struct Scene;
 struct Species;
+struct Style;
 struct PlotPoint;
 
 /// What all panels of a film know from the start. Must outlive the panels.
@@ -226,8 +227,17 @@ class Panel {
 /// The opacity of a plate under text.
 constexpr double plate_alpha = 0.9;
 
-/// The colours of a theme, by its name in a scene.
-const Theme& theme_of(ThemeName name);
+/// The colours and fonts of a theme, by its name in a scene: of the theme on which a style is
+/// based, those of the style; of another, its own colours and the fonts of the style. They stay
+/// valid until the program ends, and the same style always gives the same object.
+const Theme& theme_of(ThemeName name, const Style* style = nullptr);
+
+/// Those of the pictures of a film, and of its figures on another theme.
+const Theme& theme_of(const Film& film);
+const Theme& theme_of(const Film& film, ThemeName name);
+
+/// The light, the dark and the print theme of a film.
+std::array<const Theme*, 3> themes_of(const Film& film);
 
 /// Text of the panels: labels at the smallest size, titles a little larger.
 TextStyle label_style(const DrawContext& dc);

@@ -97,7 +97,7 @@ void PanelSet::add_boxes(const LayoutSpec& layout) {
     const Box& box = scene().gas.box;
     const double shape = box.dimension == 1 ? 0.0 : box.size[1] / box.size[0];
     const bool is_overlaid = film.runs.is_overlaid;
-    const Grid grid(layout, film.size);
+    const Grid grid(film, layout);
     const std::vector<PlaceBeside> places =
         is_overlaid ? places_overlaid(layout.gas, shape, grid, runs_.size())
                     : places_beside(layout.gas, shape, grid, runs_.size());
@@ -140,7 +140,7 @@ void PanelSet::add_film_panels(const LayoutSpec& layout) {
     }
     const std::vector<Slot> slots =
         with_heights(shared_slots(places_of_panels(layout), panels.size()), enough);
-    const Grid grid(layout, film.size);
+    const Grid grid(film, layout);
     const double end_of_box = boxes(grid).front().right();
     for (std::size_t i = 0; i < panels.size(); ++i) {
         Placed::Stand stand = Placed::Stand::own_place;
@@ -161,7 +161,7 @@ void PanelSet::add_film_panels(const LayoutSpec& layout) {
 std::vector<Slot> PanelSet::places_of_panels(const LayoutSpec& layout) const {
     constexpr double least_beside = 20.0, gap = 1.6, tallest = 0.8;  // units; of the width
     std::vector<Slot> places = layout.panels;
-    const Grid grid(layout, scene().film.size);
+    const Grid grid(scene().film, layout);
     const Rect box = boxes(grid).front(), whole = grid.place(layout.gas);
     const double right = (whole.right() - box.right()) / whole.width * layout.gas.width;
     const double below = (whole.bottom() - box.bottom()) / whole.height * layout.gas.height;
@@ -221,7 +221,7 @@ double PanelSet::scale(const Grid& grid) const {
     DiskPainter disks;
     const Placed& box = panels_.front();
     return dynamic_cast<const ParticlePanel&>(*box.panel)
-        .scale_in({grid.place(box.slot), grid.unit(), theme_of(scene().film.theme), disks});
+        .scale_in({grid.place(box.slot), grid.unit(), theme_of(scene().film), disks});
 }
 
 // Calls f(panel, run) for each panel with the index of the run that it sees.

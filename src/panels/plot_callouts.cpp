@@ -11,8 +11,7 @@
 
 namespace carom {
 
-PlotCallouts::PlotCallouts(const PanelSet& panels)
-    : panels_(panels), grid_(panels.scene().film.layout, panels.scene().film.size) {
+PlotCallouts::PlotCallouts(const PanelSet& panels) : panels_(panels), grid_(panels.scene().film) {
     const Film& film = panels.scene().film;
     if (film.callouts.empty()) return;
     const std::size_t first = panels.panels().size() - film.panels.size();
@@ -32,7 +31,7 @@ double PlotCallouts::alpha(std::size_t k, const FrameData& frame) const {
 
 DrawContext PlotCallouts::context_of(const One& one) {
     return {grid_.place(panels_.panels()[one.panel].slot), grid_.unit(),
-            theme_of(panels_.scene().film.theme), disks_};
+            theme_of(panels_.scene().film), disks_};
 }
 
 std::optional<Point> PlotCallouts::place_of(const One& one, const FrameData& frame) {

@@ -6,7 +6,9 @@
 
 #include <system_error>
 
+#include "draw/text.h"
 #include "panels/registry.h"
+#include "panels/theme/style_faults.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
 
@@ -47,7 +49,11 @@ std::filesystem::path templates_folder() {
     throw SystemError("cannot find carom's templates folder near " + program.string());
 }
 
-SceneResources scene_resources() { return {templates_folder(), panel_kinds()}; }
+SceneResources scene_resources() {
+    return {.templates = templates_folder(),
+            .panels = panel_kinds(),
+            .styles = {.families = installed_families, .faults = faults_of}};
+}
 
 Scene scene_from(const SceneSource& source, const Overrides& more) {
     SceneResources resources = scene_resources();

@@ -1,6 +1,7 @@
 // A figure as plain values: what it shows, when, how large, and the runs that it compares.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,10 @@
 namespace carom {
 
 struct Scene;
+struct Style;
+
+/// The file formats of figures, as media/formats.h has them.
+inline constexpr std::array figure_format_names{"svg", "pdf", "png", "csv"};
 
 /// One of the runs that a figure or a film shows side by side.
 struct ComparedRun {
@@ -33,6 +38,7 @@ struct FigureSpec {
     std::optional<double> height;  ///< centimetres; none: by kind
     bool slide = false;            ///< large type
     ThemeName theme = ThemeName::light;
+    std::shared_ptr<const Style> style;       ///< null: none
     std::optional<std::string> caption, alt;  ///< none: made from what the figure shows
     std::vector<ComparedRun> compare = {};    ///< shown in one panel; empty: the scene's run alone
 };

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -115,6 +116,8 @@ struct Sound {
                                            ///< as usual_impulse() (sound/film_sound.h)
 };
 
+struct Style;
+
 struct Film {
     std::string template_name = "lecture";
     LayoutSpec layout;
@@ -122,7 +125,8 @@ struct Film {
     int fps = 30;
     PictureSize size;
     ThemeName theme = ThemeName::dark;
-    bool transparent = false;  ///< no background behind the box, the panels and the text
+    std::shared_ptr<const Style> style;  ///< of films and figures; null: none
+    bool transparent = false;            ///< no background behind the box, the panels and the text
     ColorBy color_by = ColorBy::speed;
     std::optional<std::string> palette;  ///< none: the theme's
     Labels labels = Labels::none;

@@ -22,6 +22,7 @@
 #include "scene/reading/scene_reading.h"
 #include "scene/reading/template.h"
 #include "scene/sets/set_reading.h"
+#include "scene/style/style_reading.h"
 #include "scene/sweep_figures.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
@@ -82,6 +83,8 @@ struct Tree {
     Node film;          ///< the scene's `film`, completed by its template
     Node template_file;
     std::string template_name;
+    std::shared_ptr<const Style> style;  ///< null: none
+    Node style_file;
 };
 
 // A film of disks that shows a single panel has it over the gas.
@@ -102,14 +105,14 @@ std::optional<Node> template_asked(const Tree& tree) {
     return usual;
 }
 
-// Templates whose texts are in `resources.files` take precedence, wherever the scene is now.
-std::optional<TemplateFile> template_file(const Node& asked, const fs::path& scene,
-                                          const SceneResources& resources, Errors& errors) {
-    for (const fs::path& path :
-         {fs::path(asked.text), scene.parent_path() / (asked.text + ".yaml")})
+// Files whose texts are in `resources.files` take precedence, wherever the scene is now.
+std::optional<TemplateFile> named_file(const Node& asked, const fs::path& scene,
+                                       const SceneResources& resources, Errors& errors,
+                                       const NamedFiles& kind) {
+    for (const fs::path& path : named_paths(asked, scene, kind))
         if (resources.files.contains(path.string()))
             return TemplateFile{path.stem().string(), path};
-    return find_template(asked, scene, resources.templates, errors);
+    return find_template(asked, scene, resources.templates, errors, kind);
 }
 
 std::optional<Node> read_file(const fs::path& path, const SceneResources& resources, Source& source,
@@ -125,7 +128,7 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
                    Sources& sources, Errors& errors) {
     const auto asked = template_asked(tree);
     if (!asked) return;
-    const auto file = template_file(*asked, scene, resources, errors);
+    const auto file = named_file(*asked, scene, resources, errors, film_templates);
     if (!file) return;
     Source& source = sources.emplace_back(Source{.origin = Origin::template_file});
     auto root = read_file(file->path, resources, source, errors);
@@ -142,6 +145,48 @@ void read_template(Tree& tree, const fs::path& scene, const SceneResources& reso
     const FixedTable<FilmDraft>& table = template_table(resources.panels);
     check_mapping(tree.template_file, table.section(), errors);
     tree.film = lay_over(tree.film, tree.template_file, table.section().choices);
+}
+
+// Reads the style that a scene names. Its fonts are looked for if pictures are wanted.
+void load_style(Tree& tree, const fs::path& scene, const SceneResources& resources, Wanted wanted,
+                Sources& sources, Errors& errors) {
+    const Node* asked = given(tree.root, "style");
+    const bool is_of_set = find(tree.root, "style") == nullptr && resources.set != nullptr &&
+                           resources.set->style.has_value();
+    if (is_of_set) asked = &*resources.set->style;
+    if (asked == nullptr) return;
+    const auto file = named_file(*asked, is_of_set ? fs::path(resources.set->source.name) : scene,
+                                 resources, errors, style_files);
+    if (!file) return;
+    Source& source = sources.emplace_back(Source{.origin = Origin::template_file});
+    auto root = read_file(file->path, resources, source, errors);
+    if (!root) return;
+    tree.style_file = std::move(*root);
+    tree.style = read_style(
+        tree.style_file, source.name,
+        wanted == Wanted::physics ? StyleCheck{}.families : resources.styles.families, errors);
+}
+
+// Figures take what they do not give from `figure_defaults` of the scene, then of its set, and then
+// from the style.
+void read_figures(SceneDraft& draft, const Tree& tree, const SceneResources& resources,
+                  Reading& reading) {
+    if (draft.defaults_node != nullptr) {
+        FigureDefaults defaults;
+        figure_defaults_table().read(*draft.defaults_node, defaults, reading);
+        draft.figure_formats = defaults.formats;
+    }
+    if (tree.style && draft.figure_formats.empty())
+        draft.figure_formats = tree.style->figure_formats;
+    if (draft.figures_node == nullptr) return;
+    Node figures = *draft.figures_node;
+    if (draft.defaults_node != nullptr) add_defaults_to_all(figures, *draft.defaults_node);
+    if (resources.set && resources.set->figures)
+        add_defaults_to_all(figures, *resources.set->figures);
+    draft.figures = figures_notation(resources.panels).read(figures, reading).value();
+    if (!reading.errors.empty()) return;
+    for (std::size_t k = 0; k < draft.figures.size(); ++k)
+        take_style(draft.figures[k], figures.items[k], tree.style);
 }
 
 // Returns the node of the first surface that does more than reflect; if there is none, that of
@@ -228,9 +273,12 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
     const bool wants_pictures = wanted == Wanted::film || wanted == Wanted::figures;
     if (tree.template_file.is_mapping() && (has_film || wants_pictures))
         complete_film(draft, tree, has_length, resources, reading);
-    if (draft.figures_node != nullptr)
-        draft.figures =
-            figures_notation(resources.panels).read(*draft.figures_node, reading).value();
+    if (tree.style) {
+        draft.film.style = tree.style;
+        const Node* film = find(tree.root, "film");
+        if (film == nullptr || find(*film, "theme") == nullptr) draft.film.theme = tree.style->base;
+    }
+    read_figures(draft, tree, resources, reading);
     if (draft.measure_node != nullptr)
         draft.measure =
             measure_notation(resources.panels).read(*draft.measure_node, reading).value();
@@ -244,6 +292,9 @@ Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wante
     }
     if (draft.description.empty()) draft.description = describe(draft);
     draft.notes = errors.notes();
+    if (tree.style && wanted != Wanted::physics && resources.styles.faults)
+        for (Diagnostic& fault : resources.styles.faults(*tree.style))
+            draft.notes.push_back(std::move(fault));
     return draft;
 }
 
@@ -274,6 +325,12 @@ SceneSource source_of(const Tree& tree, const Source& source, const SceneResourc
                       const Overrides& overrides) {
     SceneSource all{source.name, source.text, "", overrides, run_fingerprint(tree.root)};
     all.is_held_to_classroom = resources.is_classroom;
+    const auto add_look = [&](const Source& look) {
+        all.files[look.name] = look.text;
+        all.look_text += look.text;
+    };
+    if (const Source* style = tree.style_file.source) add_look(*style);
+    if (resources.set) add_look(resources.set->source);
     const Source* used = tree.template_file.source;
     if (used == nullptr) return all;
     all.template_text = used->text;
@@ -327,6 +384,7 @@ Scene load_once(Source file, const LoadRequest& request) {
     tree.film = film != nullptr && film->is_mapping()
                     ? *film
                     : Node{.kind = Node::Kind::mapping, .source = &source};
+    load_style(tree, path, resources, wanted, sources, errors);
     read_template(tree, path, resources, sources, errors);
     Scene scene = read_scene(tree, resources, wanted, errors);
     scene.source = source_of(tree, source, resources, overrides);

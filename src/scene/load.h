@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,8 @@
 
 #include "scene/file_texts.h"
 #include "scene/panel_kind.h"
+#include "scene/sets/set_defaults.h"
+#include "scene/style/style.h"
 
 namespace carom {
 
@@ -35,6 +38,8 @@ struct SceneResources {
     std::filesystem::path templates;  ///< the folder that holds films/
     PanelKinds panels;     ///< all kinds of panel (panels/registry.h); must stay valid from then on
     FileTexts files = {};  ///< texts to use instead of the files at these paths
+    StyleCheck styles = {};                       ///< for styles
+    std::shared_ptr<const SetDefaults> set = {};  ///< null: the scene is in none
     bool is_classroom = false;  ///< whether the narrower limits of classroom.h apply
     bool is_strict = false;     ///< whether a scene with notes (Scene::notes) is refused
 };

@@ -13,8 +13,8 @@
 #include "scene/figure_spec.h"
 #include "scene/file_texts.h"
 #include "scene/film.h"
-#include "scene/looks.h"
 #include "scene/keys/numbers_in_words.h"
+#include "scene/looks.h"
 #include "scene/panel_spec.h"
 #include "scene/sweep.h"
 #include "util/diagnostics.h"
@@ -44,6 +44,7 @@ struct SceneSource {
     std::string physics = {};            ///< its run_fingerprint(), including the overrides
     FileTexts files = {};                ///< texts of the other files it names: templates, scenes
     bool is_held_to_classroom = false;   ///< whether the limits of classroom.h apply
+    std::string look_text = {};          ///< its style, and the set that gives it defaults, as read
 };
 
 /// Returns the bytes of a scene's file and its template, which are read again whenever the scene is
@@ -64,6 +65,7 @@ struct Scene {
     std::vector<Caption> captions;  ///< in order of time; equal times in the order listed
     Film film;
     std::vector<FigureSpec> figures;
+    std::vector<std::string> figure_formats = {};  ///< file formats of the figures; empty: all
     std::vector<PanelSpec> measure;      ///< instruments whose last readings are numbers of the run
     std::vector<NumberInWords> numbers;  ///< for which its words ask: captions, callouts, texts of
                                          ///< panels, the end card, words of figures

@@ -298,6 +298,22 @@ TEST_CASE("the schema in scenes/ is current") {
     CHECK(current);
 }
 
+TEST_CASE("the schema of styles is current, and the library's styles fit it and name it") {
+    const fs::path styles = root / "templates/styles";
+    const bool current =
+        contents(styles / "style.schema.json") == run({program, "schema", "--for", "style"}).out;
+    INFO("make it anew with ./dev docs");
+    CHECK(current);
+    const std::vector<fs::path> files = yaml_files(styles);
+    CHECK(files.size() >= 2);
+    const json found = verdicts(files, "style");
+    for (const fs::path& file : files) {
+        CAPTURE(file.string());
+        CHECK(found.at(file.string()).is_null());
+        CHECK(contents(file).starts_with("# yaml-language-server: $schema=style.schema.json\n"));
+    }
+}
+
 TEST_CASE("the schema of sets is current, and the library's sets fit it and name it") {
     const bool current =
         contents(root / "scenes/set.schema.json") == run({program, "schema", "--for", "set"}).out;

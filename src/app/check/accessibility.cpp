@@ -61,7 +61,7 @@ struct GreyLook {
 // Approximate pixels per unit of length: there may be walls and arrows between the box and its
 // slot.
 double pixels_of_length(const Scene& scene) {
-    const Rect place = Grid(scene.film.layout, scene.film.size).place(scene.film.layout.gas);
+    const Rect place = Grid(scene.film).place(scene.film.layout.gas);
     const Vec& box = scene.gas.box.size;
     return std::min(place.width / box[0],
                     scene.gas.box.dimension == 1 ? INFINITY : place.height / box[1]);
@@ -69,7 +69,7 @@ double pixels_of_length(const Scene& scene) {
 
 std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles) {
     std::vector<GreyLook> all(scene.gas.species.size());
-    const double unit = Grid(scene.film.layout, scene.film.size).unit();
+    const double unit = Grid(scene.film).unit();
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         GreyLook& its = all[static_cast<std::size_t>(particles.species[i])];
         if (scene.film.labels == Labels::mass) its.number = particles.inverse_mass[i];
@@ -135,7 +135,7 @@ std::optional<Diagnostic> unknown_ground(const Scene& scene) {
 
 std::optional<Diagnostic> small_text(const Scene& scene) {
     const PictureSize& size = scene.film.size;
-    const double pixels = Grid(scene.film.layout, size).unit();
+    const double pixels = Grid(scene.film).unit();
     if (pixels >= least_pixels) return std::nullopt;
     return barrier(
         whole_file(scene),

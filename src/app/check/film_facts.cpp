@@ -119,7 +119,7 @@ Json sound_value(const Film& film) {
 std::vector<DiskMotion> disks_of(const Scene& scene, const CheckedFilm& checked,
                                  const PanelSet& panels, const std::vector<RunStart>& starts) {
     if (scene.gas.box.dimension == 1) return {};
-    const double scale = panels.scale(Grid(scene.film.layout, scene.film.size));
+    const double scale = panels.scale(Grid(scene.film));
     const std::vector<const Scene*> scenes = scenes_of_film(scene);
     std::vector<DiskMotion> all;
     for (std::size_t k = 0; k < scenes.size(); ++k)

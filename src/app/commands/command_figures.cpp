@@ -16,6 +16,7 @@
 #include "figures/sweep_figure.h"
 #include "media/formats.h"
 #include "panels/registry.h"
+#include "scene/keys/keys.h"
 #include "scene/load.h"
 #include "scene/panel_kind.h"
 #include "util/diagnostics.h"
@@ -171,12 +172,15 @@ struct FigureAsked {
     std::vector<std::string> of;
 };
 
-std::string as_centimetres(const std::string& width) {
-    const std::string number = width.ends_with("cm") ? width.substr(0, width.size() - 2) : width;
-    if (number.empty() || number.find_first_not_of("0123456789.") != std::string::npos)
+std::string as_width(const std::string& width) {
+    const bool is_number =
+        !width.empty() && width.find_first_not_of("0123456789.") == std::string::npos;
+    if (!is_number && !parse_length(width, LengthUnit::cm))
         throw UsageError(
-            fmt::format("--width {}: expected a width in centimetres, for instance 8cm", width));
-    return number;
+            fmt::format("--width {}: expected a width in centimetres, for instance 8cm, or in mm, "
+                        "in, pt or px",
+                        printable(width)));
+    return width;
 }
 
 // A text as YAML, whatever its letters.
@@ -242,7 +246,7 @@ std::vector<AskedKey> keys_of(const FigureAsked& asked) {
             {"of", "--of", fmt::format("{}", fmt::join(asked.of, ",")), as_choices(asked.of)});
     if (!asked.theme.empty()) keys.push_back({"theme", "--theme", asked.theme, asked.theme});
     if (!asked.width.empty())
-        keys.push_back({"size", "--width", asked.width, as_centimetres(asked.width)});
+        keys.push_back({"size", "--width", asked.width, as_width(asked.width)});
     return keys;
 }
 
@@ -305,7 +309,8 @@ Option formats_option(FiguresArguments& arguments) {
 
 std::vector<Option> drawing_options(FiguresArguments& arguments) {
     return joined<Option>({scene_options(arguments),
-                           {language_option(arguments),
+                           {style_option(arguments),
+                            language_option(arguments),
                             {"--threads N", "cores to use; the result is the same for any number",
                              &arguments.threads}}});
 }
@@ -361,7 +366,8 @@ Command figure_command() {
                "commas",
                CommaSeparated{&its.asked.of}},
               {"--theme", "colours; default: print", &its.asked.theme, {"light", "dark", "print"}},
-              {"--width WIDTH", "its width in centimetres, for instance 8cm", &its.asked.width},
+              {"--width WIDTH", "its width in centimetres, or with its unit: 8cm, 80mm, 3.2in",
+               &its.asked.width},
               {"-o,--output FOLDER", "output folder; default: out/SCENE-KIND", &its.output},
               formats_option(its),
               {"--force", "draw it again, and replace files that carom did not write",

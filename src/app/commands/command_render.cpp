@@ -67,8 +67,10 @@ std::vector<ListedScene> scenes_of(const SetFile& set) {
 // Loads all scenes before any work, so that a mistake in the last one shows before hours are spent
 // on the first.
 std::vector<Scene> load_all(const RenderArguments& arguments,
-                            const std::vector<ListedScene>& listed_scenes) {
-    const SceneResources resources = resources_of(arguments);
+                            const std::vector<ListedScene>& listed_scenes,
+                            const std::shared_ptr<const SetDefaults>& set) {
+    SceneResources resources = resources_of(arguments);
+    resources.set = set;
     Overrides overrides = overrides_of(arguments);
     bool is_first = true;
     return all_made(listed_scenes, [&](const ListedScene& one) {
@@ -321,17 +323,19 @@ void render_scenes(RenderArguments& arguments) {
         throw UsageError(
             "--words: these files go beside the film, which has no file here; name one with -o");
     JoinedTitle title;
+    std::shared_ptr<const SetDefaults> set_defaults;
     std::vector<ListedScene> listed_scenes;
     for (const std::string& name : arguments.scenes) listed_scenes.push_back({name});
     if (arguments.join && arguments.scenes.size() == 1 && is_figure_set(arguments.scenes.front())) {
         const SetFile set =
             load_figure_set(arguments.scenes.front(), panel_kinds(), figure_formats());
         title = {set.title, set.description};
+        set_defaults = set.defaults;
         require_letters(title.title + title.words, arguments.scenes.front());
         listed_scenes = scenes_of(set);
     }
     refuse_page_options(arguments, format_of_film(film_at(arguments.destination, outputs.front())));
-    const std::vector<Scene> scenes = load_all(arguments, listed_scenes);
+    const std::vector<Scene> scenes = load_all(arguments, listed_scenes, set_defaults);
     for (const Scene& scene : scenes) say_notes(arguments, scene);
     if (arguments.join) refuse_join(arguments, scenes);
     for (std::size_t i = 0; i < scenes.size(); ++i)

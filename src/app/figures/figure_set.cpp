@@ -47,8 +47,10 @@ std::string all_of(std::initializer_list<std::string_view> texts) {
 std::string inputs_of(const Scene& scene, std::string_view what) {
     std::string overrides;
     for (const std::string& one : scene.source.overrides) overrides += all_of({one});
-    return fingerprint(
-        all_of({CAROM_VERSION, scene.source.text, scene.source.template_text, overrides, what}));
+    std::string all =
+        all_of({CAROM_VERSION, scene.source.text, scene.source.template_text, overrides, what});
+    if (!scene.source.look_text.empty()) all += all_of({scene.source.look_text});
+    return fingerprint(all);
 }
 
 // A film is made from the scene beside it, too.

@@ -128,6 +128,19 @@ std::vector<SetPart> parts_of_set(const std::string& path, const SetFile& set,
     return parts;
 }
 
+// The formats that all scenes of a set agree on; none if they do not.
+std::vector<std::string> formats_of_all(const std::vector<SetPart>& parts) {
+    const std::vector<std::string>& first = parts.front().scene.figure_formats;
+    const bool is_common = std::ranges::all_of(
+        parts, [&](const SetPart& part) { return part.scene.figure_formats == first; });
+    return is_common ? first : std::vector<std::string>{};
+}
+
+std::vector<std::string> first_given(const std::vector<std::vector<std::string>>& all) {
+    const auto found = std::ranges::find_if(all, [](const auto& one) { return !one.empty(); });
+    return found != all.end() ? *found : std::vector<std::string>{};
+}
+
 // Those of figure_formats that are asked for, in their order; none: all.
 std::vector<std::string> in_order(const std::vector<std::string>& formats) {
     std::vector<std::string> all;
@@ -163,9 +176,13 @@ FigureSet load_set(const std::string& path, const SceneResources& resources,
         set.title = file.title;
         set.description = file.description;
     }
-    set.formats = in_order(formats.empty() ? file.formats : formats);
     set.pages = pages_of(pages.empty() ? file.templates : pages);
-    if (set.parts.empty()) set.parts = parts_of_set(path, file, resources, overrides, wanted);
+    if (set.parts.empty()) {
+        SceneResources of_set = resources;
+        of_set.set = file.defaults;
+        set.parts = parts_of_set(path, file, of_set, overrides, wanted);
+    }
+    set.formats = in_order(first_given({formats, file.formats, formats_of_all(set.parts)}));
     return set;
 }
 

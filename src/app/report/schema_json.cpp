@@ -1,5 +1,8 @@
 #include "app/report/schema_json.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +14,7 @@
 #include "scene/keys/keys.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/sets/set_reading.h"
+#include "scene/style/style_reading.h"
 #include "scene/yaml/scalar.h"
 
 namespace carom {
@@ -71,6 +75,10 @@ Json form_schema(const Form& form) {
             return number_schema("number", form.range);
         case Shape::integer:
             return number_schema("integer", form.range);
+        case Shape::length:
+            return {{"type", "string"},
+                    {"pattern",
+                     fmt::format("^[0-9]+(\\.[0-9]+)? *({})$", fmt::join(length_units(), "|"))}};
         case Shape::flag:
             return {{"type", "boolean"}};
         case Shape::text:
@@ -223,6 +231,12 @@ std::string scene_schema_json() {
 std::string set_schema_json() {
     Json schema = header("A figure set of carom", "Scenes whose figures belong together.");
     schema.update(section_schema(set_table(panel_kinds(), figure_formats()).section()));
+    return text_of(schema, 1) + "\n";
+}
+
+std::string style_schema_json() {
+    Json schema = header("A style of carom", "Colours, fonts and sizes of films and figures.");
+    schema.update(section_schema(style_table().section()));
     return text_of(schema, 1) + "\n";
 }
 

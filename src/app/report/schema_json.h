@@ -11,7 +11,8 @@ namespace carom {
 /// only when a scene is loaded.
 std::string scene_schema_json();
 
-/// The same for figure sets.
+/// The same for figure sets, and for styles.
 std::string set_schema_json();
+std::string style_schema_json();
 
 }  // namespace carom

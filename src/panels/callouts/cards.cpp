@@ -151,7 +151,8 @@ TextStyle Cards::style(double size, int weight, Color color) const {
             .weight = weight,
             .color = color,
             .tabular = false,
-            .max_width = (1.0 - 2.0 * card_margin) * picture().width};
+            .max_width = (1.0 - 2.0 * card_margin) * picture().width,
+            .fonts = theme_.fonts};
 }
 
 // Of a short card half of it.

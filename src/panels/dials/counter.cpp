@@ -104,7 +104,11 @@ Rect CounterPanel::plate(const DrawContext& dc, const Rect& face) const {
 
 // The largest size of the digits with which the largest count fits.
 TextStyle CounterPanel::figures(const DrawContext& dc, const Rect& plate) const {
-    TextStyle style{.size = dc.unit, .weight = 600, .color = dc.theme.ink};
+    TextStyle style{.size = dc.unit,
+                    .weight = 600,
+                    .color = dc.theme.ink,
+                    .fonts = dc.theme.fonts,
+                    .lettering = Lettering::numbers};
     const double u = dc.unit, wide = widest_number(style);
     const double across = (plate.width - 2.0 * CounterSize::inner * u) / wide;
     const double up =

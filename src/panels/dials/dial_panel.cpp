@@ -31,7 +31,11 @@ struct DialState : PanelState {
 };
 
 TextStyle number_style(const DrawContext& dc, double size) {
-    return {.size = size * dc.unit, .weight = 500, .color = dc.theme.ink};
+    return {.size = size * dc.unit,
+            .weight = 500,
+            .color = dc.theme.ink,
+            .fonts = dc.theme.fonts,
+            .lettering = Lettering::numbers};
 }
 
 TextStyle name_style(const DrawContext& dc, const plot::Role& role) {

@@ -48,6 +48,7 @@ std::string scale_name(const Film& film) {
 ColorMap scale_colors(const Film& film, const Theme& theme) {
     const std::string name = scale_name(film);
     if (name == "direction") return direction_map(theme);
+    if (!film.palette && !theme.ramp.empty()) return ramp_map(theme);
     if (!film.palette && theme.kind == ThemeKind::print) return grey_map();
     return name == "netlogo" ? netlogo_map(theme.dark) : color_map_on(name, theme);
 }
@@ -61,7 +62,7 @@ std::vector<Color> speed_class_colors(const Theme& theme) {
 // Of infinite masses. NetLogo's green and red have all hues between them: there is no such colour.
 Color color_beside_scale(const Film& film, const Theme& theme) {
     const std::string name = scale_name(film);
-    const bool has_one = film.palette || theme.kind != ThemeKind::print;
+    const bool has_one = film.palette || (theme.kind != ThemeKind::print && theme.ramp.empty());
     return has_one && name != "netlogo" && name != "direction" ? color_beside(name, theme)
                                                                : theme.ink;
 }
@@ -79,12 +80,13 @@ Color kind_in(const Film& film, std::size_t index, const Theme& theme) {
     const ColorBy by = film.color_by;
     if (by == ColorBy::species || theme.kind == ThemeKind::print) return kind_color(index, theme);
     // A set for each map and theme, made once: searching it takes a while.
-    using Key = std::pair<std::string, ThemeKind>;
+    if (!theme.series.empty()) return kind_color(index, theme);
+    using Key = std::pair<std::string, const Theme*>;
     static std::mutex mutex;
     static std::map<Key, std::vector<Color>> sets;
     const std::scoped_lock lock(mutex);
     const std::string scale = by == ColorBy::speed_class ? "classes" : scale_name(film);
-    std::vector<Color>& set = sets[{scale, theme.kind}];
+    std::vector<Color>& set = sets[{scale, &theme}];
     if (set.empty())
         set = by == ColorBy::speed_class
                   ? kind_colors_beside(speed_class_colors(theme), theme)
@@ -152,12 +154,12 @@ void GasColors::fix_scale() {
         context_.film().color_by == ColorBy::mass || context_.particles.count() <= few;
     if (!pool_.empty()) fix_top(scale_, pool_, is_whole ? 0.0 : share_above);
     pool_ = {};
-    shades_ = make_shades(theme_of(context_.film().theme));
+    shades_ = make_shades(theme_of(context_.film()));
 }
 
 void GasColors::archive(Archive& archive) {
     archive(scale_);
-    shades_ = make_shades(theme_of(context_.film().theme));
+    shades_ = make_shades(theme_of(context_.film()));
 }
 
 std::uint16_t GasColors::shade(Eigen::Index i, const Motion& motion,
@@ -191,7 +193,7 @@ bool GasColors::has_own_color(std::size_t species) const {
 // Making shades includes a search for where the scale begins to stand out from the ground, so it is
 // not done in every frame.
 std::vector<Color> GasColors::of_shades(const Theme& theme) const {
-    const bool known = !shades_.empty() && &theme == &theme_of(context_.film().theme);
+    const bool known = !shades_.empty() && &theme == &theme_of(context_.film());
     return known ? shades_ : make_shades(theme);
 }
 

@@ -35,12 +35,12 @@ struct Role {
     std::array<Color, 3> own{};  ///< on the light, the dark and the print theme
 };
 
-/// A role whose colour on each theme is given by a function.
+/// A role whose colour on each theme, the light, the dark and the print one, is given by a
+/// function.
 template <class ColorOn>
-Role own_role(const ColorOn& color_on) {
+Role own_role(const std::array<const Theme*, 3>& themes, const ColorOn& color_on) {
     return {.of = Role::Of::own,
-            .own = {color_on(theme(ThemeKind::light)), color_on(theme(ThemeKind::dark)),
-                    color_on(theme(ThemeKind::print))}};
+            .own = {color_on(*themes[0]), color_on(*themes[1]), color_on(*themes[2])}};
 }
 
 /// How a colour is changed so that it is visible on the page.

@@ -74,7 +74,7 @@ HistogramPanel::Roles HistogramPanel::roles_of(std::size_t k) const {
         return color_of(role_of_choice(choice), theme);
     };
     const auto line = [&](double share) {
-        return own_role([&, share](const Theme& theme) {
+        return own_role(themes_of(context_.film()), [&, share](const Theme& theme) {
             std::vector<Color> tints{theme.page};
             for (std::size_t i = 0; i < count(); ++i)
                 tints.push_back(mix(theme.page, color(i, theme), tint_alpha));
@@ -170,9 +170,10 @@ plot::Marker HistogramPanel::mean_marker(std::size_t k, double mean, bool is_sta
 void HistogramPanel::take_colors(const GasColors& colors) {
     const bool is_single = count() == 1 && !compares();
     if (!is_single || !colors.has_bar() || subject_.colored_by != context_.film().color_by) return;
-    const auto on = [&](ThemeKind kind) { return scale_colors(context_.film(), theme(kind)); };
-    whole_.ramp = std::make_shared<const Ramp>(Ramp{
-        {on(ThemeKind::light), on(ThemeKind::dark), on(ThemeKind::print)}, colors.scale().top});
+    const auto [light, dark, print] = themes_of(context_.film());
+    const auto on = [&](const Theme* theme) { return scale_colors(context_.film(), *theme); };
+    whole_.ramp =
+        std::make_shared<const Ramp>(Ramp{{on(light), on(dark), on(print)}, colors.scale().top});
 }
 
 plot::Bars HistogramPanel::bars_of(const HistogramState& state, std::size_t k) const {

@@ -59,8 +59,9 @@ SeriesSubject speed_classes(const PanelContext& context, const PanelSpec& spec) 
                           say(language, "slow &lt; ½, fast &gt; 1½")};
     subject.top = 100.0;
     for (std::size_t k = 0; k < subject.lines.size(); ++k)
-        subject.lines[k].role =
-            plot::own_role([&](const Theme& theme) { return speed_class_color(k, theme); });
+        subject.lines[k].role = plot::own_role(themes_of(context.film()), [&](const Theme& theme) {
+            return speed_class_color(k, theme);
+        });
     subject.titles = titles(language, subject.lines);
     // Called for every frame in order: the first gives the mean at the start.
     subject.read = [first = std::optional<double>{}, &particles = context.particles,

@@ -27,8 +27,11 @@ class ClockPanel : public MonitorsPanel {
   private:
     double widest_slowness(TextStyle style) const;
     std::string words(double time) const { return "t = " + text(Monitor::time, time); }
-    static TextStyle style_in(double unit, Color color) {
-        return {.size = clock_size * unit, .weight = 400, .color = color, .align = Align::right};
+    TextStyle style_in(double unit, Color color) const {
+        TextStyle style = style_of_numbers(clock_size * unit, 400);
+        style.color = color;
+        style.align = Align::right;
+        return style;
     }
 };
 

@@ -180,12 +180,20 @@ Point MonitorsPanel::place(const Row& row, std::size_t index) const {
 // The width of the longest time in units, at the smallest size of text and with the arrow after it;
 // 0 if it is no longer than usual.
 double MonitorsPanel::widest_time(double unit) const {
-    const TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
+    const TextStyle style = style_of_numbers(digits_over_label * unit, 500);
     const double width =
         measure_text(text(Monitor::time, widest_value(Monitor::time)), style).width / unit;
     if (width + (turns() ? arrow_gap : 0.0) < arrow_place - (turns() ? 0.0 : arrow_size))
         return 0.0;
     return width + (turns() ? arrow_gap + arrow_size : 0.0);
+}
+
+TextStyle MonitorsPanel::style_of_numbers(double size, int weight) const {
+    return {.size = size,
+            .weight = weight,
+            .color = {},
+            .fonts = theme_of(context_.film()).fonts,
+            .lettering = Lettering::numbers};
 }
 
 // With as many digits as a number gets.
@@ -211,7 +219,7 @@ double MonitorsPanel::width(Monitor number, double unit) const {
     const Format format = column(number).format;
     if (format != Format::fixed && format != Format::power) return usual;
     const double least = format == Format::power ? none : smallest_.at(index_of(number));
-    TextStyle style{.size = digits_over_label * unit, .weight = 500, .color = {}};
+    const TextStyle style = style_of_numbers(digits_over_label * unit, 500);
     double widest = 0.0;
     for (const double value : {least, widest_value(number)})
         widest = std::max(widest, measure_text(text(number, value), style).width / unit);
@@ -219,7 +227,8 @@ double MonitorsPanel::width(Monitor number, double unit) const {
 }
 
 double MonitorsPanel::width_for_label(Monitor number, double unit) const {
-    const TextStyle style{.size = 1.035 * unit, .color = {}};
+    TextStyle style = style_of_numbers(1.035 * unit, 400);
+    style.lettering = Lettering::text;
     const double label_width = measure_text(label(number), style).width / unit;
     return std::max(column(number).width, (label_width + least_gap) / tightest);
 }
@@ -391,6 +400,7 @@ void MonitorsPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState
     const Row rows = row(dc);
     TextStyle style = title_style(dc);
     style.size = rows.digits() * dc.unit;
+    style.lettering = Lettering::numbers;
     for (std::size_t i = 0; i < rows.shown; ++i) {
         const double value = now.readouts.at(index_of(numbers_[i]));
         if (is_absent(numbers_[i], value)) continue;

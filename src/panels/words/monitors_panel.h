@@ -74,7 +74,8 @@ class MonitorsPanel : public Panel {
     std::vector<std::string> names_after(std::size_t shown) const;
     std::string text(Monitor number, double value) const;
     double widest_value(Monitor number) const;
-    std::string label(Monitor number) const;  // markup
+    TextStyle style_of_numbers(double size, int weight) const;  // without a colour
+    std::string label(Monitor number) const;                    // markup
     // A number that has no meaning all the time is not always there, nor is its name.
     static bool comes_and_goes(Monitor number) { return number == Monitor::return_distance; }
     static bool is_absent(Monitor number, double value) {

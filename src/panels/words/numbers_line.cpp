@@ -29,15 +29,23 @@ class NumbersLine : public MonitorsPanel {
     std::vector<double> widths(const Rect& area, double unit) const;
     double width_of(Monitor number, double unit) const;
     double fitted(const Rect& area, double unit) const;
-    static TextStyle style_in(double unit, Color color) {
-        return {.size = number_size * unit, .weight = 400, .color = color, .align = Align::right};
+    TextStyle style_in(double unit, Color color) const {
+        TextStyle style = style_of_numbers(number_size * unit, 400);
+        style.color = color;
+        style.align = Align::right;
+        return style;
+    }
+    TextStyle name_style_in(double unit, Color color) const {
+        TextStyle style = style_in(unit, color);
+        style.lettering = Lettering::text;
+        return style;
     }
 };
 
 // With its name.
 double NumbersLine::width_of(Monitor number, double unit) const {
     const TextStyle style = style_in(unit, {});
-    return measure_text(label(number), style).width + after_name * unit +
+    return measure_text(label(number), name_style_in(unit, {})).width + after_name * unit +
            measure_text(text(number, widest_value(number)), style).width;
 }
 
@@ -85,7 +93,7 @@ void NumbersLine::draw(Canvas& canvas, const DrawContext& dc, const PanelState& 
         const std::string value = text(numbers_[i], number);
         draw_text(canvas, {x, baseline}, value, style);
         x -= measure_text(value, style).width + after_name * unit;
-        style.color = dc.theme.muted;
+        style = name_style_in(unit, dc.theme.muted);
         draw_text(canvas, {x, baseline}, label(numbers_[i]), style);
         x -= measure_text(label(numbers_[i]), style).width + between_numbers * unit;
     }

@@ -19,8 +19,8 @@ constexpr double line_height_in_sizes = 1.4, paragraph_gap = 0.5;
 constexpr double title_height = 2.4;  // units
 constexpr std::size_t most_lines = 1000;
 
-TextStyle style_of(double size) {
-    return {.size = size, .weight = 400, .color = {}, .tabular = false};
+TextStyle style_of(const SetWords& set) {
+    return {.size = set.size, .weight = 400, .color = {}, .tabular = false, .fonts = set.fonts};
 }
 
 std::vector<std::string> paragraphs(const std::string& words) {
@@ -43,9 +43,8 @@ std::string with_whole_formulas(std::string words) {
     return words;
 }
 
-SetWords set_at(const std::string& words, double width, double size) {
-    SetWords set{{}, size};
-    TextStyle style = style_of(size);
+SetWords set_at(const std::string& words, double width, SetWords set) {
+    TextStyle style = style_of(set);
     style.max_width = width;
     for (const std::string& paragraph : paragraphs(words)) {
         if (paragraph.empty()) set.lines.emplace_back();
@@ -57,13 +56,13 @@ SetWords set_at(const std::string& words, double width, double size) {
 
 bool fits(const SetWords& set, double width, double height) {
     return height_of(set) <= height && std::ranges::all_of(set.lines, [&](const std::string& line) {
-               return measure_words(line, style_of(set.size)).width <= width;
+               return measure_words(line, style_of(set)).width <= width;
            });
 }
 
-LineHeight line_height(const std::string& line, double size) {
-    if (line.empty()) return {0.0, paragraph_gap * size};
-    return line_height_of(line, style_of(size), line_height_in_sizes);
+LineHeight line_height(const std::string& line, const SetWords& set) {
+    if (line.empty()) return {0.0, paragraph_gap * set.size};
+    return line_height_of(line, style_of(set), line_height_in_sizes);
 }
 
 // Whether a line ends where the words have no space.
@@ -94,14 +93,14 @@ class TextPanel : public Panel {
     void draw_ground(Canvas& canvas, const DrawContext& dc) const override {
         if (spec_.title) draw_panel_title(canvas, dc, escape_markup(*spec_.title));
         const Rect area = below_title(dc.area, dc.unit, spec_.title.has_value());
-        const auto set =
-            set_words(spec_.options.as<TextOptions>().words, area.width, area.height, dc.unit);
+        const auto set = set_words(spec_.options.as<TextOptions>().words, area.width, area.height,
+                                   dc.unit, dc.theme.fonts);
         if (!set) return;  // problem_of_words() has seen to it
-        TextStyle style = style_of(set->size);
+        TextStyle style = style_of(*set);
         style.color = dc.theme.ink;
         double top = area.y;
         for (const std::string& line : set->lines) {
-            const LineHeight height = line_height(line, set->size);
+            const LineHeight height = line_height(line, *set);
             style.align = is_formula_alone(line) ? Align::center : Align::left;
             const double x = is_formula_alone(line) ? area.x + 0.5 * area.width : area.x;
             if (!line.empty()) draw_words(canvas, {x, top + height.above}, line, style);
@@ -122,39 +121,41 @@ class TextPanel : public Panel {
 
 double height_of(const SetWords& set) {
     double height = 0.0;
-    for (const std::string& line : set.lines) height += line_height(line, set.size).all;
+    for (const std::string& line : set.lines) height += line_height(line, set).all;
     return height;
 }
 
 // A smaller size is preferred to breaking a word, except in scripts without spaces between words.
-std::optional<SetWords> set_words(const std::string& text, double width, double height,
-                                  double unit) {
+std::optional<SetWords> set_words(const std::string& text, double width, double height, double unit,
+                                  const FontFamilies* fonts) {
     const std::string words = with_whole_formulas(text);
     for (const bool whole : {true, false})
         for (const double step : steps) {
-            SetWords set = set_at(words, width, step * unit);
+            SetWords set = set_at(words, width, {{}, step * unit, fonts});
             if (whole && breaks_a_word(words, set)) continue;
             if (fits(set, width, height)) return set;
         }
     return std::nullopt;
 }
 
-std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit) {
+std::optional<Diagnostic> problem_of_words(const PanelSpec& spec, const Rect& place, double unit,
+                                           const FontFamilies* fonts) {
     const auto* text = spec.options.find<TextOptions>();
     if (text == nullptr) return std::nullopt;
     const Rect area = below_title(place, unit, spec.title.has_value());
-    if (set_words(text->words, area.width, area.height, unit)) return std::nullopt;
+    if (set_words(text->words, area.width, area.height, unit, fonts)) return std::nullopt;
     Diagnostic problem = spec.place;
     problem.message = "these `words` do not fit into the panel's place at any size";
     return problem;
 }
 
 void refuse_long_words(const Scene& scene, const std::vector<Slot>& places) {
-    const Grid grid(scene.film.layout, scene.film.size);
+    const Grid grid(scene.film);
     std::vector<Diagnostic> errors;
     for (std::size_t i = 0; i < std::min(places.size(), scene.film.panels.size()); ++i) {
         const PanelSpec& spec = scene.film.panels[i];
-        auto problem = problem_of_words(spec, grid.place(places[i]), grid.unit());
+        auto problem =
+            problem_of_words(spec, grid.place(places[i]), grid.unit(), theme_of(scene.film).fonts);
         if (!problem) continue;
         problem->hint =
             "write fewer or shorter words, show fewer panels, or take a template with larger "
@@ -167,7 +168,7 @@ void refuse_long_words(const Scene& scene, const std::vector<Slot>& places) {
 void refuse_long_words(const Scene& scene) {
     const LayoutSpec& layout = scene.film.layout;
     std::vector<Slot> places = shared_slots(layout.panels, scene.film.panels.size());
-    const Grid grid(layout, scene.film.size);
+    const Grid grid(scene.film, layout);
     for (Slot& place : places) place = on_plate(place, layout, grid);
     refuse_long_words(scene, places);
 }

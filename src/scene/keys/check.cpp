@@ -125,6 +125,9 @@ void check_scalar(Node& node, const std::vector<Form>& forms, Context context) {
     if (is_word(node, forms)) return;
     if (form_of(forms, Shape::color) && !color_hex(node.text).empty()) return;
     if (form_of(forms, Shape::flag) && flag_in(node)) return;
+    if (const Form* length = form_of(forms, Shape::length); length != nullptr && !node.quoted)
+        if (const auto value = parse_length(node.text, length->unit))
+            if (in_range(*value, *length)) return;
     const Form* form = form_of(forms, Shape::number);
     if (form == nullptr) form = form_of(forms, Shape::integer);
     if (const auto value = number_in(node); form != nullptr && value)

@@ -157,6 +157,10 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
     const Form* number = form_of(forms, Shape::number);
     if (number == nullptr) number = form_of(forms, Shape::integer);
     const auto value = number_in(node);
+    const bool has_unit = !value && parse_number(node.text.substr(0, 1)).has_value();
+    if (const Form* length = form_of(forms, Shape::length); length != nullptr && has_unit)
+        return fmt::format("the units of lengths are {}: `{}`", listed(length_units()),
+                           length_example(*length));
     if (number != nullptr)
         if (const std::string hint = value ? range_hint(*value, *number) : number_hint(node);
             !hint.empty())
@@ -313,7 +317,7 @@ std::string hint_for_unknown(const Node& key, const Section& section, const Sect
                            trimmed(name.substr(sign + 1)));
     }
     if (is_kind(name, section)) return fmt::format("write `kind: {}`", name);
-    constexpr std::size_t few = 14;
+    constexpr std::size_t few = 16;
     const std::string place = place_of_key(name, section, whole);
     if (const auto meant = meant_key(name, section))
         return fmt::format("did you mean `{}`?{}", *meant, place.empty() ? "" : " Or, " + place);

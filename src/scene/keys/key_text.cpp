@@ -70,6 +70,8 @@ std::string example_text(const Form& form) {
         case Shape::number:
         case Shape::integer:
             return example_number(form.range);
+        case Shape::length:
+            return length_example(form);
         case Shape::flag:
             return "true";
         case Shape::text:

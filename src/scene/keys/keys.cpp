@@ -7,6 +7,7 @@
 #include <cassert>
 #include <utility>
 
+#include "scene/yaml/scalar.h"
 #include "util/text.h"
 
 namespace carom {
@@ -50,6 +51,45 @@ const Section& section_of(const Section& parent, std::string_view key) {
     return *section;
 }
 
+namespace {
+
+struct UnitOfLength {
+    LengthUnit unit;
+    std::string_view name;
+    double points;
+};
+
+constexpr std::array units{
+    UnitOfLength{LengthUnit::cm, "cm", 72.0 / 2.54},
+    UnitOfLength{LengthUnit::mm, "mm", 72.0 / 25.4}, UnitOfLength{LengthUnit::in, "in", 72.0},
+    UnitOfLength{LengthUnit::pt, "pt", 1.0}, UnitOfLength{LengthUnit::px, "px", 0.75}};
+
+const UnitOfLength& entry_of(LengthUnit unit) { return units.at(static_cast<std::size_t>(unit)); }
+
+}  // namespace
+
+std::optional<double> parse_length(std::string_view text, LengthUnit unit) {
+    for (const UnitOfLength& its : units) {
+        if (!text.ends_with(its.name)) continue;
+        std::string_view number = text.substr(0, text.size() - its.name.size());
+        while (number.ends_with(' ')) number.remove_suffix(1);
+        const auto value = parse_number(number);
+        if (!value) return std::nullopt;
+        return its.unit == unit ? *value : *value * its.points / entry_of(unit).points;
+    }
+    return std::nullopt;
+}
+
+std::vector<std::string> length_units() {
+    std::vector<std::string> names;
+    for (const UnitOfLength& unit : units) names.emplace_back(unit.name);
+    return names;
+}
+
+std::string length_example(const Form& form) {
+    return form.unit == LengthUnit::pt ? "8 pt" : "8 cm";
+}
+
 std::string phrase(const Form& form) {
     if (!form.phrase.empty()) return form.phrase;
     switch (form.shape) {
@@ -57,6 +97,8 @@ std::string phrase(const Form& form) {
             return range_phrase("number", form.range);
         case Shape::integer:
             return range_phrase("whole number", form.range);
+        case Shape::length:
+            return fmt::format("a length such as `{}`", length_example(form));
         case Shape::flag:
             return "`true` or `false`";
         case Shape::text:

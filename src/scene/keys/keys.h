@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,10 @@
 
 namespace carom {
 
-enum class Shape { number, integer, flag, text, word, color, list, mapping };
+enum class Shape { number, integer, length, flag, text, word, color, list, mapping };
+
+/// Units of lengths on paper, after a number or apart from it: 8 cm, 8cm.
+enum class LengthUnit { cm, mm, in, pt, px };
 
 /// Allowed numbers, both ends included.
 struct Range {
@@ -36,7 +40,8 @@ struct Elsewhere {
 /// One form that a value may take. The shape determines which of the members are used.
 struct Form {
     Shape shape = Shape::text;
-    Range range = {};                       ///< number, integer
+    Range range = {};                       ///< number, integer, length
+    LengthUnit unit = LengthUnit::cm;       ///< length: of the range
     std::vector<std::string> words = {};    ///< word: those allowed; text: one as an example
     std::vector<Elsewhere> elsewhere = {};  ///< word: others that users are likely to try
     bool lines = false;                     ///< text: whether it may have line breaks
@@ -92,6 +97,16 @@ const Section* section_in(const std::vector<Form>& forms);
 
 /// Returns all sections of mappings among these forms, in order.
 std::vector<const Section*> sections_in(const std::vector<Form>& forms);
+
+/// Returns the length that a text with a number and a unit gives, in `unit`; nothing for another
+/// text. A pixel is 1/96 inch.
+std::optional<double> parse_length(std::string_view text, LengthUnit unit);
+
+/// Returns a length as a scene might write it.
+std::string length_example(const Form& form);
+
+/// Returns the names of the units.
+std::vector<std::string> length_units();
 
 /// Returns the name of a form in messages: "a positive number", "`light`, `dark` or `print`".
 std::string phrase(const Form& form);

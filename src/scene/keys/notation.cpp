@@ -102,6 +102,14 @@ Notation<double> number(Range range) {
             [](double value) { return number_text(value); }};
 }
 
+Notation<double> length(Range range, LengthUnit unit) {
+    return {{{.shape = Shape::length, .range = range, .unit = unit}},
+            [unit](const Node& node, Reading&) -> std::optional<double> {
+                if (!node.is_scalar() || node.quoted) return std::nullopt;
+                return parse_length(node.text, unit);
+            }};
+}
+
 Notation<std::int64_t> whole(double low, Limit most) {
     return {{{.shape = Shape::integer, .range = {low, most}}},
             [](const Node& node, Reading&) -> std::optional<std::int64_t> {

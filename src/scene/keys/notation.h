@@ -115,6 +115,9 @@ struct Notation {
 
 Notation<double> number(Range range);
 
+/// A length with its unit, given in `unit`.
+Notation<double> length(Range range, LengthUnit unit);
+
 /// A whole number from `low` up to the limit.
 Notation<std::int64_t> whole(double low, Limit most);
 

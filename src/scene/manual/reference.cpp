@@ -15,6 +15,7 @@
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/sets/set_reading.h"
+#include "scene/style/style_reading.h"
 #include "util/text.h"
 
 namespace carom {
@@ -159,6 +160,10 @@ std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& fo
         "together ([figures.md](figures.md)):\n\n");
     const Section set = set_table(kinds, formats).section();
     page.add(set, set);
+    page.add(
+        "A style, a file beside the scene or in `templates/styles/`, gives the pictures of scenes "
+        "that name it their colours, fonts and sizes ([styles.md](styles.md)):\n\n");
+    page.add(style_table().section(), style_table().section());
     page.add(color_section());
     page.add(
         "## Limits\n\nWhat exceeds a limit is refused before memory is taken: "

@@ -12,6 +12,7 @@
 #include "scene/keys/made_once.h"
 #include "scene/reading/gas_reading.h"
 #include "scene/reading/panel_reading.h"
+#include "scene/reading/template.h"
 #include "util/text.h"
 
 namespace carom {
@@ -37,28 +38,43 @@ constexpr double page_width = 18.3;
 constexpr double slide_width = 33.867, slide_height = 19.05;  // 13 1/3 by 7 1/2 inches
 
 Binding<FigureSpec> size_key() {
-    const Range side{smallest_figure.value, largest_figure};
     const auto named = one_of<FigureSize>({{"column", {.width = width_of_column}},
                                            {"page", {.width = page_width}},
                                            {"slide", {slide_width, slide_height, true}}});
-    const auto in_centimetres = mapped(
-        pair_of(side, "[width, height]"),
-        [](const TwoNumbers& sides) { return FigureSize{.width = sides[0], .height = sides[1]}; });
+    const auto by_sides = mapped(list_of(width_notation(), 2, {2}, "[width, height]"),
+                                 [](const std::vector<double>& sides) {
+                                     return FigureSize{.width = sides.at(0), .height = sides.at(1)};
+                                 });
     const auto by_width =
-        mapped(number(side), [](double width) { return FigureSize{.width = width}; });
+        mapped(width_notation(), [](double width) { return FigureSize{.width = width}; });
     const auto fill = [](FigureSpec& figure, const FigureSize& size) {
         figure.width = size.width;
         figure.height = size.height;
         figure.slide = size.slide;
     };
     return bind_with<FigureSpec>(
-               "size", fill, either(named, either(by_width, in_centimetres)),
+               "size", fill, either(named, either(by_width, by_sides)),
                fmt::format("The size of a text column ({} cm wide), a page ({} cm) or a slide "
                            "({:.1f} cm by {:.1f} cm, with large type), or a width, or width and "
-                           "height, in centimetres. If no height is given, it follows from the "
+                           "height, in centimetres or with their unit (cm, mm, in, pt, px). If no "
+                           "height is given, it follows from the "
                            "width: a box keeps its shape, with no space above and below.",
                            width_of_column, page_width, slide_width, slide_height))
         .default_value("column");
+}
+
+Binding<FigureSpec> width_key() {
+    return bind_with<FigureSpec>(
+               "width",
+               [](FigureSpec& figure, double width) {
+                   figure.width = width;
+                   figure.height.reset();
+                   figure.slide = false;
+               },
+               width_notation(),
+               "Instead of `size`: the width, in centimetres or with its unit (cm, mm, in, pt, "
+               "px); the height follows from it.")
+        .default_text("that of `size`");
 }
 
 std::vector<ComparedRun> runs_of_seeds(std::int64_t count, const Node& place,
@@ -297,9 +313,13 @@ std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
                 .only_with(kinds_that_can(kinds, Ability::strip))};
 }
 
-std::vector<Binding<FigureSpec>> page_keys() {
+// Those that the defaults of a scene's figures have, too.
+std::vector<Binding<FigureSpec>> figure_look_keys() {
+    return {size_key(), width_key(), theme_key(&FigureSpec::theme)};
+}
+
+std::vector<Binding<FigureSpec>> word_keys() {
     return {
-        size_key(), theme_key(&FigureSpec::theme),
         bind_key("caption", &FigureSpec::caption, with_formulas(lines(1, most_letters)),
                  "The words under the figure, with formulae between `$` signs.")
             .default_text("made from what the figure shows"),
@@ -341,19 +361,21 @@ KeyTable<FigureReading> figure_table(PanelKinds kinds) {
                  "or of the scene with other values, each with a label.")
             .default_text("the scene's run alone")
             .only_with(kinds_that_can(kinds, Ability::comparison))};
-    return {
-        .name = "a figure",
-        .keys = joined<FigureReading>(name, panel_keys(kinds, kind_key(word(names)), {}),
-                                      keys_of_runs(kinds), compare, time_keys(kinds), page_keys()),
-        .choices = {{{"at", "strip"}}, {{"seeds", "compare"}}, {{"test", "compare"}}},
-        .refused = {{"format", "formats are chosen where figures are drawn",
-                     "carom figures SCENE --formats svg,png"},
-                    {"formats", "formats are chosen where figures are drawn",
-                     "carom figures SCENE --formats svg,png"},
-                    {"width", "a figure has a `size` on paper", "for instance `size: [8, 6]`"}},
-        .rule = [kinds](FigureReading& figure, const Node& node, Reading& reading) {
-            complete_figure(figure, node, kinds, reading);
-        }};
+    return {.name = "a figure",
+            .keys = joined<FigureReading>(name, panel_keys(kinds, kind_key(word(names)), {}),
+                                          keys_of_runs(kinds), compare, time_keys(kinds),
+                                          figure_look_keys(), word_keys()),
+            .choices = {{{"at", "strip"}},
+                        {{"seeds", "compare"}},
+                        {{"test", "compare"}},
+                        {{"size", "width"}}},
+            .refused = {{"format", "formats are chosen where figures are drawn",
+                         "carom figures SCENE --formats svg,png"},
+                        {"formats", "formats are chosen where figures are drawn",
+                         "carom figures SCENE --formats svg,png"}},
+            .rule = [kinds](FigureReading& figure, const Node& node, Reading& reading) {
+                complete_figure(figure, node, kinds, reading);
+            }};
 }
 
 // Returns whether a key applies to comparisons: for a key of only some kinds, whether one of these
@@ -369,6 +391,40 @@ bool is_for_comparison(Binding<FigureReading>& key, const std::vector<std::strin
 }
 
 }  // namespace
+
+Notation<double> width_notation() {
+    const Range side{smallest_figure.value, largest_figure};
+    return either(number(side), length(side, LengthUnit::cm));
+}
+
+Notation<std::vector<std::string>> figure_formats_notation() {
+    const std::vector<std::string> names(figure_format_names.begin(), figure_format_names.end());
+    return one_or_list(word(names), {double(names.size())}, "a list of formats");
+}
+
+const FixedTable<FigureDefaults>& figure_defaults_table() {
+    static const auto& table = *new FixedTable<FigureDefaults>(KeyTable<FigureDefaults>{
+        .name = "`figure_defaults`",
+        .keys = joined<FigureDefaults>(
+            figure_look_keys(),
+            std::vector{bind_key("format", &FigureDefaults::formats, figure_formats_notation(),
+                                 "The file formats of figures, unless --formats gives others.")
+                            .tried_as({"formats"})
+                            .default_text("all")}),
+        .choices = {{{"size", "width"}}}});
+    return table;
+}
+
+void add_defaults(Node& figure, const Node& defaults) {
+    if (!figure.is_mapping()) return;
+    Node keys = defaults;
+    erase_key(keys, "format");
+    figure = lay_over(figure, keys, figure_defaults_table().section().choices);
+}
+
+void add_defaults_to_all(Node& figures, const Node& defaults) {
+    for (Node& figure : figures.items) add_defaults(figure, defaults);
+}
 
 Binding<ComparedRun> label_key() {
     return bind_key("label", &ComparedRun::label, text(1, most_name_letters),
@@ -409,7 +465,7 @@ Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const 
                          "The scenes that it compares, in one panel with shared axes and a legend.")
                     .required());
     }
-    table.choices.clear();
+    table.choices = {{{"size", "width"}}};
     return as<FigureSpec>(mapping(table));
 }
 

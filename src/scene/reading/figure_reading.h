@@ -14,6 +14,25 @@ namespace carom {
 /// writes its own files, and times outside the run. For `kinds` see MadeOnce.
 const Notation<std::vector<FigureSpec>>& figures_notation(PanelKinds kinds);
 
+/// The width of a figure on paper, in centimetres.
+Notation<double> width_notation();
+
+/// The file formats of figures.
+Notation<std::vector<std::string>> figure_formats_notation();
+
+/// Keys that the figures of a scene or of a set have unless they give them themselves.
+struct FigureDefaults : FigureSpec {
+    std::vector<std::string> formats;
+};
+
+/// The table of keys of `figure_defaults`.
+const FixedTable<FigureDefaults>& figure_defaults_table();
+
+/// Gives a figure, or each of a list, the keys of `defaults` that it does not give itself. Both
+/// have been checked.
+void add_defaults(Node& figure, const Node& defaults);
+void add_defaults_to_all(Node& figures, const Node& defaults);
+
 /// The notation of a comparison of a figure set, read as a figure of one of its scenes: the keys of
 /// a figure that shows several runs, and `scenes`, whose node is kept unread.
 Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const Node*>& scenes);

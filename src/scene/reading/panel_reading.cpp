@@ -183,6 +183,14 @@ void check_two_particles(const PanelSpec& panel, const Node& node, const PanelKi
 
 }  // namespace
 
+Notation<ThemeName> theme_notation() {
+    return one_of<ThemeName>().with_elsewhere({{"black", "did you mean `dark`?"},
+                                               {"white", "did you mean `light`?"},
+                                               {"bright", "did you mean `light`?"},
+                                               {"default", "did you mean `dark`?"},
+                                               {"paper", "did you mean `print`?"}});
+}
+
 std::vector<std::string> kinds_that_can(PanelKinds kinds, Ability ability) {
     std::vector<std::string> names;
     for (const PanelKind& kind : kinds)

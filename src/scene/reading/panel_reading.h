@@ -36,15 +36,13 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
 /// The key `kind`, whose values are these words.
 Binding<PanelSpec> kind_key(const Notation<std::string>& words);
 
+/// The names of themes.
+Notation<ThemeName> theme_notation();
+
 /// The key `theme` of films and figures.
 template <typename T>
 Binding<T> theme_key(ThemeName T::*theme) {
-    return bind_key("theme", theme,
-                    one_of<ThemeName>().with_elsewhere({{"black", "did you mean `dark`?"},
-                                                        {"white", "did you mean `light`?"},
-                                                        {"bright", "did you mean `light`?"},
-                                                        {"default", "did you mean `dark`?"},
-                                                        {"paper", "did you mean `print`?"}}),
+    return bind_key("theme", theme, theme_notation(),
                     "The colours of background and text; `print` is black, white and greys, except "
                     "for colours that the scene gives.");
 }

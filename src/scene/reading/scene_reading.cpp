@@ -12,6 +12,12 @@
 namespace carom {
 namespace {
 
+Notation<std::string> style_name_notation() {
+    Notation<std::string> name = text(1, most_title_letters);
+    name.forms.front().words = {"conference"};
+    return name;
+}
+
 KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
     const auto format = whole(1, {scene_format, "is the format that this carom reads"});
     KeyTable<SceneDraft> table{
@@ -55,6 +61,16 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                  bind_key("figures", &SceneDraft::figures_node, kept(figures_notation(kinds)),
                           "Pictures of single moments for texts and slides.")
                      .tried_as({"plots", "pictures", "images"})
+                     .default_text("none"),
+                 bind_key("figure_defaults", &SceneDraft::defaults_node,
+                          kept(mapping(figure_defaults_table())),
+                          "What the `figures` have that do not give it themselves.")
+                     .tried_as({"figure_default", "defaults"})
+                     .default_text("none"),
+                 bind_key("style", &SceneDraft::style_name, style_name_notation(),
+                          "The style of film and figures: a file in the scene's folder, or in "
+                          "templates/styles, by name.")
+                     .tried_as({"styles", "design", "look"})
                      .default_text("none"),
                  bind_key("measure", &SceneDraft::measure_node, kept(measure_notation(kinds)),
                           "Instruments whose readings at the end of the run are listed by `carom "

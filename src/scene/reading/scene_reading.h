@@ -25,6 +25,8 @@ struct SceneDraft : Scene, SurfacesDraft {
     std::vector<const Node*> surface_nodes;  ///< indexed by surface number; null: not in the file
     const Node* film_node = nullptr;         ///< read later, combined with its template
     const Node* figures_node = nullptr;      ///< read later, when the gas and the run are known
+    const Node* defaults_node = nullptr;     ///< of figures; the same
+    std::string style_name;                  ///< its file is read before the scene
     const Node* measure_node = nullptr;      ///< the same
 };
 

@@ -28,6 +28,12 @@ std::vector<std::string> names_in(const fs::path& folder) {
     return names;
 }
 
+std::string name_without_ending(const std::string& name, const NamedFiles& kind) {
+    constexpr std::string_view ending = ".yaml";
+    return kind.has_ending && name.ends_with(ending) ? name.substr(0, name.size() - ending.size())
+                                                     : name;
+}
+
 bool is_there(const fs::path& path) {
     std::error_code ignored;
     return fs::exists(path, ignored);
@@ -39,16 +45,17 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }
 
 void report_unknown(const Node& asked, const fs::path& scenes, const fs::path& films,
-                    Errors& errors) {
+                    const NamedFiles& kind, Errors& errors) {
     const std::vector<std::string> names = names_in(films);
     const std::string& name = asked.text;
-    std::string hint = names.empty() ? "no templates in " + films.string()
-                                     : fmt::format("templates: {}", fmt::join(names, ", "));
+    std::string hint = names.empty() ? fmt::format("no {}s in {}", kind.what, films.string())
+                                     : fmt::format("{}s: {}", kind.what, fmt::join(names, ", "));
     if (const auto near = nearest_spelling(name, names))
         hint = fmt::format("did you mean `{}`?", *near);
-    if (name.ends_with(".yaml") && (is_there(scenes / name) || is_there(films / name)))
+    if (!kind.has_ending && name.ends_with(".yaml") &&
+        (is_there(scenes / name) || is_there(films / name)))
         hint = fmt::format("without its extension: `{}`", fs::path(name).stem().string());
-    errors.add(asked, fmt::format("there is no template {}", in_quotes(name)), hint);
+    errors.add(asked, fmt::format("there is no {} {}", kind.what, in_quotes(name)), hint);
 }
 
 // Returns 0 if the file cannot be read: it is not the template that the user asked for, so no error
@@ -289,16 +296,20 @@ LayoutSpec without_panels(LayoutSpec layout) {
 }
 
 std::optional<TemplateFile> find_template(const Node& asked, const fs::path& scene,
-                                          const fs::path& templates, Errors& errors) {
-    const std::string& name = asked.text;
+                                          const fs::path& templates, Errors& errors,
+                                          const NamedFiles& kind) {
+    const std::string name = name_without_ending(asked.text, kind);
     const bool typed = asked.source->origin == Origin::command_line;
-    if (typed && (name.find('/') != std::string::npos || name.ends_with(".yaml")))
-        return TemplateFile{fs::path{name}.stem().string(), name};
+    if (typed && (asked.text.find('/') != std::string::npos || asked.text.ends_with(".yaml")))
+        return TemplateFile{fs::path{asked.text}.stem().string(), asked.text};
     if (!is_plain_name(name)) {
-        errors.add(asked, fmt::format("expected the name of a template, found {}", in_quotes(name)),
-                   typed ? "a name, or a file that ends in .yaml"
-                         : "a template is a file in the scene's folder or in templates/films, "
-                           "without folder and extension");
+        errors.add(
+            asked,
+            fmt::format("expected the name of a {}, found {}", kind.what, in_quotes(asked.text)),
+            typed ? "a name, or a file that ends in .yaml"
+                  : fmt::format("a {} is a file in the scene's folder or in templates/{}, "
+                                "without folder{}",
+                                kind.what, kind.folder, kind.has_ending ? "" : " and extension"));
         return std::nullopt;
     }
     const fs::path beside = folder_of(scene) / (name + ".yaml");
@@ -306,15 +317,20 @@ std::optional<TemplateFile> find_template(const Node& asked, const fs::path& sce
         if (stays_inside(beside, folder_of(scene)))
             return TemplateFile{name, scene.parent_path() / (name + ".yaml")};
         errors.add(asked,
-                   fmt::format("the template {} is a link that leads out of the scene's folder",
-                               in_quotes(name)),
+                   fmt::format("the {} {} is a link that leads out of the scene's folder",
+                               kind.what, in_quotes(name)),
                    "copy the file into the folder");
         return std::nullopt;
     }
-    const fs::path own = templates / "films" / (name + ".yaml");
+    const fs::path own = templates / kind.folder / (name + ".yaml");
     if (is_there(own)) return TemplateFile{name, own};
-    report_unknown(asked, folder_of(scene), templates / "films", errors);
+    report_unknown(asked, folder_of(scene), templates / kind.folder, kind, errors);
     return std::nullopt;
+}
+
+std::vector<fs::path> named_paths(const Node& asked, const fs::path& scene,
+                                  const NamedFiles& kind) {
+    return {asked.text, scene.parent_path() / (name_without_ending(asked.text, kind) + ".yaml")};
 }
 
 std::vector<std::string> templates_with_places(const fs::path& templates, std::size_t panels) {

@@ -20,11 +20,27 @@ struct TemplateFile {
     std::filesystem::path path;
 };
 
-/// Finds a template: first in the folder of the scene file `scene`, then in `templates`/films.
-/// `asked` is the node that gives its name. Reports an unknown template, with the names of those
-/// available, and returns nothing.
+/// Files that scenes know by name: templates of films, or styles.
+struct NamedFiles {
+    const char* what;    ///< a "template"
+    const char* folder;  ///< in templates/
+    bool has_ending;     ///< whether names may end in .yaml
+};
+inline constexpr NamedFiles film_templates{"template", "films", false},
+    style_files{"style", "styles", true};
+
+/// Finds a template or a style: first in the folder of the scene file `scene`, then in the folder
+/// of such files in `templates`. `asked` is the node that gives its name. Reports an unknown one,
+/// with the names of those available, and returns nothing.
 std::optional<TemplateFile> find_template(const Node& asked, const std::filesystem::path& scene,
-                                          const std::filesystem::path& templates, Errors& errors);
+                                          const std::filesystem::path& templates, Errors& errors,
+                                          const NamedFiles& kind = film_templates);
+
+/// Where a file that find_template() has found may be among the texts of a scene's other files,
+/// which are used instead, wherever the scene is now.
+std::vector<std::filesystem::path> named_paths(const Node& asked,
+                                               const std::filesystem::path& scene,
+                                               const NamedFiles& kind);
 
 /// Returns whether a file lies directly in a folder after symbolic links are followed.
 bool stays_inside(const std::filesystem::path& file, const std::filesystem::path& folder);

@@ -9,6 +9,7 @@
 #include "scene/keys/made_once.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/scene.h"
+#include "scene/style/style_reading.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/yaml.h"
 #include "util/files/atomic_file.h"
@@ -166,15 +167,15 @@ void refuse(const std::vector<NumberInWords>& numbers) {
 
 }  // namespace
 
-FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
-                              const fs::path& path) {
+FixedTable<SetReading> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
+                                 const fs::path& path) {
     const auto page =
         parsed(text(1, most_title_letters),
                [path](const std::string& name, const Node& node, Reading& reading) {
                    return std::optional(template_of(name, node, path, reading.errors));
                });
     const auto pages = one_or_list(page, {page_names.size()}, "a list of templates");
-    return KeyTable<SetFile>{
+    return KeyTable<SetReading>{
         .name = "a figure set",
         .keys = {
             bind_key("title", &SetFile::title, text(1, most_title_letters),
@@ -200,7 +201,16 @@ FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& 
             bind_key("formats", &SetFile::formats,
                      list_of(word(formats), 1, {double(formats.size())}, "a list of formats"),
                      "The file formats of its figures.")
-                .default_text("all")}};
+                .default_text("those of its `figure_defaults`, or all"),
+            bind_key(
+                "figure_defaults", &SetReading::figures, kept(mapping(figure_defaults_table())),
+                "What the figures of its scenes and its comparisons have that neither they nor "
+                "their scenes' `figure_defaults` give.")
+                .default_text("none"),
+            bind_key("style", &SetReading::style, kept(text(1, most_title_letters)),
+                     "The style of the scenes that name none: a file in the set's folder, or in "
+                     "templates/styles, by name.")
+                .default_text("none")}};
 }
 
 const Node* key_of_set(const Node& root) {
@@ -221,14 +231,34 @@ bool is_figure_set(const fs::path& path) {
     return root && key_of_set(*root) != nullptr;
 }
 
+namespace {
+
+// With a source of their own, into which the nodes point.
+std::shared_ptr<const SetDefaults> defaults_of(const SetReading& set, const fs::path& path) {
+    const auto defaults = std::make_shared<SetDefaults>(
+        SetDefaults{.source = {.name = path.string(), .text = set.text}});
+    const auto owned = [&](const Node* node) {
+        if (node == nullptr) return std::optional<Node>{};
+        Node own = *node;
+        point_to(own, defaults->source);
+        return std::optional(std::move(own));
+    };
+    defaults->style = owned(set.style);
+    defaults->figures = owned(set.figures);
+    return defaults;
+}
+
+}  // namespace
+
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds) {
     Errors errors;
     std::vector<NumberInWords> numbers;
     Reading reading{errors, scene.gas, scene.run, numbers};
-    const auto figure = figure_notation(kinds).read(comparison.node, reading);
+    auto figure = figure_notation(kinds).read(comparison.node, reading);
     refuse(numbers);
     errors.throw_if_any();
-    return figure.value();
+    take_style(*figure, comparison.node, scene.film.style);
+    return std::move(*figure);
 }
 
 SetFile load_figure_set(const fs::path& path, PanelKinds kinds,
@@ -243,9 +273,9 @@ SetFile load_figure_set(const fs::path& path, PanelKinds kinds,
                                                     "`title` and `scenes`)",
                    "list its scenes: `scenes: [first.yaml, second.yaml]`");
     errors.throw_if_any();
-    const FixedTable<SetFile> table = set_table(kinds, formats, path);
+    const FixedTable<SetReading> table = set_table(kinds, formats, path);
     check_mapping(root.value(), table.section(), errors);
-    SetFile set;
+    SetReading set;
     const Gas no_gas;
     const Run no_run;
     std::vector<NumberInWords> numbers;
@@ -254,7 +284,16 @@ SetFile load_figure_set(const fs::path& path, PanelKinds kinds,
     refuse(numbers);
     errors.throw_if_any();
     set.text = source->text;
-    for (SetComparison& comparison : set.comparisons) comparison.source = source;
+    if (set.formats.empty() && set.figures != nullptr) {
+        FigureDefaults defaults;
+        figure_defaults_table().read(*set.figures, defaults, reading);
+        set.formats = defaults.formats;
+    }
+    for (SetComparison& comparison : set.comparisons) {
+        comparison.source = source;
+        if (set.figures != nullptr) add_defaults(comparison.node, *set.figures);
+    }
+    if (set.style != nullptr || set.figures != nullptr) set.defaults = defaults_of(set, path);
     return set;
 }
 

@@ -11,6 +11,7 @@
 #include "scene/figure_spec.h"
 #include "scene/keys/binding.h"
 #include "scene/panel_kind.h"
+#include "scene/sets/set_defaults.h"
 #include "scene/yaml/node.h"
 #include "util/diagnostics.h"
 
@@ -45,9 +46,16 @@ struct SetFile {
     std::string description;  ///< may be empty
     std::vector<SetScene> scenes;
     std::vector<SetComparison> comparisons;
-    std::string text;                    ///< the whole file, as read
-    std::vector<std::string> templates;  ///< names, or paths from the working folder
-    std::vector<std::string> formats;    ///< file formats of the figures; empty: all
+    std::shared_ptr<const SetDefaults> defaults;  ///< null: none
+    std::string text;                             ///< the whole file, as read
+    std::vector<std::string> templates;           ///< names, or paths from the working folder
+    std::vector<std::string> formats;             ///< file formats of the figures; empty: all
+};
+
+/// A set with the nodes of its defaults.
+struct SetReading : SetFile {
+    const Node* style = nullptr;
+    const Node* figures = nullptr;
 };
 
 /// Returns the value of `scenes`, the key that tells a figure set from a scene; null for a scene.
@@ -67,7 +75,7 @@ FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelK
 
 /// The table of keys of the figure set in the file `path`, to which the paths of its scenes are
 /// relative.
-FixedTable<SetFile> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
-                              const std::filesystem::path& path = {});
+FixedTable<SetReading> set_table(PanelKinds kinds, const std::vector<std::string>& formats,
+                                 const std::filesystem::path& path = {});
 
 }  // namespace carom

@@ -93,6 +93,12 @@ Node* find(Node& mapping, std::string_view key) {
     return const_cast<Node*>(find(std::as_const(mapping), key));
 }
 
+void point_to(Node& node, const Source& source) {
+    node.source = &source;
+    for (Node& key : node.keys) point_to(key, source);
+    for (Node& item : node.items) point_to(item, source);
+}
+
 void erase_key(Node& mapping, std::size_t index) {
     mapping.keys.erase(mapping.keys.begin() + static_cast<std::ptrdiff_t>(index));
     mapping.items.erase(mapping.items.begin() + static_cast<std::ptrdiff_t>(index));

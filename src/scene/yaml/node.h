@@ -47,6 +47,9 @@ struct Node {
 const Node* find(const Node& mapping, std::string_view key);
 Node* find(Node& mapping, std::string_view key);
 
+/// Makes a node and all in it point to another copy of its source.
+void point_to(Node& node, const Source& source);
+
 /// Removes a key of a mapping, by its index, with its value.
 void erase_key(Node& mapping, std::size_t index);
 /// Removes every key of this name from a mapping.

@@ -48,6 +48,18 @@ std::vector<double> shares_of_height(const std::string& scene) {
 
 }  // namespace
 
+TEST_CASE("a style gives figures the size of their text") {
+    FigureSpec figure;
+    CHECK(smallest_type(figure) == 6.9);
+    Style style;
+    style.film_text = 1.25;
+    style.figure_text = 9.2;
+    figure.style = std::make_shared<const Style>(style);
+    CHECK(smallest_type(figure) == 9.2);
+    figure.slide = true;
+    CHECK(smallest_type(figure) == 30.0);
+}
+
 TEST_CASE("a figure has the width of a column, a page or a slide, and type to match") {
     const Scene scene = scene_of(
         "  - {name: a, kind: speed-histogram}\n  - {name: b, kind: gas, size: page}\n"

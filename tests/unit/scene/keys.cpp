@@ -20,6 +20,7 @@
 #include "scene/reading/film_reading.h"
 #include "scene/reading/scene_reading.h"
 #include "scene/sets/set_reading.h"
+#include "scene/style/style_reading.h"
 #include "scene/yaml/yaml.h"
 #include "support/scene_text.h"
 
@@ -63,6 +64,7 @@ void visit_keys(const Visit& visit) {
         visit_sections(scene_table(panel_kinds(), dimension).section(), each);
     visit_sections(template_table(panel_kinds()).section(), each);
     visit_sections(set_table(panel_kinds(), figure_formats()).section(), each);
+    visit_sections(style_table().section(), each);
 }
 
 bool passes(const Key& key, Node value) {

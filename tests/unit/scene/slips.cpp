@@ -128,7 +128,7 @@ const std::vector<Slip>& slips() {
         {"size: [40, 30]", "size: [40, 30, 20]", "2:13",
          "a box is a plane, with two lengths: its width and its height"},
         {"size: [40, 30]", "width: 40, height: 30", "2:7",
-         "did you mean `size`? Or, `width` is a key of an item of `camera`"},
+         "did you mean `size`? Or, `width` is a key of a figure and `figure_defaults`"},
         {"run: {until: 10}", "run: {until: 10, fps: 30}", "5:18",
          "`fps` is a key of `film`; the keys of `run` are until, equilibrate, sample_every, "},
         {"run: {until: 10}", "until: 10", "1:1", "`run`: What happens to the gas."},
@@ -145,7 +145,8 @@ const std::vector<Slip>& slips() {
         {"kind: speed-histogram, at", "kind: histogramm, at", "10:21",
          "there are `speed-histogram`, `energy-histogram`, `velocity-histogram`, "},
         {"at: 5}", "at: 5, format: png}", "10:45", "carom figures SCENE --formats svg,png"},
-        {"at: 5}", "at: 5, width: 8cm}", "10:45", "for instance `size: [8, 6]`"},
+        {"at: 5}", "at: 5, width: 8em}", "10:52",
+         "the units of lengths are cm, mm, in, pt and px: `8 cm`"},
         {"seconds: 5", "seconds: 5\n  template: lecture-hall", "8:13",
          "templates: data, hero, instrument, lecture, minimal, portrait, side-by-side, square, "
          "wide-gas"},

@@ -37,6 +37,6 @@ small 8 800
 small 9 320
 if [ -d "$root/build/npm/node_modules" ] && command -v node >/dev/null && command -v chromium >/dev/null; then
     "$carom" render "$folder/10.yaml" --size 720p --fps 10 --page html -o "$work/page.html" --quiet
-    NODE_PATH=$root/build/npm/node_modules node "$root/tests/browser/pages.cjs" picture "$work/page.html" "$work/10.png" 1200 725
+    NODE_PATH=$root/build/npm/node_modules node "$root/tests/browser/pages.cjs" picture "$work/page.html" "$work/10.png" 1200 700
     small 10 800
 fi

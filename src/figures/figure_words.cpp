@@ -8,6 +8,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "figures/figure_run.h"
 #include "panels/correlations/curve_panel.h"
 #include "panels/plot/window.h"
 #include "panels/plots/histogram_panel.h"

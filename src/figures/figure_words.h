@@ -7,9 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "figures/figure_run.h"
+#include "util/language.h"
 
 namespace carom {
+
+class FigureRun;
+struct Figure;
+struct FigureSpec;
+struct Gas;
 
 /// The simulated times that a figure shows.
 struct ShownTimes {

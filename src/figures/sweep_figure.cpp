@@ -16,6 +16,7 @@
 #include "panels/sweep/sweep_keys.h"
 #include "runs/sweep_summary.h"
 #include "scene/limits.h"
+#include "scene/scene.h"
 #include "scene/yaml/node.h"
 #include "util/diagnostics.h"
 #include "util/files/input_file.h"

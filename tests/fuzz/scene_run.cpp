@@ -95,6 +95,9 @@ std::string value_of(const std::vector<Form>& forms, FuzzInput& input, int depth
         case Shape::number:
         case Shape::integer:
             return number(form, input);
+        case Shape::length:
+            return number(form, input) +
+                   input.one_of(std::vector<std::string>{"", " cm", "pt", " yd"});
         case Shape::flag:
             return input.below(2) == 0 ? "true" : "false";
         case Shape::word:

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "scene/limits.h"
@@ -106,6 +107,7 @@ class TreeBuilder : public YAML::EventHandler {
     void OnSequenceEnd() override { close(); }
     void OnMapEnd() override {
         refuse_duplicates(open_.back().node);
+        merge(open_.back().node);
         close();
     }
 
@@ -193,6 +195,34 @@ class TreeBuilder : public YAML::EventHandler {
             throw Stop{node.offset, "expected a word as a key, found " + described(node),
                        "a text that begins with `[` or `{` needs quotes"};
         (is_key ? parent.keys : parent.items).push_back(std::move(node));
+    }
+
+    // Gives a mapping the keys of those that its merge key (`<<: *name`) names, unless it or an
+    // earlier one of these has them.
+    void merge(Node& mapping) {
+        const auto key = std::ranges::find_if(
+            mapping.keys, [](const Node& one) { return one.text == "<<" && !one.quoted; });
+        if (key == mapping.keys.end()) return;
+        const auto index = static_cast<std::size_t>(key - mapping.keys.begin());
+        const Node merged = mapping.items[index];
+        const std::vector<Node> sources = merged.is_list() ? merged.items : std::vector{merged};
+        for (const Node& source : sources)
+            if (!source.is_mapping())
+                throw Stop{source.offset,
+                           "`<<` takes the keys of other mappings, found " + described(source),
+                           "mark a mapping with `&name` and write `<<: *name`"};
+        erase_key(mapping, index);
+        std::set<std::string_view> own;
+        for (const Node& one : mapping.keys) own.insert(one.text);
+        std::vector<Node> keys, items;
+        for (const Node& source : sources)
+            for (std::size_t k = 0; k < source.keys.size(); ++k) {
+                if (!own.insert(source.keys[k].text).second) continue;
+                keys.push_back(source.keys[k]);
+                items.push_back(source.items[k]);
+            }
+        mapping.keys.insert(mapping.keys.end(), keys.begin(), keys.end());
+        mapping.items.insert(mapping.items.end(), items.begin(), items.end());
     }
 
     // Reports keys that occur more than once; the first occurrence is kept.

@@ -71,6 +71,30 @@ TEST_CASE("an alias stands for what its anchor holds") {
     CHECK(find(*root, "d")->items.at(1).items.at(0).text == "1");
 }
 
+TEST_CASE("a merge key gives a mapping the keys of others that it lacks") {
+    const Source source{"text",
+                        "a: &x {one: 1, two: 2}\nb: &y {two: 3, three: 3}\nc: {<<: *x, two: 5}\n"
+                        "d:\n  <<: [*x, *y]\n  four: 4\n'<<': 6",
+                        Origin::scene};
+    Errors errors;
+    const auto root = read_yaml(source, errors);
+    REQUIRE(root);
+    CHECK(errors.empty());
+    const auto text = [&](const char* key, const char* inner) {
+        return find(*find(*root, key), inner)->text;
+    };
+    CHECK(text("c", "one") == "1");
+    CHECK(text("c", "two") == "5");
+    CHECK(find(*root, "c")->keys.size() == 2);
+    CHECK(text("d", "two") == "2");
+    CHECK(text("d", "three") == "3");
+    CHECK(text("d", "four") == "4");
+    CHECK(find(*root, "<<")->text == "6");
+    CHECK(first_error("a: {<<: 1}") == "1:9 `<<` takes the keys of other mappings, found `1`");
+    CHECK(first_error("a: {<<: [{b: 1}, c]}") ==
+          "1:18 `<<` takes the keys of other mappings, found `c`");
+}
+
 TEST_CASE("what is ambiguous or hostile is refused at its place") {
     CHECK(first_error("a: 1\nb: 2\na: 3") == "3:1 `a` is given twice, first in line 1");
     CHECK(first_error("{a: {b: 1, b: 2}}") == "1:12 `b` is given twice, first in line 1");

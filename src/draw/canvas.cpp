@@ -209,6 +209,8 @@ struct Canvas::Implementation {
     Backdrop backdrop = Backdrop::transparent;
     std::optional<VectorFormat> format;  ///< none: a raster
     PictureWords words;
+    bool keeps_text = false;
+    std::vector<WrittenText> texts;  ///< in the order of their marks
     double resolution = usual_resolution;
     std::vector<std::uint8_t> bytes;  ///< of the document; outlives the surface that writes them
     Surface surface;
@@ -233,6 +235,26 @@ void Canvas::describe(PictureWords words) {
 void Canvas::set_resolution(double dots_per_inch) {
     assert(is_raster());
     implementation_->resolution = dots_per_inch;
+}
+
+void Canvas::keep_text(bool kept) {
+    implementation_->keeps_text = kept && implementation_->format == VectorFormat::svg;
+}
+
+bool Canvas::keeps_text() const { return implementation_->keeps_text; }
+
+// Cairo writes outlines only: it draws a mark for the text, which finished_svg() replaces.
+void Canvas::write(WrittenText text) {
+    if (text.runs.empty()) return;
+    const Point place{text.runs.front().x, text.runs.front().y};
+    std::vector<WrittenText>& texts = implementation_->texts;
+    const PixelSize size = implementation_->size;
+    const Point at{std::clamp(std::round(place.x), 0.0, size.width - 1.0),
+                   std::clamp(std::round(place.y), 0.0, size.height - 1.0)};
+    fill_polygon(std::vector{at, Point{at.x + 1.0, at.y},
+                             Point{at.x, at.y + length_of_text_mark(texts.size())}},
+                 with_alpha(rgb(0x000000), alpha_of_text_marks));
+    texts.push_back(std::move(text));
 }
 
 Canvas::~Canvas() = default;
@@ -402,7 +424,7 @@ std::vector<std::uint8_t> Canvas::file() {
     cairo_surface_finish(implementation_->surface.get());
     check(cairo_surface_status(implementation_->surface.get()), "write the picture");
     if (implementation_->format == VectorFormat::svg)
-        return finished_svg(implementation_->bytes, implementation_->words);
+        return finished_svg(implementation_->bytes, implementation_->words, implementation_->texts);
     return std::move(implementation_->bytes);
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "draw/color.h"
+#include "draw/fonts/written_text.h"
 #include "draw/geometry.h"
 
 // NOLINTNEXTLINE(bugprone-reserved-identifier): the name is Cairo's
@@ -66,6 +67,14 @@ class Canvas {
 
     /// Sets the resolution of a raster, which its PNG states: 96 dots per inch if it is not called.
     void set_resolution(double dots_per_inch);
+
+    /// Whether an SVG keeps its words as text, with the names of their fonts, instead of the
+    /// outlines of the letters: from then on.
+    void keep_text(bool kept);
+    bool keeps_text() const;
+
+    /// Writes a line of text into an SVG that keeps text.
+    void write(WrittenText text);
 
     PixelSize size() const;
     bool is_raster() const;

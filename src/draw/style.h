@@ -2,6 +2,7 @@
 // to the layout.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "draw/color.h"
@@ -28,8 +29,9 @@ struct Theme {
     Color highlight;  ///< what the viewer should look at: a caption, a reversal
     ThemeKind kind = ThemeKind::dark;
     bool dark = false;
-    std::span<const Color> series = {};   ///< of kinds of particles and of compared runs, in order;
-                                          ///< empty: those of the palette
+    std::span<const Color> series = {};  ///< of kinds of particles and of compared runs, in order;
+                                         ///< empty: those of the palette
+    std::span<const std::optional<Color>> runs = {};  ///< of compared runs, before the series
     std::span<const Color> ramp = {};     ///< of the scale from slow to fast; empty: the palette's
     const FontFamilies* fonts = nullptr;  ///< null: the usual font
 };

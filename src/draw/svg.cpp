@@ -3,14 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <map>
+#include <optional>
 #include <pugixml.hpp>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -82,6 +87,87 @@ void renumber(pugi::xml_document& xml) {
     });
 }
 
+std::string rounded(double value) {
+    std::string text = fmt::format("{:.3f}", value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.ends_with('.')) text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+// Attributes rather than a style: rules of a page's style sheet go before them.
+void set_paint(pugi::xml_node node, const char* what, Color color) {
+    node.append_attribute(what).set_value(hex_of(color).c_str());
+    if (color.alpha < 1.0)
+        node.append_attribute((std::string(what) + "-opacity").c_str())
+            .set_value(rounded(color.alpha).c_str());
+}
+
+void add_run(pugi::xml_node text, const TextRun& run) {
+    pugi::xml_node span = text.append_child("tspan");
+    const auto set = [&](const char* name, const std::string& value) {
+        span.append_attribute(name).set_value(value.c_str());
+    };
+    set("xml:space", "preserve");
+    set("x", rounded(run.x));
+    set("y", rounded(run.y));
+    set("font-family", fmt::format("'{}', sans-serif", run.family));
+    set("font-size", rounded(run.size));
+    if (run.weight != 400) set("font-weight", std::to_string(run.weight));
+    if (run.is_italic) set("font-style", "italic");
+    if (run.is_right_to_left) set("direction", "rtl");
+    // Words are as wide in other fonts.
+    if (code_points(run.words) > 1) {
+        set("textLength", rounded(run.width));
+        set("lengthAdjust", "spacingAndGlyphs");
+    }
+    set_paint(span, "fill", run.color);
+    span.text().set(run.words.c_str());
+}
+
+void add_text(pugi::xml_node before, const WrittenText& written) {
+    pugi::xml_node text = before.parent().insert_child_before("text", before);
+    text.append_attribute("class").set_value(("carom-" + written.kind).c_str());
+    if (written.tabular) text.append_attribute("font-variant-numeric").set_value("tabular-nums");
+    if (written.halo > 0.0) {
+        set_paint(text, "stroke", written.behind);
+        text.append_attribute("stroke-width").set_value(rounded(2.0 * written.halo).c_str());
+        text.append_attribute("stroke-linejoin").set_value("round");
+        text.append_attribute("paint-order").set_value("stroke");
+    }
+    for (const TextRun& run : written.runs) add_run(text, run);
+}
+
+// The number of the text that a path marks; none if it is no mark.
+std::optional<std::size_t> marked_by(const pugi::xml_node& path) {
+    const std::string opacity = fmt::format("{}", alpha_of_text_marks);
+    const bool is_mark =
+        std::string_view(path.attribute("style").value()).find("fill-opacity:" + opacity) !=
+            std::string_view::npos ||
+        std::string_view(path.attribute("fill-opacity").value()).starts_with(opacity);
+    if (!is_mark) return std::nullopt;
+    std::vector<double> numbers;
+    std::istringstream words(path.attribute("d").value());
+    for (std::string word; words >> word;)
+        if (const char first = word.front(); first == '-' || (first >= '0' && first <= '9'))
+            numbers.push_back(std::strtod(word.c_str(), nullptr));
+    constexpr std::size_t of_three_corners = 6;
+    if (numbers.size() < of_three_corners) return std::nullopt;
+    return static_cast<std::size_t>(std::lround(64.0 * (numbers[5] - numbers[1]))) - 1;
+}
+
+void replace_marks(pugi::xml_node parent, std::span<const WrittenText> texts) {
+    for (pugi::xml_node child = parent.first_child(); child;) {
+        const pugi::xml_node next = child.next_sibling();
+        if (const auto index = marked_by(child); index && *index < texts.size()) {
+            add_text(child, texts[*index]);
+            parent.remove_child(child);
+        } else {
+            replace_marks(child, texts);
+        }
+        child = next;
+    }
+}
+
 struct Bytes : pugi::xml_writer {
     std::vector<std::uint8_t> all;
     void write(const void* data, std::size_t size) override {
@@ -107,7 +193,8 @@ std::string prefix_of(std::span<const std::uint8_t> document) {
 }  // namespace
 
 std::vector<std::uint8_t> finished_svg(std::span<const std::uint8_t> document,
-                                       const PictureWords& words) {
+                                       const PictureWords& words,
+                                       std::span<const WrittenText> texts) {
     pugi::xml_document xml;
     const pugi::xml_parse_result result = xml.load_buffer(
         document.data(), document.size(), pugi::parse_default | pugi::parse_declaration);
@@ -119,6 +206,7 @@ std::vector<std::uint8_t> finished_svg(std::span<const std::uint8_t> document,
     prepend_words(root, "desc", words.description);
     prepend_words(root, "title", words.title);
     root.append_attribute("role").set_value("img");
+    if (!texts.empty()) replace_marks(root, texts);
     renumber(xml);
     const std::string own = prefix_of(written(xml));
     rename_ids(xml, [&](const std::string& id) { return own + id; });

@@ -4,6 +4,7 @@
 #include <pango/pangocairo.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "draw/fonts/fonts.h"
+#include "draw/fonts/text_runs.h"
 #include "draw/formula/ink.h"
 #include "util/text.h"
 
@@ -120,26 +122,6 @@ void place_glyphs(const PangoGlyphItem& run, int& x, std::vector<PlacedGlyph>& g
         x += info.geometry.width;
     }
     x += run.end_x_offset;
-}
-
-// Whether a run needs more than its glyphs drawn in the colour of the line at their positions.
-bool is_decorated(const PangoGlyphItem& run) {
-    for (GSList* link = run.item->analysis.extra_attrs; link != nullptr; link = link->next) {
-        switch (static_cast<const PangoAttribute*>(link->data)->klass->type) {
-            case PANGO_ATTR_FOREGROUND:
-            case PANGO_ATTR_FOREGROUND_ALPHA:
-            case PANGO_ATTR_BACKGROUND:
-            case PANGO_ATTR_BACKGROUND_ALPHA:
-            case PANGO_ATTR_UNDERLINE:
-            case PANGO_ATTR_OVERLINE:
-            case PANGO_ATTR_STRIKETHROUGH:
-            case PANGO_ATTR_SHAPE:
-                return true;
-            default:
-                break;
-        }
-    }
-    return false;
 }
 
 std::vector<PlacedGlyph> glyphs_of(PangoLayout* layout) {
@@ -348,6 +330,14 @@ bool meets(const Rect& ink, double halo, PixelSize size) {
 
 void draw_line(Canvas& canvas, Point origin, const Rect& ink, const TextLine& line,
                const TextStyle& style) {
+    if (canvas.keeps_text()) {
+        constexpr std::array kinds{"text", "numbers", "formulas"};
+        return canvas.write({.runs = runs_of(line.layout.get(), origin, style.color),
+                             .kind = kinds.at(static_cast<std::size_t>(style.lettering)),
+                             .tabular = style.tabular,
+                             .halo = style.halo,
+                             .behind = style.behind});
+    }
     cairo_t* context = canvas.handle();
     if (style.halo > 0.0) draw_halo(canvas, origin, ink, line, style);
     const Color& color = style.color;

@@ -144,7 +144,7 @@ std::array<double, 2> figure_size(const Scene& scene, const FigureSpec& spec) {
 void refuse_long_words(const Scene& scene, const FigureSpec& spec) {
     const double unit = smallest_type(spec) / 72.0 * print_dots;
     auto problem = problem_of_words(spec.panel, plot_in(sheet_of(scene, spec), unit), unit,
-                                    theme_of(spec.theme, spec.style.get()).fonts);
+                                    theme_of(spec).fonts);
     if (!problem) return;
     problem->hint = "write fewer or shorter words, or make the figure larger";
     throw SceneError({*problem});
@@ -167,11 +167,10 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
         canvas.describe(words);
         canvas.set_resolution(raster);
     }
+    canvas.keep_text(spec.svg_has_text);
     DiskPainter disks;
-    const DrawContext dc{{0.0, 0.0, double(size.width), double(size.height)},
-                         unit,
-                         theme_of(spec.theme, spec.style.get()),
-                         disks};
+    const DrawContext dc{
+        {0.0, 0.0, double(size.width), double(size.height)}, unit, theme_of(spec), disks};
     if (!transparent) canvas.fill_all(dc.theme.page);
     if (draws_box(spec))
         draw_gas(canvas, dc, sheet, figure, run.scene());
@@ -181,7 +180,7 @@ Canvas draw_figure(const FigureRun& run, const Figure& figure, std::optional<Vec
 }
 
 Table table_of(const Figure& figure) {
-    const Theme& colors = theme_of(figure.spec->theme, figure.spec->style.get());
+    const Theme& colors = theme_of(*figure.spec);
     Table whole;
     for (const FigureMoment& moment : figure.moments) {
         Table table = figure.panel->table(*moment.state, colors);

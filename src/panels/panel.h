@@ -24,6 +24,7 @@
 namespace carom {
 
 class Archive;
+struct FigureSpec;
 struct Film;
 struct Gas;
 struct Scene;
@@ -227,14 +228,18 @@ class Panel {
 /// The opacity of a plate under text.
 constexpr double plate_alpha = 0.9;
 
+/// The colours of compared runs, in order, as #rrggbb; none: that of the theme.
+using RunColors = std::vector<std::optional<std::string>>;
+
 /// The colours and fonts of a theme, by its name in a scene: of the theme on which a style is
 /// based, those of the style; of another, its own colours and the fonts of the style. They stay
 /// valid until the program ends, and the same style always gives the same object.
-const Theme& theme_of(ThemeName name, const Style* style = nullptr);
+const Theme& theme_of(ThemeName name, const Style* style = nullptr, const RunColors& runs = {});
 
-/// Those of the pictures of a film, and of its figures on another theme.
+/// Those of the pictures of a film, also as if it had another theme, and of a figure.
 const Theme& theme_of(const Film& film);
 const Theme& theme_of(const Film& film, ThemeName name);
+const Theme& theme_of(const FigureSpec& figure);
 
 /// The light, the dark and the print theme of a film.
 std::array<const Theme*, 3> themes_of(const Film& film);

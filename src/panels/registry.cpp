@@ -4,6 +4,7 @@
 
 #include "panels/gas/gas_panel.h"
 #include "panels/line/line_panel.h"
+#include "panels/plot/plot_panel.h"
 #include "scene/panel_kind.h"
 
 namespace carom {
@@ -78,7 +79,10 @@ std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
 }
 
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec) {
-    return kind_of(spec).make(context, spec);
+    std::unique_ptr<Panel> panel = kind_of(spec).make(context, spec);
+    if (auto* plot = dynamic_cast<PlotPanel*>(panel.get()))
+        plot->set_axis_words(spec.x_title, spec.y_title);
+    return panel;
 }
 
 }  // namespace carom

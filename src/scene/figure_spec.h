@@ -22,9 +22,10 @@ inline constexpr std::array figure_format_names{"svg", "pdf", "png", "csv"};
 
 /// One of the runs that a figure or a film shows side by side.
 struct ComparedRun {
-    std::string label;                ///< in the picture
-    std::vector<std::string> values;  ///< overrides of its scene, as KEY.PATH=VALUE
-    Diagnostic place = {};            ///< with an empty message, for errors found later
+    std::string label;                      ///< in the picture
+    std::vector<std::string> values;        ///< overrides of its scene, as KEY.PATH=VALUE
+    Diagnostic place = {};                  ///< with an empty message, for errors found later
+    std::optional<std::string> color = {};  ///< #rrggbb, in plots; none: by its place
     std::shared_ptr<const Scene> scene =
         {};  ///< with these values; of a figure with this one only, which compares nothing there
 };
@@ -37,6 +38,7 @@ struct FigureSpec {
     double width = 8.9;            ///< centimetres
     std::optional<double> height;  ///< centimetres; none: by kind
     bool slide = false;            ///< large type
+    bool svg_has_text = false;     ///< words of an SVG are text, not outlines
     ThemeName theme = ThemeName::light;
     std::shared_ptr<const Style> style;       ///< null: none
     std::optional<std::string> caption, alt;  ///< none: made from what the figure shows

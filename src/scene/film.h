@@ -94,11 +94,19 @@ struct CameraMove {
 
 /// The runs that a film shows side by side, at the same times: first the scene's own.
 struct FilmRuns {
-    std::string own_label;            ///< of the scene's own run, if there are others
-    std::vector<ComparedRun> others;  ///< empty: the scene's own run alone
-    bool is_overlaid = false;         ///< all in one box, each in its own colour
+    std::string own_label;                      ///< of the scene's own run, if there are others
+    std::optional<std::string> own_color = {};  ///< #rrggbb, of the same; none: the first
+    std::vector<ComparedRun> others;            ///< empty: the scene's own run alone
+    bool is_overlaid = false;                   ///< all in one box, each in its own colour
 
     std::size_t count() const { return 1 + others.size(); }
+
+    /// The colours of all runs, in order, as far as they are given.
+    std::vector<std::optional<std::string>> colors() const {
+        std::vector<std::optional<std::string>> all{own_color};
+        for (const ComparedRun& run : others) all.push_back(run.color);
+        return all;
+    }
 
     /// The labels of all runs, in order.
     std::vector<std::string> labels() const {

@@ -77,7 +77,8 @@ class Options {
 /// What a scene says of a panel. What has no meaning for its kind keeps the default.
 struct PanelSpec {
     std::string kind;
-    std::optional<std::string> title = {};    ///< none: by kind
+    std::optional<std::string> title = {};                  ///< none: by kind
+    std::optional<std::string> x_title = {}, y_title = {};  ///< of its axes; none: by kind
     std::vector<Chosen> of = {};              ///< drawn together; empty: all particles
     std::optional<Over> over = {};            ///< none: by kind
     std::optional<Component> component = {};  ///< none: by kind

@@ -136,6 +136,7 @@ void add(std::vector<Candidate> more, Candidates& to) {
 std::vector<Candidate> words_called(const std::string& name, const std::vector<Command>& commands) {
     if (name == "PAGE") return without_meaning(page_templates);
     if (name == "TEMPLATE") return yaml_stems(templates_folder() / "films");
+    if (name == "STYLE") return yaml_stems(templates_folder() / "styles");
     if (name == "KIND") return without_meaning(keys_of_scenes().at("figures.0.kind").words);
     if (name == "COMMAND") {
         std::vector<Candidate> names = names_of(commands);

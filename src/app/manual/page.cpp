@@ -64,7 +64,7 @@ std::vector<Definition> files() {
             {"share/carom/scenes/",
              "the scenes that come with carom, and the JSON Schema of "
              "scenes, below the folder that carom is installed in"},
-            {"share/carom/templates/", "layouts of films and pages of figures"},
+            {"share/carom/templates/", "layouts of films, styles, and pages of figures"},
             {"share/carom/cluster/", "recipes for Snakemake and Slurm"},
             {"share/doc/carom/", "manual and changelog"}};
 }

@@ -112,7 +112,7 @@ Plot with_names(const Plot& plot, const DrawContext& dc) {
     named.at_lines.reset();
     named.titles = plot.at_lines->titles;
     named.wide_titles.clear();
-    named.y.title = {};
+    if (!named.y.is_titled_by_scene) named.y.title = {};
     std::erase_if(named.notes, [](const Note& note) { return note.of_last_titles > 0; });
     const std::vector<std::string>& means = plot.at_lines->means;
     for (std::size_t k = 0; named.bar_notes && k < means.size(); ++k) {

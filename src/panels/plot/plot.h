@@ -322,7 +322,9 @@ struct Axis {
         powers        ///< data are decimal logarithms themselves
     };
     Text title = {};
-    Text short_title = {};         ///< used if numbers gave way to `title`
+    Text short_title = {};  ///< used if numbers gave way to `title`
+    bool is_titled_by_scene =
+        false;                     ///< the title stays where names at lines replace those of axes
     double low = 0.0, high = 1.0;  ///< decimal logarithms, unless linear
     Kind kind = Kind::linear;
     std::optional<Quantity> quantity = {};  ///< what its numbers are

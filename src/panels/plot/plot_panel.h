@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class PlotPanel : public SharedPanel {
     /// called from any thread after fix_axes().
     virtual plot::Plot plot(const PanelState* state) const = 0;
 
+    /// Sets words at the axes (plain text) instead of the panel's own; none: these.
+    void set_axis_words(std::optional<std::string> x, std::optional<std::string> y);
+
     Room least_room() const override { return {8.0, 7.0}; }
     void draw_ground(Canvas& canvas, const DrawContext& dc) const final;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const final;
@@ -43,13 +47,17 @@ class PlotPanel : public SharedPanel {
     }
 
   private:
+    /// The plot with the words that the scene gives.
+    plot::Plot shown(const PanelState* state) const;
+    std::optional<std::string> x_words_, y_words_;
+
     /// The names of growing lines, placed once for all frames.
     std::shared_ptr<const plot::Plot> with_fixed_names(const DrawContext& dc) const;
     struct Names {
         std::mutex access = {};
         std::shared_ptr<const plot::Plot> plot = {};
         std::array<double, 5> place = {};
-        ThemeKind theme = ThemeKind::dark;
+        const Theme* theme = nullptr;
     };
     mutable Names names_;
 };

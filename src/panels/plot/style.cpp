@@ -14,6 +14,7 @@ namespace {
 // On a screen a film may show the boxes too, with speeds in the colours of the usual scale: then
 // none of these.
 Color color_of_run(std::size_t run, const Theme& theme) {
+    if (run < theme.runs.size() && theme.runs[run]) return *theme.runs[run];
     if (theme.kind == ThemeKind::print || !theme.series.empty()) return kind_color(run, theme);
     static const auto sets = [] {
         std::array<std::vector<Color>, 3> all;

@@ -1,4 +1,5 @@
 // The themes of pictures: carom's own, and those that styles make of them.
+#include <algorithm>
 #include <array>
 #include <list>
 #include <mutex>
@@ -17,19 +18,21 @@ ThemeKind theme_kind(ThemeName name) {
     return name == ThemeName::print ? ThemeKind::print : ThemeKind::dark;
 }
 
-// A theme of a style, and all that it refers to. It is not moved.
+// A theme of a style or with colours of runs, and all that it refers to. It is not moved.
 struct StyledTheme {
     ThemeName name;
     bool has_colors;
     StyleFonts written_fonts;
     StyleColors written_colors;
+    RunColors written_runs;
     FontFamilies fonts = {};
     std::vector<Color> series = {}, ramp = {};
+    std::vector<std::optional<Color>> runs = {};
     Theme theme = {};
 
-    bool is_of(ThemeName other, bool with_colors, const Style& style) const {
+    bool is_of(ThemeName other, bool with_colors, const Style& style, const RunColors& of) const {
         return name == other && has_colors == with_colors && written_fonts == style.fonts &&
-               (!has_colors || written_colors == style.colors);
+               written_runs == of && (!has_colors || written_colors == style.colors);
     }
 };
 
@@ -92,29 +95,48 @@ void set_fonts(StyledTheme& styled) {
     styled.theme.fonts = &styled.fonts;
 }
 
-const Theme& styled_theme(ThemeName name, const Style& style) {
+void set_runs(StyledTheme& styled) {
+    for (const std::optional<std::string>& hex : styled.written_runs)
+        styled.runs.push_back(hex ? parse_color(*hex) : std::nullopt);
+    styled.theme.runs = styled.runs;
+}
+
+const Theme& styled_theme(ThemeName name, const Style& style, const RunColors& runs) {
     static std::mutex mutex;
     static std::list<StyledTheme>& all = *new std::list<StyledTheme>;
     const std::scoped_lock lock(mutex);
     const bool has_colors = name == style.base;
     for (const StyledTheme& one : all)
-        if (one.is_of(name, has_colors, style)) return one.theme;
-    StyledTheme& made = all.emplace_back(StyledTheme{name, has_colors, style.fonts, style.colors});
+        if (one.is_of(name, has_colors, style, runs)) return one.theme;
+    StyledTheme& made =
+        all.emplace_back(StyledTheme{name, has_colors, style.fonts, style.colors, runs});
     made.theme = theme(theme_kind(name));
     if (has_colors) set_colors(made);
     set_fonts(made);
+    set_runs(made);
     return made.theme;
 }
 
 }  // namespace
 
-const Theme& theme_of(ThemeName name, const Style* style) {
-    return style != nullptr ? styled_theme(name, *style) : theme(theme_kind(name));
+const Theme& theme_of(ThemeName name, const Style* style, const RunColors& runs) {
+    const bool has_runs =
+        std::ranges::any_of(runs, [](const auto& one) { return one.has_value(); });
+    if (style == nullptr && !has_runs) return theme(theme_kind(name));
+    return styled_theme(name, style != nullptr ? *style : Style{}, has_runs ? runs : RunColors{});
 }
 
-const Theme& theme_of(const Film& film, ThemeName name) { return theme_of(name, film.style.get()); }
+const Theme& theme_of(const Film& film, ThemeName name) {
+    return theme_of(name, film.style.get(), film.runs.colors());
+}
 
 const Theme& theme_of(const Film& film) { return theme_of(film, film.theme); }
+
+const Theme& theme_of(const FigureSpec& figure) {
+    RunColors colors;
+    for (const ComparedRun& run : figure.compare) colors.push_back(run.color);
+    return theme_of(figure.theme, figure.style.get(), colors);
+}
 
 std::array<const Theme*, 3> themes_of(const Film& film) {
     return {&theme_of(film, ThemeName::light), &theme_of(film, ThemeName::dark),

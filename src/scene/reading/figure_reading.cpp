@@ -105,9 +105,10 @@ Notation<std::vector<ComparedRun>> compared_runs() {
         .keys = {bind_key("seeds", &Seeds::count, whole(2, most_compared),
                           "The number of runs, with the scene's seed and those that follow it.")
                      .required()}};
-    const KeyTable<ComparedRun> run{.name = "an item of `compare`",
-                                    .keys = {label_key().required(), changes_key()},
-                                    .rule = place_run};
+    const KeyTable<ComparedRun> run{
+        .name = "an item of `compare`",
+        .keys = {label_key().required(), changes_key(), run_color_key()},
+        .rule = place_run};
     const auto of_seeds = [](const Seeds& several, const Node& node, Reading& reading) {
         return std::optional(runs_of_seeds(several.count, node, reading));
     };
@@ -315,7 +316,12 @@ std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
 
 // Those that the defaults of a scene's figures have, too.
 std::vector<Binding<FigureSpec>> figure_look_keys() {
-    return {size_key(), width_key(), theme_key(&FigureSpec::theme)};
+    return {size_key(), width_key(), theme_key(&FigureSpec::theme),
+            bind_key("svg_text", &FigureSpec::svg_has_text,
+                     one_of<bool>({{"paths", false}, {"text", true}}),
+                     "What the words of an SVG are: `paths`, outlines of letters, which look the "
+                     "same everywhere; or `text`, which can be searched, selected and styled by "
+                     "the page, in fonts that the reader must have.")};
 }
 
 std::vector<Binding<FigureSpec>> word_keys() {
@@ -429,6 +435,13 @@ void add_defaults_to_all(Node& figures, const Node& defaults) {
 Binding<ComparedRun> label_key() {
     return bind_key("label", &ComparedRun::label, text(1, most_name_letters),
                     "Its name in the figure.");
+}
+
+Binding<ComparedRun> run_color_key() {
+    return bind_key("color", &ComparedRun::color, color(),
+                    "Its colour in plots; made darker or lighter where the page needs it.")
+        .tried_as({"colour"})
+        .default_text("by its place");
 }
 
 Binding<ComparedRun> changes_key() {

@@ -37,9 +37,10 @@ void add_defaults_to_all(Node& figures, const Node& defaults);
 /// a figure that shows several runs, and `scenes`, whose node is kept unread.
 Notation<FigureSpec> comparison_notation(PanelKinds kinds, const Notation<const Node*>& scenes);
 
-/// The keys of a compared run: its label, and the values that it changes in its scene.
+/// The keys of a compared run: its label, the values that it changes in its scene, and its colour.
 Binding<ComparedRun> label_key();
 Binding<ComparedRun> changes_key();
+Binding<ComparedRun> run_color_key();
 
 /// Stores in `run` its place in the file, for errors that are found later.
 void place_run(ComparedRun& run, const Node& node, Reading& reading);

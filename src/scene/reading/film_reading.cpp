@@ -329,7 +329,8 @@ std::vector<Refused> keys_of_other_programs() {
     return {{"captions", captions, event},
             {"caption", captions, event},
             {"subtitles", captions, event},
-            {"font", "the font of a film cannot be chosen", "leave it out"},
+            {"font", "a film has the fonts of its style",
+             "`style: house.yaml` at the top level of the file, and `font: NAME` in that file"},
             {"format", format, option},
             {"codec", format, option}};
 }

@@ -393,6 +393,7 @@ std::vector<Callout> resolve_callouts(const std::vector<CalloutDraft>& drafts,
 Binding<Film> beside_key() {
     struct Written : ComparedRun {
         std::string own_label, file;
+        std::optional<std::string> own_color;
         bool is_overlaid = false;
     };
     const auto check_file = [](const std::string& name, const Node& node, Reading& reading) {
@@ -432,6 +433,10 @@ Binding<Film> beside_key() {
         bind_key("own_label", &Written::own_label, text(1, most_name_letters),
                  "The words under the scene's own run.")
             .required(),
+        bind_key("own_color", &Written::own_color, color(),
+                 "The colour of the scene's own run in plots, and of its disks where both runs are "
+                 "in one box.")
+            .default_text("by its place"),
         bind_key("overlaid", &Written::is_overlaid, checked(flag(), check_box),
                  "Whether both runs are shown in one box: the disks of the "
                  "scene's own filled, those of the other as rings, each in "
@@ -439,12 +444,13 @@ Binding<Film> beside_key() {
                  "or a field.")};
     const KeyTable<Written> table{
         .name = "`beside`",
-        .keys = joined<Written>(std::vector{std::move(label).required(), changes_key()}, file,
-                                own_label),
+        .keys = joined<Written>(
+            std::vector{std::move(label).required(), changes_key(), run_color_key()}, file,
+            own_label),
         .choices = {{.names = {"set", "scene"}, .required = true}},
         .rule = check};
     const auto made = [](const Written& written) {
-        return FilmRuns{written.own_label, {written}, written.is_overlaid};
+        return FilmRuns{written.own_label, written.own_color, {written}, written.is_overlaid};
     };
     return bind_key(
                "beside", &Film::runs,

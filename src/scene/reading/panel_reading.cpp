@@ -239,6 +239,17 @@ Binding<PanelSpec> kind_key(const Notation<std::string>& words) {
         .tried_as({"type", "panel", "plot"});
 }
 
+namespace {
+
+std::vector<std::string> kinds_with_axes(PanelKinds kinds) {
+    std::vector<std::string> names;
+    for (const PanelKind& kind : kinds)
+        if (kind.has_plot && !kind.draws_box) names.push_back(kind.name);
+    return names;
+}
+
+}  // namespace
+
 std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<PanelSpec>& kind,
                                            const std::vector<Binding<PanelSpec>>& over) {
     const std::vector what{
@@ -252,6 +263,16 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                  "together. For a pair, two numbers; if omitted, the first pair that collides.")
             .tried_as({"particles", "particle", "which"})
             .only_with(kinds_that_can(kinds, Ability::of))};
+    const std::vector axes{bind_key("x_title", &PanelSpec::x_title, text(0, most_name_letters),
+                                    "The words at the horizontal axis; empty: none.")
+                               .tried_as({"x_label", "xlabel", "xtitle"})
+                               .default_text("by kind")
+                               .only_with(kinds_with_axes(kinds)),
+                           bind_key("y_title", &PanelSpec::y_title, text(0, most_name_letters),
+                                    "The words over the vertical axis; empty: none.")
+                               .tried_as({"y_label", "ylabel", "ytitle"})
+                               .default_text("by kind")
+                               .only_with(kinds_with_axes(kinds))};
     const std::vector component{
         bind_key("component", &PanelSpec::component, one_of<Component>(),
                  "The axis; `both` counts both components of each particle.")
@@ -265,8 +286,8 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                  "of as many particles; for correlations, free flights and displacements, the "
                  "theoretical curve or value.")
             .only_with(kinds_that_can(kinds, Ability::theory))};
-    return joined<PanelSpec>(what, over, component, own_keys(kinds, &PanelKind::bar_keys), theory,
-                             own_keys(kinds, &PanelKind::keys));
+    return joined<PanelSpec>(what, axes, over, component, own_keys(kinds, &PanelKind::bar_keys),
+                             theory, own_keys(kinds, &PanelKind::keys));
 }
 
 void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading) {

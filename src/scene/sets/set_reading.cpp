@@ -117,9 +117,10 @@ Notation<SetScene> scene_notation(const fs::path& set) {
 // The scenes of a comparison.
 Notation<std::vector<SetRun>> runs_notation(const fs::path& set) {
     const auto run = item_notation<SetRun>(
-        set, {.name = "an item of a comparison's `scenes`",
-              .keys = {label_key().default_text("the scene's title"), changes_key()},
-              .rule = place_run});
+        set,
+        {.name = "an item of a comparison's `scenes`",
+         .keys = {label_key().default_text("the scene's title"), changes_key(), run_color_key()},
+         .rule = place_run});
     return list_of(run, 2, most_compared, "a list of scenes");
 }
 

@@ -171,6 +171,35 @@ TEST_CASE("a font that the machine lacks is an error that names the nearest") {
     CHECK(known[0].hint == "install the Debian package fonts-lmodern");
 }
 
+TEST_CASE("runs that are compared or beside have colours") {
+    const Scene scene = load_scene_text(plain + R"(
+film:
+  beside: {own_label: a, label: b, set: seed=2, own_color: teal, color: "#aa0000"}
+figures:
+  - name: f
+    kind: speed-histogram
+    compare: [{label: a, color: navy}, {label: b, set: seed=2}]
+)",
+                                        "scene.yaml", test::resources());
+    CHECK(scene.film.runs.colors() ==
+          std::vector<std::optional<std::string>>{"#008080", "#aa0000"});
+    CHECK(scene.figures[0].compare[0].color == "#000080");
+    CHECK(!scene.figures[0].compare[1].color);
+}
+
+TEST_CASE("figures take keys from an anchor") {
+    const Scene scene = load_scene_text(plain + R"(
+figure_defaults: &all {theme: print, width: 6 cm}
+figures:
+  - {name: a, kind: speed-histogram, <<: *all, theme: dark, x_title: v, y_title: ""}
+)",
+                                        "scene.yaml", test::resources());
+    CHECK(scene.figures[0].theme == ThemeName::dark);
+    CHECK(scene.figures[0].width == 6.0);
+    CHECK(scene.figures[0].panel.x_title == "v");
+    CHECK(scene.figures[0].panel.y_title == "");
+}
+
 TEST_CASE("a style is found beside the scene, by name, and on the command line") {
     const test::TemporaryFolder folder;
     write_file(folder.path() / "scene.yaml", plain + "style: mine\n");

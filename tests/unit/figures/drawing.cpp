@@ -10,8 +10,10 @@
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
 #include "panels/plots/histogram_panel.h"
+#include "physics/mechanics.h"
 #include "support/figure_run.h"
 #include "support/scene_text.h"
+#include "util/text.h"
 
 using namespace carom;
 using test::run_of;
@@ -223,7 +225,8 @@ TEST_CASE("captions are the scene's, or made of true numbers") {
     CHECK(words_of(run, run.figures()[1]).caption ==
           "Ten disks. Speed histogram at time 5: 10 disks, " + std::to_string(count) +
               (count == 1 ? " collision" : " collisions") +
-              " between them by then; reduced units.");
+              " between them by then; reduced units. Mean " +
+              three_digits(speeds(simulation.sample()).mean()) + ".");
 }
 
 TEST_CASE("cards before and after a film change nothing in its figures") {

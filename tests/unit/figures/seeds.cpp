@@ -128,7 +128,8 @@ TEST_CASE("captions and alternative texts say once that a figure is a mean") {
                       entropy = words_of(run, run.figures()[1]),
                       dial = words_of(run, run.figures()[2]);
     CHECK(histogram.alt.starts_with("Speed histogram at time 3, mean of 3 independent runs. "));
-    CHECK(entropy.alt == "Entropy at time 3, mean of 3 independent runs of “A gas”.");
+    CHECK(entropy.alt.starts_with("Entropy at time 3, mean of 3 independent runs. Entropy "));
+    CHECK(entropy.alt.find(" ± ") != std::string::npos);
     CHECK(dial.alt.starts_with("Thermometer at time 3, mean of 3 independent runs. Temperature "));
     for (const std::string& words : {dial.alt, dial.caption}) {
         const std::size_t first = words.find("mean of 3");

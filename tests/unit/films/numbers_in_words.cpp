@@ -2,10 +2,12 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "draw/style.h"
 #include "figures/figure_words.h"
 #include "films/first_pass.h"
 #include "panels/words/word_numbers.h"
@@ -144,4 +146,15 @@ TEST_CASE("the words of figures have the numbers of their time, and what they sh
     CHECK(words.caption ==
           fmt::format("{0:.6f} {0:.6f} {0:.6f} {1}", late.light_energy, truth_at(4.0).collisions));
     CHECK(std::stod(words.alt) > 0.0);
+    // What the fit found stands in the table, too.
+    const Figure& figure = run.figures().front();
+    const Table table = figure.panel->table(*figure.moments.back().state, theme(ThemeKind::light));
+    const auto found = std::ranges::find_if(table.rows, [](const std::vector<TableCell>& row) {
+        return std::get<std::string>(row.front()) == "fit mean";
+    });
+    REQUIRE(found != table.rows.end());
+    CHECK(std::ranges::any_of(*found, [&](const TableCell& cell) {
+        const double* number = std::get_if<double>(&cell);
+        return number != nullptr && *number == doctest::Approx(late.light_energy).epsilon(1e-12);
+    }));
 }

@@ -164,3 +164,25 @@ TEST_CASE("instruments give the numbers that curves are summed up in, where the 
     CHECK(std::isnan(bounded.readings.at(2).value));  // walls end the diffusion
     CHECK(bounded.readings.at(4).value > 0.0);
 }
+
+TEST_CASE("the error of a mean free path is the scatter of runs with other seeds") {
+    constexpr int seeds = 24;
+    std::vector<double> means, errors;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        const Scene scene = test::scene_from(
+            "title: T\nbox: {size: [30, 20], walls: periodic}\ngas: [{count: 60, radius: 0.5, "
+            "temperature: 1}]\nrun: {until: 60}\nmeasure: [free-path]\nseed: " +
+            std::to_string(seed) + "\n");
+        const LastReading reading = run_physics(scene).readings.front();
+        means.push_back(reading.value);
+        if (std::isfinite(reading.error)) errors.push_back(reading.error);
+    }
+    REQUIRE(errors.size() > seeds / 2);  // the pieces of some runs seem to depend on each other
+    double mean = 0.0, squares = 0.0, error = 0.0;
+    for (const double one : means) mean += one / seeds;
+    for (const double one : means) squares += (one - mean) * (one - mean) / (seeds - 1);
+    for (const double one : errors) error += one * one / static_cast<double>(errors.size());
+    // A variance of 24 values scatters by sqrt(2 / 23), that of 20 pairs in each by less: the
+    // logarithm of the ratio of the deviations by 0.16, of which four are allowed.
+    CHECK(std::abs(0.5 * std::log(error / squares)) < 4.0 * 0.16);
+}

@@ -1,6 +1,7 @@
 // carom check, by the program itself: what it says of scenes, against what they are.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -443,4 +444,27 @@ TEST_CASE("carom check tells the mistakes of a set, of its scenes and of its pag
     CHECK(outcome.exit_code == 2);
     CHECK(json::parse(outcome.out).at(0).at("errors").size() == 1);
     CHECK(has(outcome.err, "1 of 1 file is not valid"));
+}
+
+TEST_CASE("check lists the numbers for which words may ask, if it is asked to") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml", with_figure + "v, kind: velocity-histogram}\n");
+    const auto listed = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> command{program, "check", "scene.yaml", "--json"};
+        command.insert(command.end(), options.begin(), options.end());
+        const Outcome outcome = run(command, folder.path());
+        REQUIRE(outcome.exit_code == 0);
+        std::vector<std::string> names;
+        for (const json& one : json::parse(outcome.out).at(0).value("numbers", json::array()))
+            names.push_back(one.at("name"));
+        return names;
+    };
+    const auto is_listed = [&](const std::string& name) {
+        const std::vector<std::string> all = listed({"--numbers"});
+        return std::ranges::find(all, name) != all.end();
+    };
+    CHECK(listed({}).empty());
+    for (const char* name : {"temperature", "pressure.left", "fit.deviation"})
+        CHECK(is_listed(name));
+    CHECK(!is_listed("position"));
 }

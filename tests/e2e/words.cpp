@@ -84,3 +84,24 @@ TEST_CASE("words go beside a folder of frames, and nowhere without being asked")
     CHECK(streamed.err.find("--words") != std::string::npos);
     CHECK(streamed.out.empty());
 }
+
+TEST_CASE("numbers in captions are those of the run, and one that the run lacks is an error") {
+    const TemporaryFolder folder;
+    // The beads, of mass 1, meet once, at time 3.
+    const auto film = [&](const std::string& asked) {
+        std::string text = scene;
+        const std::string words = "<b>They</b> meet & part --> look";
+        text.replace(text.find(words), words.size(), asked);
+        folder.write("scene.yaml", text);
+        return run({program, "render", "scene.yaml", "--words", "-o", "film.mp4", "--quiet"},
+                   folder.path());
+    };
+    REQUIRE(film("{collisions}, {collisions at 4}: {mean_energy:.4f}").exit_code == 0);
+    CHECK(as_srt(folder.path() / "film.captions.vtt").find("0, 1: 0.5000") != std::string::npos);
+    const std::string before = contents(folder.path() / "film.mp4");
+    const Outcome none = film("{mean_free_path}");
+    CHECK(none.exit_code == 2);
+    CHECK(none.err.find("scene.yaml:4:") != std::string::npos);
+    CHECK(none.err.find("`{mean_free_path}` has no value at time 0") != std::string::npos);
+    CHECK(contents(folder.path() / "film.mp4") == before);
+}

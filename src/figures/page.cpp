@@ -272,7 +272,8 @@ void require_utf8(const Source& page, Errors& errors) {
 
 const Placeholders& placeholders() {
     static const Placeholders names{
-        {"", {"title", "description", "language", "carom", "sections", "figures", "films"}},
+        {"",
+         {"title", "description", "language", "carom", "style", "sections", "figures", "films"}},
         {"sections", {"title", "subtitle", "description", "scene", "seed", "figures", "films"}},
         {"figures",
          {"name", "number", "caption", "alt", "kind", "time", "title", "scene", "seed", "width",

@@ -65,6 +65,35 @@ TEST_CASE("films, stills and figures follow a style, wherever it is named") {
     CHECK(has(contents(folder.path() / "still.d"), "house.yaml"));
 }
 
+TEST_CASE("pages have the colours and the font of the style of what they show") {
+    const TemporaryFolder folder;
+    folder.write("films/scene.yaml", std::string(ten_disks) + "style: house.yaml\n");
+    folder.write("films/house.yaml",
+                 "base: light\nfont: Inter\ncolors: {page: \"#ffeedd\", series: [\"#aa0000\"]}\n");
+    const std::string page = " --page: #ffeedd;", font = " --family: Inter;";
+    const auto follows = [&](const fs::path& file) {
+        const std::string text = contents(folder.path() / file);
+        CAPTURE(file.string());
+        CHECK(has(text, page));
+        CHECK(has(text, "--band: #aa0000;"));
+        CHECK(has(text, font));
+    };
+    const std::vector<std::string> small{"--size", "160x90", "--fps", "2", "--quiet"};
+    const auto done = [&](std::vector<std::string> words, bool is_small) {
+        words.insert(words.begin(), program);
+        if (is_small) words.insert(words.end(), small.begin(), small.end());
+        const Outcome outcome = run(words, folder.path());
+        CAPTURE(outcome.err);
+        REQUIRE(outcome.exit_code == 0);
+    };
+    done({"render", "films/scene.yaml", "--page", "html", "-o", "film.html"}, true);
+    follows("film.html");
+    done({"gallery", "films", "-o", "site"}, true);
+    follows("site/index.html");
+    done({"figures", "films/scene.yaml", "--page", "html", "-o", "book", "--quiet"}, false);
+    follows("book/scene.html");
+}
+
 TEST_CASE("the chunks of a film carry its style with them") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", std::string(ten_disks) + "style: house.yaml\n");

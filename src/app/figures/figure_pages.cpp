@@ -9,6 +9,7 @@
 
 #include "figures/figure_drawing.h"
 #include "figures/figure_words.h"
+#include "figures/page_style.h"
 #include "media/base64.h"
 #include "media/formats.h"
 #include "runs/json.h"
@@ -155,7 +156,8 @@ std::string page_text(const FigureSet& set, const PageTemplate& page,
     all.words = {{"title", set.title},
                  {"description", set.description},
                  {"language", std::string(word_of(language))},
-                 {"carom", CAROM_VERSION}};
+                 {"carom", CAROM_VERSION},
+                 {"style", style_properties_of(set.parts.front().scene.film)}};
     std::vector<PageFields>&all_figures = all.lists["figures"], &all_films = all.lists["films"];
     std::vector<PageFields> sections;
     for (const SetPart& part : set.parts) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "figures/page_style.h"
 #include "films/first_pass.h"
 #include "media/base64.h"
 #include "runs/own_files.h"
@@ -18,10 +19,11 @@ namespace fs = std::filesystem;
 
 const Placeholders& placeholders_of_film() {
     static const Placeholders names{
-        {"", {"title",        "subtitle",      "description", "language",   "carom",    "film",
-              "film_file",    "type",          "poster",      "width",      "height",   "captions",
-              "descriptions", "chapter_track", "scene",       "scene_file", "offered",  "changed",
-              "about",        "site",          "site_index",  "chapters",   "passages", "changes"}},
+        {"", {"title",      "subtitle",  "description",  "language",      "carom",
+              "film",       "film_file", "type",         "poster",        "width",
+              "height",     "captions",  "descriptions", "chapter_track", "scene",
+              "scene_file", "offered",   "changed",      "about",         "site",
+              "site_index", "chapters",  "passages",     "changes",       "style"}},
         {"chapters", {"at", "clock", "words"}},
         {"passages", {"clock", "words"}},
         {"changes", {"change"}}};
@@ -78,6 +80,7 @@ PageFields film_fields(const FilmPage& content) {
         {"height", std::to_string(scene.film.size.height)},
         {"about", content.text.about},
         {"site", content.site},
+        {"style", style_properties_of(scene.film)},
         {"offered", scene.film.has_recipe ? "offered" : ""},
         {"changed", scene.film.has_recipe && !scene.source.overrides.empty() ? "changed" : ""}};
     put(fields, "film", content.film);

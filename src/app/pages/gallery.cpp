@@ -12,12 +12,14 @@
 #include "app/depfile.h"
 #include "app/figures/figure_folder.h"
 #include "app/pages/film_page.h"
+#include "figures/page_style.h"
 #include "films/cost/work.h"
 #include "films/film_checks.h"
 #include "films/first_pass.h"
 #include "runs/json.h"
 #include "runs/own_files.h"
 #include "scene/sets/set_reading.h"
+#include "scene/style/style_reading.h"
 #include "util/diagnostics.h"
 #include "util/fingerprint.h"
 #include "util/interrupt.h"
@@ -72,7 +74,7 @@ std::vector<GalleryFile> files_in(const GalleryOptions& options) {
         if (!is_inside(path, options.folder))
             throw UsageError(fmt::format(
                 "{}: this link leads out of the folder; copy the scene into it", path.string()));
-        if (is_figure_set(path)) continue;
+        if (is_figure_set(path) || is_style(path)) continue;
         const fs::path inside = path.lexically_relative(options.folder);
         files.push_back(
             {path, fs::path(inside).replace_extension().string(), inside.parent_path().string()});
@@ -146,11 +148,12 @@ std::vector<GalleryItem> items_of(const GalleryOptions& options, const Source& p
 }
 
 const Placeholders& placeholders_of_gallery() {
-    static const Placeholders names{{"", {"title", "language", "carom", "shown", "sections"}},
-                                    {"sections", {"number", "title", "films"}},
-                                    {"films",
-                                     {"title", "subtitle", "language", "words", "length", "page",
-                                      "film", "card", "width", "height"}}};
+    static const Placeholders names{
+        {"", {"title", "language", "carom", "shown", "sections", "style"}},
+        {"sections", {"number", "title", "films"}},
+        {"films",
+         {"title", "subtitle", "language", "words", "length", "page", "film", "card", "width",
+          "height"}}};
     return names;
 }
 
@@ -181,6 +184,17 @@ PageFields card_of(const GalleryItem& item, const std::string& format) {
     return fields;
 }
 
+// That of a style which all films have.
+std::string common_style(const std::vector<GalleryItem>& items) {
+    const std::string first = style_properties_of(items.front().scene.film);
+    return std::ranges::all_of(items,
+                               [&](const GalleryItem& item) {
+                                   return style_properties_of(item.scene.film) == first;
+                               })
+               ? first
+               : "";
+}
+
 std::string index_page(const GalleryOptions& options, const std::vector<GalleryItem>& items,
                        const Source& page) {
     const std::string counted = "#";  // the script of the page writes the number there
@@ -190,7 +204,8 @@ std::string index_page(const GalleryOptions& options, const std::vector<GalleryI
     all.words = {{"title", title_of(options)},
                  {"language", std::string(word_of(language))},
                  {"carom", CAROM_VERSION},
-                 {"shown", say(language, "{} of {} films", counted, items.size())}};
+                 {"shown", say(language, "{} of {} films", counted, items.size())},
+                 {"style", common_style(items)}};
     std::vector<PageFields>& sections = all.lists["sections"];
     const std::string* folder = nullptr;
     for (const GalleryItem& item : items) {

@@ -11,6 +11,8 @@
 #include "scene/keys/check.h"
 #include "scene/reading/figure_reading.h"
 #include "scene/reading/panel_reading.h"
+#include "scene/yaml/file_text.h"
+#include "scene/yaml/yaml.h"
 #include "util/text.h"
 
 namespace carom {
@@ -261,6 +263,21 @@ void check_fonts(const Node& root, const std::vector<std::string>& families, Sty
 const FixedTable<Style>& style_table() {
     static const auto& table = *new FixedTable<Style>(new_table());
     return table;
+}
+
+bool is_style(const std::filesystem::path& path) {
+    Errors errors;
+    Source source{.name = path.string()};
+    const auto text = file_text(path, source, errors);
+    // Searching for a key of scenes is much faster than parsing the file as YAML.
+    if (!text || text->find("gas") != text->npos) return false;
+    source.text = *text;
+    const auto root = read_yaml(source, errors);
+    const Section& section = style_table().section();
+    return root && root->is_mapping() && !root->keys.empty() &&
+           std::ranges::all_of(root->keys, [&](const Node& key) {
+               return section.index(key.text) < section.keys.size();
+           });
 }
 
 std::shared_ptr<const Style> read_style(Node& root, const std::string& path,

@@ -18,6 +18,10 @@ namespace carom {
 /// The table of keys of a style file.
 const FixedTable<Style>& style_table();
 
+/// Returns whether a file is a style: a mapping with keys of styles only; false if it cannot be
+/// read.
+bool is_style(const std::filesystem::path& path);
+
 /// Reads a style from a parsed file. `families` as in StyleCheck. Reports errors at their places in
 /// the file, and returns null if it is no style at all.
 std::shared_ptr<const Style> read_style(Node& root, const std::string& path,

@@ -154,9 +154,13 @@ TEST_CASE("carom figure draws a figure that the scene does not list") {
     const std::string csv = contents(folder.path() / "dark/speed-histogram.csv");
     CHECK(has(csv, "the fast disk"));
     CHECK(has(csv, "particle 3"));
-    const Outcome wrong = shell(call + "--width 8mm", folder.path());
+    const Outcome wrong = shell(call + "--width 8em", folder.path());
     CHECK(wrong.exit_code == 2);
     CHECK(has(wrong.err, "expected a width in centimetres"));
+    const Outcome narrow = shell(call + "--width 8mm", folder.path());
+    CHECK(narrow.exit_code == 2);
+    CHECK(has(narrow.err, "--width 8mm"));
+    CHECK(has(narrow.err, "found `8mm`"));
 }
 
 TEST_CASE("mistakes in what carom figure is asked for are shown at the option that was typed") {

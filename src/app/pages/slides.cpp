@@ -130,7 +130,7 @@ RenderReport Slides::add(const Scene& scene, FilmOptions options, Progress& prog
             write(name + ending, text_for_file(plan.text, what));
     PageFields slide =
         film_fields({plan.scene, plan.text, {film, ""}, {poster, ""}, {name + ".yaml", ""}});
-    const Theme& theme = theme_of(plan.scene.film.theme);
+    const Theme& theme = theme_of(plan.scene.film);
     const double seconds = static_cast<double>(report.frames) / plan.scene.film.fps;
     slide.words.insert({{"id", fmt::format("film-{}", slides_.size() + 1)},
                         {"number", std::to_string(slides_.size() + 1)},

@@ -85,8 +85,9 @@ std::string mapping(const Section& section, FuzzInput& input, int depth) {
 }
 
 std::string value_of(const std::vector<Form>& forms, FuzzInput& input, int depth) {
-    static const std::vector<std::string> texts{"a",     "gas", "wall", "left", "piston", "\"\"",
-                                                "$x^2$", "'$'", "ä→𝄞",  "~",    "now",    "0"};
+    static const std::vector<std::string> texts{
+        "a",   "gas", "wall", "left", "piston", "\"\"", "$x^2$", "'$'", "'{temperature}'",
+        "ä→𝄞", "~",   "now",  "0"};
     static const std::vector<std::string> colors{"red", "'#12ab'", "'#0072b2'", "none"};
     constexpr int deepest = 6;
     if (forms.empty() || depth > deepest) return "1";

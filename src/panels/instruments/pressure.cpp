@@ -154,6 +154,7 @@ SeriesSubject pressure(const PanelContext& context, const PanelSpec& spec) {
          .lines = {{"on the walls", say(language, "on the walls"), of_walls},
                    {"from collisions", say(language, "from collisions"), of_virial}},
          .read = gauge,
+         .reads_means_since_start = over.since == Over::Since::start,
          .levels = [context, thermal = gauge.thermal()] { return levels(context, *thermal); }}};
     subject.titles = titles(language, walls);
     subject.notes = {time_words(language, over, box)};

@@ -42,8 +42,9 @@ struct Meter {
     std::function<std::vector<double>(const FrameInput&)> read = {};
     std::optional<Over> over =
         {};  ///< the time over which readings are averaged; none: they are not
-    bool needs_collisions = false;  ///< to read
-    bool needs_positions = true;    ///< to read
+    bool reads_means_since_start = false;  ///< by itself, without `over`
+    bool needs_collisions = false;         ///< to read
+    bool needs_positions = true;           ///< to read
     MeterResults results = {};
 
     // Known after the run:
@@ -68,6 +69,12 @@ class MeterReader {
 
     /// Whether the readings are averages.
     bool averages() const { return meter_.over && meter_.over->since != Over::Since::now; }
+
+    /// Whether they are averages since time 0.
+    bool averages_since_start() const {
+        return meter_.reads_means_since_start ||
+               (meter_.over && meter_.over->since == Over::Since::start);
+    }
 
     const Meter& meter() const { return meter_; }
 

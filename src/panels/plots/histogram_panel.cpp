@@ -15,6 +15,7 @@
 #include "physics/mechanics.h"
 #include "physics/sample_times.h"
 #include "scene/film.h"
+#include "stats/means/mean_error.h"
 #include "util/text.h"
 
 namespace carom {
@@ -298,6 +299,27 @@ void HistogramPanel::see(const FrameInput& input) {
         take_members();
     }
     for (HistogramOverTime& one : bars_) one.forget_before(input.tick.time);
+    if (shows_one_mean()) follow_means(input);
+}
+
+void HistogramPanel::follow_means(const FrameInput& input) {
+    const double time = input.tick.time, from = *spec_.at - window().value_or(*spec_.at);
+    if (time < from || time > *spec_.at) return;
+    const ValuesOfInput all = subject_.values(input);
+    Eigen::ArrayXXd place;
+    find_members(input);
+    means_.resize(choices_.size());
+    for (std::size_t k = 0; k < choices_.size(); ++k) {
+        MeanOverTime& one = means_[k];
+        const double now = values_of(choices_[k].members, all, place).mean();
+        if (!std::isfinite(now) || (!one.times.empty() && !(time > one.times.back()))) continue;
+        one.integrals.push_back(one.times.empty()
+                                    ? 0.0
+                                    : one.integrals.back() +
+                                          0.5 * (one.last + now) * (time - one.times.back()));
+        one.times.push_back(time);
+        one.last = now;
+    }
 }
 
 std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input) {
@@ -316,6 +338,9 @@ std::shared_ptr<const PanelState> HistogramPanel::state(const FrameInput& input)
         const double absent = parts_ ? static_cast<double>(all.size() - values.size())
                                      : choices_[k].missing * static_cast<double>(all.cols());
         state->counts.series.push_back(now[k].mean(input.tick.time, values, absent));
+        if (k < means_.size())
+            state->counts.mean_errors.push_back(
+                error_of_time_average(means_[k].times, means_[k].integrals));
     }
     if (input.refreshes_readouts || !readouts_)
         readouts_ = std::make_shared<const HistogramCounts>(state->counts);

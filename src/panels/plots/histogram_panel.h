@@ -142,6 +142,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     void find_members(const FrameInput& input);
     void take_members();
     void add_missing(std::vector<HistogramOverTime>& bars, const FrameInput& input) const;
+    void follow_means(const FrameInput& input);
     void find_law_of_parts(const FrameInput& input);
     void begin_counting();
     std::vector<bool> tall_bars(const MeanHistogram& now, int frame, std::size_t k);
@@ -212,6 +213,13 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     std::vector<Stay> stays_;              ///< scratch
     std::vector<HistogramOverTime> bars_;  ///< for each choice, in the second pass
     double members_since_ = 0.0;           ///< when they changed last, in the second pass
+    /// Of a figure that shows a mean over time, for its error: the integral of the mean over the
+    /// particles of a choice, at the moments from the beginning of that time on.
+    struct MeanOverTime {
+        double last = 0.0;
+        std::vector<double> times = {}, integrals = {};
+    };
+    std::vector<MeanOverTime> means_;  ///< of each choice
     std::shared_ptr<const HistogramCounts> readouts_;
     std::vector<std::vector<int>> taller_until_;  ///< last frame, for each bar of each series
 };

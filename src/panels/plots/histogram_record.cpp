@@ -352,6 +352,7 @@ HistogramCounts mean_of(const std::vector<HistogramCounts>& runs) {
     const Measured all = mean_of(pointers);
     HistogramCounts mean = runs.front();
     mean.errors = all.error;
+    mean.mean_errors.clear();
     for (std::size_t k = 0; k < mean.series.size(); ++k) {
         MeanHistogram& bars = mean.series[k];
         bars.counts = all.y[k];

@@ -208,6 +208,21 @@ std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) co
     return accounts;
 }
 
+// The standard error of the last of some means since the start; NaN for other readings, and where
+// something happens in the run, after which a mean may begin anew.
+double SeriesPanel::error_of_mean(const std::vector<double>& x,
+                                  const std::vector<double>& y) const {
+    if (!reader_.averages_since_start() || !context_.run().events.empty()) return NAN;
+    std::vector<double> times, integrals;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        const double integral = x[k] > 0.0 ? x[k] * y[k] : 0.0;
+        if (!std::isfinite(integral) || (!times.empty() && !(x[k] > times.back()))) continue;
+        times.push_back(x[k]);
+        integrals.push_back(integral);
+    }
+    return error_of_time_average(times, integrals);
+}
+
 // "Temperature 1.02." or "Mean energy: light 2.19, heavy 2.21.", with standard errors of a mean
 // over runs. Empty for many lines, and without a number.
 std::string SeriesPanel::account_of(const Measured& now) const {
@@ -220,7 +235,8 @@ std::string SeriesPanel::account_of(const Measured& now) const {
     for (std::size_t k = 0; k < lines.size(); ++k) {
         const double value = now.y[k].back();
         if (lines[k].is_theory || !std::isfinite(value)) continue;
-        const double error = now.error.empty() ? NAN : now.error[k].back();
+        const double error =
+            !now.error.empty() ? now.error[k].back() : error_of_mean(now.x, now.y[k]);
         const std::string number = std::isfinite(error) && error > 0.0
                                        ? with_error(language, value, error)
                                        : three_digits(language, value);

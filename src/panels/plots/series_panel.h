@@ -68,6 +68,7 @@ class SeriesPanel : public FramesPanel<HistoryRecord> {
     std::vector<std::string> notes() const;
     std::vector<std::string> accounts_of_runs(const ShownState& now) const;
     std::string account_of(const Measured& now) const;
+    double error_of_mean(const std::vector<double>& x, const std::vector<double>& y) const;
     void add_run(std::size_t run);
 
     /// A line of the plot that ends at the present: its layer, and what it shows.

@@ -118,3 +118,39 @@ TEST_CASE("a drift and a wave have no errors, whatever the period of the wave") 
         }));
     }
 }
+
+TEST_CASE("the error of an average over time is the scatter of other such times") {
+    Random random(11, "times");
+    constexpr int runs = 200, moments = 800;
+    constexpr double step = 0.25, level = 3.0;
+    double square_error = 0.0, variance = 0.0;
+    int known = 0;
+    for (int run = 0; run < runs; ++run) {
+        std::vector<double> times{2.0}, integrals{0.0};
+        for (int k = 0; k < moments; ++k) {
+            times.push_back(times.back() + step);
+            integrals.push_back(integrals.back() + step * (level + random.normal()));
+        }
+        const double mean = integrals.back() / (times.back() - times.front());
+        variance += (mean - level) * (mean - level) / runs;
+        const double error = error_of_time_average(times, integrals);
+        if (!std::isfinite(error)) continue;
+        square_error += error * error;
+        ++known;
+    }
+    REQUIRE(known > runs / 2);
+    square_error /= known;
+    CHECK(square_error == doctest::Approx(1.0 / moments).epsilon(0.1));  // of white noise
+    CHECK(std::abs(variance / square_error - 1.0) < 4.0 * std::sqrt(2.0 / runs));
+}
+
+TEST_CASE("an average over time has no error while it drifts, nor with few moments") {
+    std::vector<double> times, integrals;
+    for (int k = 0; k <= 400; ++k) {
+        times.push_back(k);
+        integrals.push_back(0.5 * k * k);
+    }
+    CHECK(std::isnan(error_of_time_average(times, integrals)));
+    CHECK(std::isnan(error_of_time_average({0.0, 1.0}, {0.0, 2.0})));
+    CHECK(std::isnan(error_of_time_average({}, {})));
+}

@@ -152,10 +152,19 @@ bool is_result_of_run(const Panel& panel) {
            dynamic_cast<const HistogramPanel*>(&panel) != nullptr;
 }
 
+// What the panel says of itself: of several moments, if it says the same of all.
+std::string account_of(const Figure& figure) {
+    const std::string account = figure.panel->account(*figure.moments.back().state);
+    const bool holds_of_all = std::ranges::all_of(figure.moments, [&](const FigureMoment& moment) {
+        return figure.panel->account(*moment.state) == account;
+    });
+    return holds_of_all || is_result_of_run(*figure.panel) ? account : "";
+}
+
 std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index particles) {
     if (!figure.sides.empty()) return caption_of_runs(scene, figure);
     const Language language = scene.film.language;
-    const std::string account = figure.panel->account(*figure.moments.back().state);
+    const std::string account = account_of(figure);
     const std::string count = particles_counted(language, particles, scene.gas.box.dimension);
     const std::string title = sentence(scene.title);
     if (sweep_of(*figure.spec) != nullptr) return title + " " + account;
@@ -173,10 +182,6 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
         say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, figure), count,
             collisions_counted(language, figure.moments.back().collisions.particle));
     return fmt::format("{} {}{}{}", title, facts, account.empty() ? "" : " ", account);
-}
-
-std::string account_of(const Figure& figure) {
-    return figure.panel->account(*figure.moments.back().state);
 }
 
 // The generated alternative text. The description of the scene is given only once, with its first

@@ -22,10 +22,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Where formulae may stand, a dollar sign is written so.
+// Where formulae and numbers may stand, dollar signs and braces are written so.
 std::string with_dollars(const std::string& words) {
     std::string text;
-    for (const char c : words) text += c == '$' ? "\\$" : std::string(1, c);
+    for (const char c : words)
+        text += c == '$' ? "\\$" : std::string(c == '{' || c == '}' ? 2 : 1, c);
     return text;
 }
 

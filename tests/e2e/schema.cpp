@@ -156,7 +156,8 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"wire_too_long", several_places},
     {"within", several_places},
     {"words_overlap", several_places},
-    {"panels_beyond", other_file},  // the template's places
+    {"numbers-in-words", several_places},  // names against the species, times against the run
+    {"panels_beyond", other_file},         // the template's places
     {"panels_in_square", other_file},
     {"panels_too_many", other_file},
     {"template_broken", other_file},

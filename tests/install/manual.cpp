@@ -14,9 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The files to which a page refers, `](file#place)` and `src="file"`; not in indented code.
+// The files to which a page refers, `](file#place)` and `src="file"`; not in code, which is
+// indented or fenced.
 std::vector<std::string> files_named_in(const std::string& with_code) {
-    const std::string page = std::regex_replace(with_code, std::regex("\n    [^\n]*"), "\n");
+    std::string page = std::regex_replace(with_code, std::regex("\n    [^\n]*"), "\n");
+    for (std::size_t begin = 0; (begin = page.find("\n```")) != page.npos;)
+        page.erase(begin, std::min(page.find("\n```", begin + 1), page.size() - 4) + 4 - begin);
     const std::regex link(R"(\]\(([^()# ]+)[^()]*\)|src="([^"]+)\")");
     std::vector<std::string> files;
     for (std::sregex_iterator it(page.begin(), page.end(), link), end; it != end; ++it) {

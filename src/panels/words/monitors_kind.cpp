@@ -57,7 +57,7 @@ PanelKind monitors_kind() {
                        .meaning = "the collisions between particles so far",
                        .options = "numbers: [collisions]"},
                       {.name = "all_collisions",
-                       .meaning = "the same with those with walls",
+                       .meaning = "the collisions so far, those with walls included",
                        .options = "numbers: [all-collisions]"},
                       {.name = "mean_energy",
                        .meaning = "the mean kinetic energy of a particle",

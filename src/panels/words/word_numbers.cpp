@@ -110,7 +110,8 @@ std::vector<std::string> WordNumbers::texts() const {
             Diagnostic& error = errors.emplace_back(number.place);
             error.message =
                 fmt::format("`{{{}}}` has no value at time {:g}", number.name, requests_[k].at);
-            error.hint = "ask for another time, or for another number";
+            error.hint =
+                "ask for another time, or for another number; a figure of it says why it has none";
         }
         texts[requests_[k].number] =
             number_words(scene_.film.language, number,

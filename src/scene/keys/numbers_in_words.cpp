@@ -43,7 +43,12 @@ bool read_format(std::string_view format, NumberInWords& number) {
 std::optional<WordsProblem> read_number(std::string_view text, NumberInWords& number) {
     const auto written = [&] { return in_quotes("{" + std::string(text) + "}"); };
     std::string_view rest = text;
-    if (const std::size_t colon = rest.rfind(":."); colon != std::string_view::npos) {
+    // Names may contain colons, before anything but digits.
+    std::size_t colon = rest.rfind(':');
+    if (colon != std::string_view::npos &&
+        rest.find_first_not_of(" .0123456789fdegx", colon + 1) != std::string_view::npos)
+        colon = std::string_view::npos;
+    if (colon != std::string_view::npos) {
         if (!read_format(trimmed(rest.substr(colon + 1)), number))
             return WordsProblem{fmt::format("{} has no format of a number", written()),
                                 "`:.3` gives three digits, `:.2f` two after the point"};

@@ -177,9 +177,11 @@ std::vector<Diagnostic> find_instruments(Scene& scene, PanelKinds kinds) {
         NumberInWords& number = scene.numbers[k];
         if (is_done[k]) continue;
         if (number.at && (*number.at < 0.0 || *number.at > scene.run.until))
-            errors.push_back(error_at(
-                number, fmt::format("`{{{}}}` asks for a time outside of the run", number.name),
-                fmt::format("give a time from 0 to {:g}", scene.run.until)));
+            errors.push_back(
+                error_at(number,
+                         fmt::format("`{{{} at {:g}}}` asks for a time outside of the run",
+                                     number.name, *number.at),
+                         fmt::format("give a time from 0 to {:g}", scene.run.until)));
         Found found = reader_of(scene, kinds, number.name);
         if (found.number) {
             number.instrument = std::move(found.number->instrument);
@@ -215,7 +217,9 @@ std::vector<KnownNumber> known_numbers(const Scene& scene, PanelKinds kinds) {
                     all.push_back({owner.empty()              ? asked.name
                                    : is_species(scene, owner) ? owner + "." + asked.name
                                                               : asked.name + "." + owner,
-                                   asked.meaning});
+                                   asked.meaning + (owner.empty()              ? ""
+                                                    : is_species(scene, owner) ? ", of " + owner
+                                                                               : ", at " + owner)});
     return all;
 }
 

@@ -111,7 +111,7 @@ TEST_CASE("a number that the run does not have is an error at its words") {
         line = static_cast<int>(error.diagnostics().front().span.line);
     }
     CHECK(message == "`{diffusion_coefficient}` has no value at time 12");
-    CHECK(hint == "ask for another time, or for another number");
+    CHECK(hint.starts_with("ask for another time, or for another number"));
     CHECK(line == 4);
 }
 

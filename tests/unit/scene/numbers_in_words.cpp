@@ -95,10 +95,11 @@ TEST_CASE("words that ask for no number of the scene are refused") {
     CHECK(error_of(with_caption("{30.speed}")).starts_with("there is no number `30.speed`"));
     CHECK(error_of(with_caption("{position}")).starts_with("there is no number `position`"));
     CHECK(error_of(with_caption("{temperature at 21}")) ==
-          "`{temperature}` asks for a time outside of the run / give a time from 0 to 20");
+          "`{temperature at 21}` asks for a time outside of the run / give a time from 0 to 20");
     CHECK(error_of(with_caption("{temperature at noon}")).find("no time after `at`") !=
           std::string::npos);
     CHECK(error_of(with_caption("{temperature:.x}")).find("has no format") != std::string::npos);
+    CHECK(error_of(with_caption("{temperature:2f}")).find("has no format") != std::string::npos);
     CHECK(error_of(with_caption("{temperature:.0}")).find("has no format") != std::string::npos);
     CHECK(error_of(with_caption("{}")).find("names no number") != std::string::npos);
     for (const char* words : {"a { b", "a } b", "{a {temperature}}"})

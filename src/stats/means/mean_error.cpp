@@ -81,10 +81,6 @@ std::optional<Eigen::ArrayXd> standard_errors(const PieceSums& pieces) {
 
 double error_of_time_average(const std::vector<double>& times,
                              const std::vector<double>& integrals) {
-    constexpr Eigen::Index pieces = 40;
-    constexpr std::size_t fewest = 2 * pieces;
-    if (times.size() < fewest || !(times.back() > times.front())) return nan_of_pieces;
-    const double length = (times.back() - times.front()) / pieces;
     const auto integral_until = [&](double time) {
         const auto after = std::ranges::lower_bound(times, time);
         const auto k = std::min(times.size() - 1, static_cast<std::size_t>(after - times.begin()));
@@ -92,15 +88,21 @@ double error_of_time_average(const std::vector<double>& times,
         const double share = (time - times[k - 1]) / (times[k] - times[k - 1]);
         return integrals[k - 1] + share * (integrals[k] - integrals[k - 1]);
     };
-    PieceSums sums{Eigen::ArrayXXd(pieces, 1), Eigen::ArrayXXd::Constant(pieces, 1, length)};
-    double before = integrals.front();
-    for (Eigen::Index k = 0; k < pieces; ++k) {
-        const double until = integral_until(times.front() + static_cast<double>(k + 1) * length);
-        sums.sum(k, 0) = until - before;
-        before = until;
+    for (const Eigen::Index pieces : {40, 20}) {
+        if (times.size() < 2 * static_cast<std::size_t>(pieces)) continue;
+        const double length = (times.back() - times.front()) / static_cast<double>(pieces);
+        if (!(length > 0.0)) break;
+        PieceSums sums{Eigen::ArrayXXd(pieces, 1), Eigen::ArrayXXd::Constant(pieces, 1, length)};
+        double before = integrals.front();
+        for (Eigen::Index k = 0; k < pieces; ++k) {
+            const double until =
+                integral_until(times.front() + static_cast<double>(k + 1) * length);
+            sums.sum(k, 0) = until - before;
+            before = until;
+        }
+        if (const auto errors = standard_errors(sums)) return (*errors)[0];
     }
-    const auto errors = standard_errors(sums);
-    return errors ? (*errors)[0] : nan_of_pieces;
+    return nan_of_pieces;
 }
 
 }  // namespace carom

@@ -46,8 +46,9 @@ double correlation_of_neighbours(const PieceSums& pieces);
 std::optional<Eigen::ArrayXd> standard_errors(const PieceSums& pieces);
 
 /// The standard error of the mean of a quantity over a time, from standard_errors() of 40 equal
-/// pieces of it: `integrals` are those of the quantity since the first of the `times`, which
-/// increase. NaN if the pieces are not independent, or have fewer than two moments each.
+/// pieces of it, or of 20 if those are not independent: `integrals` are those of the quantity since
+/// the first of the `times`, which increase. NaN if the pieces are not independent, or have fewer
+/// than two moments each.
 double error_of_time_average(const std::vector<double>& times,
                              const std::vector<double>& integrals);
 

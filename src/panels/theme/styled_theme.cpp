@@ -74,7 +74,8 @@ void set_colors(StyledTheme& styled) {
     if (const auto page = given("page")) theme.ground = *page;
     if (const auto ink = given("ink")) {
         theme.second = mix(*ink, given("page").value_or(theme.page), 0.15);
-        theme.muted = mix(*ink, given("page").value_or(theme.page), 0.3);
+        theme.muted = theme.wall = mix(*ink, given("page").value_or(theme.page), 0.3);
+        theme.bar = mix(*ink, given("page").value_or(theme.page), 0.4);
     }
     if (const auto muted = given("muted")) theme.trail = *muted;
     for (const auto& [key, role] : theme_roles())

@@ -67,7 +67,9 @@ TEST_CASE("a theme of a style has its colours, and those of the base for the res
     CHECK(same(made.ground, rgb(0xFFF8E7)));  // follows the page
     CHECK(same(made.accent, rgb(0xAA0000)));
     CHECK(same(made.wall, rgb(0x123456)));
-    CHECK(same(made.bar, theme(ThemeKind::light).bar));
+    CHECK(contrast(made.bar, made.page) < contrast(made.muted, made.page));  // the ink, paler
+    CHECK(contrast(made.bar, made.page) > least_contrast_of_marks);
+    CHECK(same(made.highlight, theme(ThemeKind::light).highlight));
     CHECK(contrast(made.second, made.page) > contrast(made.muted, made.page));
     CHECK(same(kind_color(0, made), rgb(0x0B7285)));
     CHECK(same(kind_color(1, made), rgb(0xB85C00)));

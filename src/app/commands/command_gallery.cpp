@@ -11,6 +11,7 @@
 #include "media/formats.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
+#include "util/progress.h"
 #include "util/text.h"
 
 namespace carom {

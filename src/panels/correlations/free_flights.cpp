@@ -314,9 +314,7 @@ CurveSubject free_flights(const PanelContext& context, const PanelSpec& spec, Fl
                                                            std::size_t line) -> std::string {
         const auto [mean, error] = values.numbers[line].front();
         if (!std::isfinite(mean)) return "";
-        const std::string number = std::isfinite(error) && error > 0.0
-                                       ? with_error(language, mean, error)
-                                       : three_digits(language, mean);
+        const std::string number = with_error(language, mean, error);
         const std::string words = is_path ? say(language, "mean free path {}", number)
                                           : say(language, "mean free time {}", number);
         return chosen.size() > 1

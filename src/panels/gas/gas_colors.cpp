@@ -79,8 +79,8 @@ std::vector<std::string> palette_names() {
 Color kind_in(const Film& film, std::size_t index, const Theme& theme) {
     const ColorBy by = film.color_by;
     if (by == ColorBy::species || theme.kind == ThemeKind::print) return kind_color(index, theme);
-    // A set for each map and theme, made once: searching it takes a while.
     if (!theme.series.empty()) return kind_color(index, theme);
+    // A set for each map and theme, made once: searching it takes a while.
     using Key = std::pair<std::string, const Theme*>;
     static std::mutex mutex;
     static std::map<Key, std::vector<Color>> sets;

@@ -16,9 +16,8 @@ bool is_measured(const MeterLine& line) { return !line.is_theory; }
 }  // namespace
 
 Instruments::Instruments(const PanelContext& context, std::span<const PanelSpec> specs) {
-    for (const PanelSpec& spec : specs) {
+    for (const PanelSpec& spec : specs)
         instruments_.push_back({&spec, MeterReader(kind_of(spec).meter(context, spec))});
-    }
 }
 
 bool Instruments::need_collisions() const {

@@ -430,12 +430,11 @@ std::string HistogramPanel::account_of_series(const HistogramCounts& now, std::s
     const MeanHistogram& one = now.series[k];
     if (!std::isfinite(one.mean)) return compares() ? say(language, "unknown") : "";
     const double error = now.mean_errors.empty() ? NAN : now.mean_errors[k];
-    // A mean that is 0 within the rounding of its sum is 0.
+    // Without an error, a mean that is 0 within the rounding of its sum is 0.
     const bool is_small = subject_.symmetric && std::abs(one.mean) < one.deviation;
-    const std::string mean = std::isfinite(error) && error > 0.0
-                                 ? with_error(language, one.mean, error)
-                             : is_small ? steady_number(language, one.mean, {0.0, one.deviation})
-                                        : three_digits(language, one.mean);
+    const std::string mean = is_small && !(error > 0.0)
+                                 ? steady_number(language, one.mean, {0.0, one.deviation})
+                                 : with_error(language, one.mean, error);
     const std::string words = subject_.symmetric || options().fit
                                   ? say(language, "mean {}, standard deviation {}", mean,
                                         three_digits(language, one.deviation))
@@ -469,7 +468,8 @@ Plot HistogramPanel::plot(const PanelState* state) const {
     plot.bar_notes = bar_notes(told);
     for (std::size_t k = 0; k < count(); ++k) add_series(plot, k, shown);
     if (now == nullptr) return plot;
-    for (std::size_t k = 0; k < count(); ++k) {
+    // Only figures give an account.
+    for (std::size_t k = 0; !context_.in_film && k < count(); ++k) {
         const std::string words = account_of_series(*now, k);
         if (compares())
             plot.accounts_of_runs.push_back(words);

@@ -237,9 +237,7 @@ std::string SeriesPanel::account_of(const Measured& now) const {
         if (lines[k].is_theory || !std::isfinite(value)) continue;
         const double error =
             !now.error.empty() ? now.error[k].back() : error_of_mean(now.x, now.y[k]);
-        const std::string number = std::isfinite(error) && error > 0.0
-                                       ? with_error(language, value, error)
-                                       : three_digits(language, value);
+        const std::string number = with_error(language, value, error);
         numbers.push_back(lines[k].name.empty() ? number : lines[k].name + " " + number);
     }
     const std::string word = say(language, meter().quantity.word);
@@ -270,6 +268,7 @@ plot::Plot SeriesPanel::plot(const PanelState* state) const {
     for (plot::AnyLayer& layer : now.layers)
         if (auto* band = std::get_if<plot::Band>(&layer); band && !band->still)
             band->shown.end = samples;
+    if (context_.in_film) return now;  // only figures give an account
     if (record_.compares())
         now.accounts_of_runs = accounts_of_runs(shown);
     else if (now.account.empty())

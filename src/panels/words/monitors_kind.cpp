@@ -25,9 +25,7 @@ std::unique_ptr<Panel> make_monitors(const PanelContext& context, const PanelSpe
 }
 
 Meter meter_of_monitors(const PanelContext& context, const PanelSpec& spec) {
-    std::vector<Monitor> numbers = spec.options.as<MonitorOptions>().numbers;
-    if (numbers.empty())
-        numbers = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy};
+    const std::vector<Monitor> numbers = or_usual(spec.options.as<MonitorOptions>().numbers);
     Meter meter{.quantity = numbers.size() == 1 ? quantity_of(numbers.front())
                                                 : quantities::number.named(Phrase{"monitors"})};
     for (const Monitor number : numbers) {

@@ -240,13 +240,16 @@ double MonitorsPanel::column_width(double unit) const {
     return widest;
 }
 
+std::vector<Monitor> or_usual(const std::vector<Monitor>& asked) {
+    if (!asked.empty()) return asked;
+    return {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy};
+}
+
 MonitorsPanel::MonitorsPanel(const PanelContext& context, const std::vector<Monitor>& numbers,
                              const std::optional<std::string>& title)
-    : context_(context), are_asked_(!numbers.empty()), numbers_(numbers), title_(title) {
+    : context_(context), are_asked_(!numbers.empty()), numbers_(or_usual(numbers)), title_(title) {
     smallest_.fill(infinity);
     largest_[index_of(Monitor::time)] = farthest_time(context.run());
-    if (numbers_.empty())
-        numbers_ = {Monitor::time, Monitor::collisions, Monitor::mean_speed, Monitor::mean_energy};
     if (std::ranges::find(numbers_, Monitor::return_distance) != numbers_.end())
         echo_.emplace(context);
 }

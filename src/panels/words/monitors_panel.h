@@ -21,6 +21,9 @@ struct MonitorOptions {
     std::vector<Monitor> numbers = {};  ///< those shown; none: usual
 };
 
+/// The numbers that are asked for; if there are none, those that apply to any gas.
+std::vector<Monitor> or_usual(const std::vector<Monitor>& asked);
+
 using MonitorNumbers = std::array<double, enum_words<Monitor>.size()>;
 
 inline std::size_t index_of(Monitor number) { return static_cast<std::size_t>(number); }
@@ -46,7 +49,7 @@ void draw_time_arrow(Canvas& canvas, Point center, double size, double turn, Col
 
 class MonitorsPanel : public Panel {
   public:
-    /// Shows these numbers; none stand for those that apply to any gas, without those of classes.
+    /// Shows these numbers, or the usual ones.
     MonitorsPanel(const PanelContext& context, const std::vector<Monitor>& numbers,
                   const std::optional<std::string>& title = {});
 

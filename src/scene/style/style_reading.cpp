@@ -59,31 +59,23 @@ Notation<Sizes> sizes_notation() {
 }
 
 Binding<Style> color_key(const std::string& name, const std::string& meaning) {
-    const auto fill = [name](Style& style, const std::pair<std::string, Diagnostic>& its) {
-        style.colors.of[name] = its.first;
-        style.places[name] = its.second;
+    const auto fill = [name](Style& style, const Placed<std::string>& hex) {
+        style.colors.of[name] = hex.value;
+        style.places[name] = place_of(*hex.node);
     };
-    const auto placed_color =
-        parsed(color(), [](const std::string& hex, const Node& node, Reading&) {
-            return std::optional(std::pair(hex, place_of(node)));
-        });
-    return bind_with<Style>(name, fill, placed_color, meaning);
+    return bind_with<Style>(name, fill, placed(color()), meaning);
 }
 
 Binding<Style> series_key() {
-    const auto fill = [](Style& style, const std::vector<std::pair<std::string, Diagnostic>>& all) {
-        for (const auto& [hex, place] : all) {
-            style.places[fmt::format("series.{}", style.colors.series.size())] = place;
+    const auto fill = [](Style& style, const std::vector<Placed<std::string>>& all) {
+        for (const auto& [hex, node] : all) {
+            style.places[fmt::format("series.{}", style.colors.series.size())] = place_of(*node);
             style.colors.series.push_back(hex);
         }
     };
-    const auto placed_color =
-        parsed(color(), [](const std::string& hex, const Node& node, Reading&) {
-            return std::optional(std::pair(hex, place_of(node)));
-        });
     constexpr Limit most{12, "colours of a series"};
     return bind_with<Style>(
-               "series", fill, list_of(placed_color, 1, most, "a list of colours"),
+               "series", fill, list_of(placed(color()), 1, most, "a list of colours"),
                "The colours of species, of choices of particles and of compared runs, "
                "in this order; a list of fewer than six is continued by colours of the "
                "base.")
@@ -118,6 +110,8 @@ Notation<Style> colors_notation() {
         {"ground", "`page`, if it is given, or the base's"},
         {"second", "`ink`, a little paler, if it is given, or the base's"},
         {"muted", "`ink`, paler, if it is given, or the base's"},
+        {"wall", "`ink`, paler, if it is given, or the base's"},
+        {"bar", "`ink`, paler, if it is given, or the base's"},
         {"trail", "`muted`, if it is given, or the base's"}};
     KeyTable<Style> table{.name = "`colors` of a style", .keys = {}, .rule = check_ramp};
     for (const auto& [name, meaning] : roles) {
@@ -164,15 +158,12 @@ Notation<FigureKeys> figure_keys_notation() {
 
 Binding<Style> font_key(const std::string& name, std::string StyleFonts::*font,
                         const std::string& meaning, const std::string& usual) {
-    const auto fill = [name, font](Style& style, const std::pair<std::string, Diagnostic>& its) {
-        style.fonts.*font = its.first;
-        style.places[name] = its.second;
+    const auto fill = [name, font](Style& style, const Placed<std::string>& family) {
+        style.fonts.*font = family.value;
+        style.places[name] = place_of(*family.node);
     };
-    const auto family = parsed(text(1, most_title_letters),
-                               [](const std::string& written, const Node& node, Reading&) {
-                                   return std::optional(std::pair(written, place_of(node)));
-                               });
-    return bind_with<Style>(name, fill, family, meaning).default_text(usual);
+    return bind_with<Style>(name, fill, placed(text(1, most_title_letters)), meaning)
+        .default_text(usual);
 }
 
 KeyTable<Style> new_table() {

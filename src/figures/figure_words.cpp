@@ -236,8 +236,8 @@ std::string with_numbers(const std::string& words, const FigureRun& run, const F
     const Scene& scene = run.scene();
     return filled(words, [&](std::size_t k) {
         const NumberInWords& number = scene.numbers.at(k);
-        return number.instrument ? run.number_texts().at(k)
-                                 : own_number(figure, scene.film.language, number);
+        return number.reader ? run.number_texts().at(k)
+                             : own_number(figure, scene.film.language, number);
     });
 }
 

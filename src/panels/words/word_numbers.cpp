@@ -35,7 +35,7 @@ void add_requests(const Scene& scene, const std::string& words, double at,
                   std::vector<WordRequest>& requests) {
     for (const std::size_t k : numbers_in(words)) {
         const NumberInWords& number = scene.numbers.at(k);
-        if (number.instrument) requests.push_back({k, number.at.value_or(at)});
+        if (number.reader) requests.push_back({k, number.at.value_or(at)});
     }
 }
 
@@ -50,7 +50,7 @@ std::vector<PanelSpec> specs_of(const Scene& scene, const std::vector<WordReques
         instrument.push_back(static_cast<std::size_t>(known - names.begin()));
         if (known != names.end()) continue;
         names.push_back(number.name);
-        specs.push_back(*number.instrument);
+        specs.push_back(number.reader->instrument);
     }
     return specs;
 }
@@ -85,19 +85,16 @@ WordNumbers::WordNumbers(const PanelContext& context, std::vector<WordRequest> r
     : scene_(context.scene),
       requests_(std::move(requests)),
       specs_(specs_of(scene_, requests_, instrument_)),
-      values_(requests_.size(), NAN),
+      values_(requests_.size()),
       instruments_(context, specs_) {}
 
 void WordNumbers::see(const FrameInput& input) {
     instruments_.see(input);
     for (std::size_t k = 0; k < requests_.size(); ++k) {
-        const NumberInWords& number = scene_.numbers.at(requests_[k].number);
         constexpr double rounding = 1e-12;
-        const bool is_reached = input.tick.time >= requests_[k].at * (1.0 - rounding);
-        if (is_reached && !is_read_[k]) {
-            is_read_[k] = true;
-            values_[k] = instruments_.value(instrument_[k], number.line, number.is_result);
-        }
+        if (values_[k] || input.tick.time < requests_[k].at * (1.0 - rounding)) continue;
+        const NumberReader& reader = scene_.numbers.at(requests_[k].number).reader.value();
+        values_[k] = instruments_.value(instrument_[k], reader.line, reader.is_result);
     }
 }
 
@@ -106,7 +103,8 @@ std::vector<std::string> WordNumbers::texts() const {
     std::vector<Diagnostic> errors;
     for (std::size_t k = 0; k < requests_.size(); ++k) {
         const NumberInWords& number = scene_.numbers.at(requests_[k].number);
-        if (!std::isfinite(values_[k])) {
+        const double value = values_[k].value_or(NAN);
+        if (!std::isfinite(value)) {
             Diagnostic& error = errors.emplace_back(number.place);
             error.message =
                 fmt::format("`{{{}}}` has no value at time {:g}", number.name, requests_[k].at);
@@ -115,7 +113,7 @@ std::vector<std::string> WordNumbers::texts() const {
         }
         texts[requests_[k].number] =
             number_words(scene_.film.language, number,
-                         instruments_.quantity(instrument_[k], number.is_result), values_[k]);
+                         instruments_.quantity(instrument_[k], number.reader->is_result), value);
     }
     if (!errors.empty()) throw SceneError(std::move(errors));
     return texts;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,10 +45,9 @@ class WordNumbers {
   private:
     const Scene& scene_;
     std::vector<WordRequest> requests_;
-    std::vector<std::size_t> instrument_ = {};  ///< of each request
-    std::vector<PanelSpec> specs_;              ///< each once
-    std::vector<double> values_;
-    std::vector<bool> is_read_ = std::vector<bool>(requests_.size(), false);
+    std::vector<std::size_t> instrument_ = {};   ///< of each request
+    std::vector<PanelSpec> specs_;               ///< each once
+    std::vector<std::optional<double>> values_;  ///< of each request that has been read
     Instruments instruments_;
 };
 

@@ -18,6 +18,13 @@ namespace carom {
 class Errors;
 struct Node;
 
+/// What reads a number (scene/numbers/known_numbers.h).
+struct NumberReader {
+    PanelSpec instrument;
+    bool is_result = false;  ///< of the instrument; otherwise its reading
+    std::string line = {};   ///< column of its line; empty: the first
+};
+
 /// A number for which words of a scene ask.
 struct NumberInWords {
     std::string name;               ///< "light.mean_energy"
@@ -25,11 +32,7 @@ struct NumberInWords {
     int digits = 3;
     bool are_decimals = false;  ///< the digits are those after the point; otherwise all
     Diagnostic place = {};      ///< of the words, with an empty message, for errors found later
-
-    // What reads it (scene/numbers/known_numbers.h):
-    std::optional<PanelSpec> instrument = {};  ///< none: a number of the figure whose words ask
-    bool is_result = false;                    ///< of the instrument; otherwise its reading
-    std::string line = {};                     ///< column of its line; empty: the first
+    std::optional<NumberReader> reader = {};  ///< none: a number of the figure whose words ask
 };
 
 /// Returns the words with a mark for each number, which is added to `numbers`, and with `{{` and

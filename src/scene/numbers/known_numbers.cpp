@@ -72,7 +72,7 @@ std::optional<std::string> options_for(const Scene& scene, const PanelKind& kind
 
 /// What reads a number, or why nothing does.
 struct Found {
-    std::optional<NumberInWords> number = {};
+    std::optional<NumberReader> reader = {};
     std::string problem = {};
 };
 
@@ -92,21 +92,19 @@ Found instrument_of(const Scene& scene, PanelKinds kinds, const PanelKind& kind,
     } catch (const SceneError& error) {
         return {{}, error.diagnostics().front().message};
     }
-    NumberInWords number{.name = {}, .instrument = specs->front(), .is_result = asked.is_result};
-    if (asked.is_by_line) number.line = of;
-    return {std::move(number)};
+    return {NumberReader{specs->front(), asked.is_result, asked.is_by_line ? of : ""}};
 }
 
 Found reader_of(const Scene& scene, PanelKinds kinds, const std::string& name) {
     for (const PanelSpec& spec : scene.measure)
-        if (spec.title == name) return {NumberInWords{.name = {}, .instrument = spec}};
+        if (spec.title == name) return {NumberReader{spec}};
     Found last;
     for (const auto& [quantity, of] : names_in(name))
         for (const PanelKind& kind : kinds)
             for (const AskedNumber& asked : kind.asked) {
                 if (asked.name != quantity) continue;
                 Found found = instrument_of(scene, kinds, kind, asked, of);
-                if (found.number) return found;
+                if (found.reader) return found;
                 if (!found.problem.empty()) last = std::move(found);
             }
     return last;
@@ -183,10 +181,8 @@ std::vector<Diagnostic> find_instruments(Scene& scene, PanelKinds kinds) {
                                      number.name, *number.at),
                          fmt::format("give a time from 0 to {:g}", scene.run.until)));
         Found found = reader_of(scene, kinds, number.name);
-        if (found.number) {
-            number.instrument = std::move(found.number->instrument);
-            number.is_result = found.number->is_result;
-            number.line = std::move(found.number->line);
+        if (found.reader) {
+            number.reader = std::move(found.reader);
             continue;
         }
         const std::string why = found.problem.empty() ? "" : ": " + found.problem;
@@ -210,16 +206,17 @@ std::vector<KnownNumber> known_numbers(const Scene& scene, PanelKinds kinds) {
     for (const PanelSpec& spec : scene.measure)
         if (spec.title)
             all.push_back({*spec.title, fmt::format("the instrument of kind `{}`", spec.kind)});
+    const auto number_of = [&](const AskedNumber& asked, const std::string& owner) -> KnownNumber {
+        if (owner.empty()) return {asked.name, asked.meaning};
+        if (is_species(scene, owner))
+            return {owner + "." + asked.name, asked.meaning + ", of " + owner};
+        return {asked.name + "." + owner, asked.meaning + ", at " + owner};
+    };
     for (const std::string& owner : owners)
         for (const PanelKind& kind : kinds)
             for (const AskedNumber& asked : kind.asked)
-                if (instrument_of(scene, kinds, kind, asked, owner).number)
-                    all.push_back({owner.empty()              ? asked.name
-                                   : is_species(scene, owner) ? owner + "." + asked.name
-                                                              : asked.name + "." + owner,
-                                   asked.meaning + (owner.empty()              ? ""
-                                                    : is_species(scene, owner) ? ", of " + owner
-                                                                               : ", at " + owner)});
+                if (instrument_of(scene, kinds, kind, asked, owner).reader)
+                    all.push_back(number_of(asked, owner));
     return all;
 }
 

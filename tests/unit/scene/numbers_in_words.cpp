@@ -70,8 +70,8 @@ TEST_CASE("what stands between braces is a name, a time and digits") {
     CHECK(number.at == 2.5);
     CHECK(number.digits == 4);
     CHECK(!number.are_decimals);
-    REQUIRE(number.instrument.has_value());
-    CHECK(number.instrument->of.front().species == std::size_t{1});
+    REQUIRE(number.reader.has_value());
+    CHECK(number.reader->instrument.of.front().species == std::size_t{1});
     const NumberInWords other = captioned("{pressure.left:.1f}").numbers.front();
     CHECK(!other.at);
     CHECK(other.digits == 1);
@@ -79,12 +79,13 @@ TEST_CASE("what stands between braces is a name, a time and digits") {
 }
 
 TEST_CASE("a particle, a surface and an instrument of the scene can be asked for") {
-    CHECK(captioned("{3.speed}").numbers.front().instrument->of.front().particle == 3);
-    CHECK(captioned("{top.pressure}").numbers.front().instrument->kind == "pressure");
-    CHECK(captioned("{the heavy ones.mean_energy}").numbers.front().line == "the heavy ones");
+    CHECK(captioned("{3.speed}").numbers.front().reader->instrument.of.front().particle == 3);
+    CHECK(captioned("{top.pressure}").numbers.front().reader->instrument.kind == "pressure");
+    CHECK(captioned("{the heavy ones.mean_energy}").numbers.front().reader->line ==
+          "the heavy ones");
     const Scene scene = captioned(
         "{late heat}", "measure: [{kind: temperature, over: {window: 2}, title: late heat}]\n");
-    CHECK(scene.numbers.front().instrument->over->window == 2.0);
+    CHECK(scene.numbers.front().reader->instrument.over->window == 2.0);
 }
 
 TEST_CASE("words that ask for no number of the scene are refused") {

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 
 #include "physics/events/time_step.h"
@@ -26,6 +25,7 @@
 #include "scene/sweep_figures.h"
 #include "scene/time/captions.h"
 #include "scene/time/timeline.h"
+#include "scene/tree/scene_tree.h"
 #include "scene/yaml/file_text.h"
 #include "scene/yaml/run_fingerprint.h"
 #include "scene/yaml/scalar.h"
@@ -61,115 +61,9 @@ void refuse_figure_set(const Node& root) {
     errors.throw_if_any();
 }
 
-// Returns the dimension of the box that a scene gives, before the scene is checked: keys and forms
-// depend on it.
-int dimension_of(const Node& root) {
-    const Node* box = find(root, "box");
-    if (box == nullptr) return 2;
-    const Node* length = find(*box, "length");
-    const Node* size = find(*box, "size");
-    if (length != nullptr)
-        return size == nullptr || length->source->origin > size->source->origin ? 1 : 2;
-    const std::vector<std::string> names{"size", "length", "walls"};
-    const bool is_misspelt = std::ranges::any_of(
-        box->keys, [&](const Node& key) { return nearest_spelling(key.text, names) == names[1]; });
-    return is_misspelt ? 1 : 2;
-}
-
-/// The trees of a scene and its template; their form has been checked.
-struct Tree {
-    Node root;
-    int dimension = 2;  ///< of the box
-    Node film;          ///< the scene's `film`, completed by its template
-    Node template_file;
-    std::string template_name;
-    std::shared_ptr<const Style> style;  ///< null: none
-    Node style_file;
-};
-
-// A film of disks that shows a single panel has it over the gas.
-std::string usual_template(const Tree& tree) {
-    const Node* panels = given(tree.film, "panels");
-    const bool has_one = panels != nullptr && panels->is_list() && panels->items.size() == 1;
-    const bool is_beside = find(tree.film, "beside") != nullptr;
-    return has_one && !is_beside && tree.dimension == 2 ? "hero" : Film{}.template_name;
-}
-
-// Returns the node with the name of the film's template; a node in the scene with the default name
-// if none is given; nothing if the name contains a mistake.
-std::optional<Node> template_asked(const Tree& tree) {
-    if (const Node* asked = given(tree.film, "template")) return *asked;
-    if (find(tree.film, "template") != nullptr) return std::nullopt;
-    Node usual = default_node(usual_template(tree));
-    usual.source = tree.root.source;
-    return usual;
-}
-
-// Files whose texts are in `resources.files` take precedence, wherever the scene is now.
-std::optional<TemplateFile> named_file(const Node& asked, const fs::path& scene,
-                                       const SceneResources& resources, Errors& errors,
-                                       const NamedFiles& kind) {
-    for (const fs::path& path : named_paths(asked, scene, kind))
-        if (resources.files.contains(path.string()))
-            return TemplateFile{path.stem().string(), path};
-    return find_template(asked, scene, resources.templates, errors, kind);
-}
-
-std::optional<Node> read_file(const fs::path& path, const SceneResources& resources, Source& source,
-                              Errors& errors) {
-    const auto found = resources.files.find(path.string());
-    if (found == resources.files.end()) return read_yaml_file(path, source, errors);
-    source.name = path.string();
-    source.text = found->second;
-    return read_yaml(source, errors);
-}
-
-void read_template(Tree& tree, const fs::path& scene, const SceneResources& resources,
-                   Sources& sources, Errors& errors) {
-    const auto asked = template_asked(tree);
-    if (!asked) return;
-    const auto file = named_file(*asked, scene, resources, errors, film_templates);
-    if (!file) return;
-    Source& source = sources.emplace_back(Source{.origin = Origin::template_file});
-    auto root = read_file(file->path, resources, source, errors);
-    if (!root) return;
-    tree.template_file = std::move(*root);
-    tree.template_name = file->name;
-    if (!tree.template_file.is_mapping()) {
-        errors.add(
-            tree.template_file,
-            "expected a template (a mapping with `layout`), found " + described(tree.template_file),
-            "a template begins with `layout:`, see templates/films/ of carom");
-        return;
-    }
-    const FixedTable<FilmDraft>& table = template_table(resources.panels);
-    check_mapping(tree.template_file, table.section(), errors);
-    tree.film = lay_over(tree.film, tree.template_file, table.section().choices);
-}
-
-// Reads the style that a scene names. Its fonts are looked for if pictures are wanted.
-void load_style(Tree& tree, const fs::path& scene, const SceneResources& resources, Wanted wanted,
-                Sources& sources, Errors& errors) {
-    const Node* asked = given(tree.root, "style");
-    const bool is_of_set = find(tree.root, "style") == nullptr && resources.set != nullptr &&
-                           resources.set->style.has_value();
-    if (is_of_set) asked = &*resources.set->style;
-    if (asked == nullptr) return;
-    const auto file = named_file(*asked, is_of_set ? fs::path(resources.set->source.name) : scene,
-                                 resources, errors, style_files);
-    if (!file) return;
-    Source& source = sources.emplace_back(Source{.origin = Origin::template_file});
-    auto root = read_file(file->path, resources, source, errors);
-    if (!root) return;
-    tree.style_file = std::move(*root);
-    tree.style = read_style(
-        tree.style_file, source.name,
-        wanted == Wanted::physics ? StyleCheck{}.families : resources.styles.families, errors);
-}
-
 // Figures take what they do not give from `figure_defaults` of the scene, then of its set, and then
 // from the style.
-void read_figures(SceneDraft& draft, const Tree& tree, const SceneResources& resources,
+void read_figures(SceneDraft& draft, const SceneTree& tree, const SceneResources& resources,
                   Reading& reading) {
     if (draft.defaults_node != nullptr) {
         FigureDefaults defaults;
@@ -251,7 +145,7 @@ bool gives_length(const Node& root) {
 }
 
 // With `has_length`, the film is as long as it says, and is checked for it.
-void complete_film(SceneDraft& draft, const Tree& tree, bool has_length,
+void complete_film(SceneDraft& draft, const SceneTree& tree, bool has_length,
                    const SceneResources& resources, Reading& reading) {
     draft.film =
         read_film({tree.film, tree.template_file, tree.root, has_length}, tree.template_name,
@@ -263,7 +157,8 @@ void complete_film(SceneDraft& draft, const Tree& tree, bool has_length,
         draft.film.layout = with_caption_line(draft.film.layout);
 }
 
-Scene read_scene(const Tree& tree, const SceneResources& resources, Wanted wanted, Errors& errors) {
+Scene read_scene(const SceneTree& tree, const SceneResources& resources, Wanted wanted,
+                 Errors& errors) {
     SceneDraft draft;
     Reading reading{errors, draft.gas, draft.run, draft.numbers};
     scene_table(resources.panels, tree.dimension).read(tree.root, draft, reading);
@@ -321,7 +216,7 @@ void require_in_folder(const fs::path& file, const Node& asked) {
 }
 
 // Returns everything that a scene was made from, except files that are part of carom.
-SceneSource source_of(const Tree& tree, const Source& source, const SceneResources& resources,
+SceneSource source_of(const SceneTree& tree, const Source& source, const SceneResources& resources,
                       const Overrides& overrides) {
     SceneSource all{source.name, source.text, "", overrides, run_fingerprint(tree.root)};
     all.is_held_to_classroom = resources.is_classroom;
@@ -357,7 +252,7 @@ Scene load_once(Source file, const LoadRequest& request) {
     Sources sources{std::move(file)};
     const Source& source = sources.front();
     Errors errors;
-    Tree tree;
+    SceneTree tree;
     auto root = read_yaml(source, errors);
     if (root && root->kind == Node::Kind::null)
         errors.add(source, std::size_t{0}, "the scene is empty", how_to_start);
@@ -380,12 +275,7 @@ Scene load_once(Source file, const LoadRequest& request) {
     refuse_figure_set(tree.root);
     tree.dimension = dimension_of(tree.root);
     check_mapping(tree.root, scene_table(resources.panels, tree.dimension).section(), errors);
-    const Node* film = find(tree.root, "film");
-    tree.film = film != nullptr && film->is_mapping()
-                    ? *film
-                    : Node{.kind = Node::Kind::mapping, .source = &source};
-    load_style(tree, path, resources, wanted, sources, errors);
-    read_template(tree, path, resources, sources, errors);
+    read_named_files(tree, path, resources, wanted, sources, errors);
     Scene scene = read_scene(tree, resources, wanted, errors);
     scene.source = source_of(tree, source, resources, overrides);
     if (!part.is_whole()) return scene;

@@ -113,8 +113,7 @@ std::vector<Option> work_options(SceneOptions& options);
 int most_chunks();
 
 /// --chunk, --force and --allow-mixed: which part of a plan is done, and how. `force_too`: what
-/// else
-/// --force does.
+/// else --force does.
 std::vector<Option> chunk_options(int& chunk, bool& force, bool& allow_mixed,
                                   const std::string& force_too = "");
 

@@ -15,9 +15,8 @@ struct Scene;
 
 class RunMeters {
   public:
-    /// Meters of a run that begins with `start`, at time 0. Throws SceneError if
-    /// two give numbers of the same name. The scene
-    /// and the particles must outlive the object.
+    /// Meters of a run that begins with `start`, at time 0. Throws SceneError if two give numbers
+    /// of the same name. The scene and the particles must outlive the object.
     RunMeters(const Scene& scene, const Particles& particles, const Sample& start);
     ~RunMeters();
     RunMeters(const RunMeters&) = delete;

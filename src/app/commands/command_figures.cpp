@@ -350,36 +350,38 @@ Command figure_command() {
     };
     const auto arguments = std::make_shared<Arguments>();
     Arguments& its = *arguments;
-    return {
-        "figure", "draw one figure, whether or not the scene lists it",
-        joined<Option>(
-            {{{"scene", "a scene file, or - for standard input", &its.scene},
-              {"--kind KIND", "the kind of the figure: gas, speed-histogram, pressure, ...",
-               &its.asked.kind},
-              {"--at T", "the time that it shows; default: the end of the run", &its.asked.at},
-              {"--over TIME",
-               "the time over which values are taken: now, start, a window such as 5, or an "
-               "interval such as 6,12",
-               &its.asked.over},
-              {"--of PARTICLES",
-               "the particles that it shows: all, a species, a number; several separated by "
-               "commas",
-               CommaSeparated{&its.asked.of}},
-              {"--theme", "colours; default: print", &its.asked.theme, {"light", "dark", "print"}},
-              {"--width WIDTH", "its width in centimetres, or with its unit: 8cm, 80mm, 3.2in",
-               &its.asked.width},
-              {"-o,--output FOLDER", "output folder; default: out/SCENE-KIND", &its.output},
-              formats_option(its),
-              {"--force", "draw it again, and replace files that carom did not write",
-               &its.options.force},
-              depfile_option(its.depfile)},
-             {limits_option(its.is_classroom)},
-             drawing_options(its)}),
-        [arguments] {
-            arguments->scenes = {arguments->scene};
-            make_one(*arguments, arguments->asked);
-        },
-        figure_text()};
+    return {"figure", "draw one figure, whether or not the scene lists it",
+            joined<Option>(
+                {{{"scene", "a scene file, or - for standard input", &its.scene},
+                  {"--kind KIND", "the kind of the figure: gas, speed-histogram, pressure, ...",
+                   &its.asked.kind},
+                  {"--at T", "the time that it shows; default: the end of the run", &its.asked.at},
+                  {"--over TIME",
+                   "the time over which values are taken: now, start, a window such as 5, or an "
+                   "interval such as 6,12",
+                   &its.asked.over},
+                  {"--of PARTICLES",
+                   "the particles that it shows: all, a species, a number; several separated by "
+                   "commas",
+                   CommaSeparated{&its.asked.of}},
+                  {"--theme",
+                   "colours; default: the style's, or light",
+                   &its.asked.theme,
+                   {"light", "dark", "print"}},
+                  {"--width WIDTH", "its width in centimetres, or with its unit: 8cm, 80mm, 3.2in",
+                   &its.asked.width},
+                  {"-o,--output FOLDER", "output folder; default: out/SCENE-KIND", &its.output},
+                  formats_option(its),
+                  {"--force", "draw it again, and replace files that carom did not write",
+                   &its.options.force},
+                  depfile_option(its.depfile)},
+                 {limits_option(its.is_classroom)},
+                 drawing_options(its)}),
+            [arguments] {
+                arguments->scenes = {arguments->scene};
+                make_one(*arguments, arguments->asked);
+            },
+            figure_text()};
 }
 
 Command figures_command() {

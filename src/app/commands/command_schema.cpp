@@ -13,8 +13,7 @@ namespace {
 CommandText schema_text() {
     return {{"carom schema [--for scene|set|style]"},
             "Prints the JSON Schema of scenes, of figure sets or of styles, with which editors "
-            "complete "
-            "keys and underline mistakes.",
+            "complete keys and underline mistakes.",
             {{"carom schema > scene.schema.json", "save it beside your scenes"},
              {"carom schema --for set > set.schema.json", "the schema of figure sets"},
              {"carom schema --for scene", "prints the schema of scenes"}}};

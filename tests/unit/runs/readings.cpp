@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -140,14 +141,16 @@ TEST_CASE("instruments give the numbers that curves are summed up in, where the 
           doctest::Approx(found.at("mean free path at the end")).epsilon(1e-9));
     CHECK(found.at("mean length of free flights") / found.at("mean time of free flights") ==
           doctest::Approx(report.summary.species[0].speed.value()).epsilon(1e-9));
-    // Chapman and Enskog for hard disks; the error is that of groups of particles.
+    // Chapman and Enskog for hard disks; the error is that of groups of particles. The first Sonine
+    // approximation, taken here, is 2.7 % too small for a dilute gas (docs/validation.md), and the
+    // slow decay of the velocity correlation in a plane adds to that: 10 % are left to both.
     const LastReading& diffusion = report.readings.at(2);
     CHECK(diffusion.number.name == "diffusion coefficient");
     REQUIRE(diffusion.error > 0.0);
-    const double density = 60.0 / 600.0, packing = density * 3.14159265 / 4.0;
+    const double density = 60.0 / 600.0, packing = density * std::numbers::pi / 4.0;
     const double contact = (1.0 - 7.0 / 16.0 * packing) / ((1.0 - packing) * (1.0 - packing));
-    const double kinetic =
-        std::sqrt(report.summary.temperature.value() / 3.14159265) / (2.0 * density * contact);
+    const double kinetic = std::sqrt(report.summary.temperature.value() / std::numbers::pi) /
+                           (2.0 * density * contact);
     CHECK(std::abs(diffusion.value - kinetic) < 4.0 * diffusion.error + 0.1 * kinetic);
 
     const Scene closed = test::scene_from(

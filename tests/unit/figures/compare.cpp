@@ -403,25 +403,6 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("compared runs have the colours that a figure gives them") {
-    FigureSpec figure;
-    figure.compare = {{"a", {}}, {"b", {}}, {"c", {}}};
-    figure.compare[1].color = "#aa0000";
-    figure.compare[2].color = "#ffff00";
-    for (const ThemeName name : {ThemeName::light, ThemeName::print}) {
-        figure.theme = name;
-        const Theme& theme = theme_of(figure);
-        const auto of_run = [&](std::size_t k) {
-            return to_pixel(color_of(plot::stroke_of_run(k), theme));
-        };
-        CHECK(of_run(0) == to_pixel(color_of(plot::stroke_of_run(0), theme_of(name))));
-        CHECK(of_run(1) == 0xFFAA0000);
-        CHECK(of_run(2) != 0xFFFFFF00);  // not to be seen on white
-        CHECK(contrast(color_of(plot::stroke_of_run(2), theme), theme.page) >= 3.0);
-    }
-    CHECK(&theme_of(FigureSpec{}) == &theme(ThemeKind::light));
-}
-
 TEST_CASE("a key that is longer than a column takes several rows") {
     DiskPainter disks;
     const DrawContext dc{{0, 0, 360, 300}, 10, theme(ThemeKind::print), disks};

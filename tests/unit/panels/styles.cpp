@@ -10,7 +10,9 @@
 #include "draw/text.h"
 #include "panels/frame.h"
 #include "panels/gas/gas_colors.h"
+#include "panels/plot/plot.h"
 #include "panels/theme/style_faults.h"
+#include "scene/figure_spec.h"
 #include "scene/style/style.h"
 #include "support/pixels.h"
 #include "support/resources.h"
@@ -98,6 +100,25 @@ TEST_CASE("a style gives the same theme each time, and other themes only its fon
     CHECK(dark.series.empty());
     CHECK(dark.fonts->text == "DejaVu Serif");
     CHECK(dark.fonts->numbers == "DejaVu Serif");
+}
+
+TEST_CASE("compared runs have the colours that a figure gives them") {
+    FigureSpec figure;
+    figure.compare = {{"a", {}}, {"b", {}}, {"c", {}}};
+    figure.compare[1].color = "#aa0000";
+    figure.compare[2].color = "#ffff00";
+    for (const ThemeName name : {ThemeName::light, ThemeName::print}) {
+        figure.theme = name;
+        const Theme& theme = theme_of(figure);
+        const auto of_run = [&](std::size_t k) {
+            return to_pixel(color_of(plot::stroke_of_run(k), theme));
+        };
+        CHECK(of_run(0) == to_pixel(color_of(plot::stroke_of_run(0), theme_of(name))));
+        CHECK(of_run(1) == 0xFFAA0000);
+        CHECK(of_run(2) != 0xFFFFFF00);  // not to be seen on white
+        CHECK(contrast(color_of(plot::stroke_of_run(2), theme), theme.page) >= 3.0);
+    }
+    CHECK(&theme_of(FigureSpec{}) == &theme(ThemeKind::light));
 }
 
 TEST_CASE("an sRGB colour is the same after Oklab and back") {

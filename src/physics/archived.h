@@ -34,17 +34,23 @@ inline void archive_parts(Archive& archive, Partition& partition) {
     archive(partition.name, partition.axis, partition.at, partition.gaps, partition.behaviour,
             partition.is_open);
 }
-inline void archive_parts(Archive& archive, Obstacle::Disk& disk) {
+inline void archive_parts(Archive& archive, Obstacle::Ball& disk) {
     archive(disk.center, disk.radius);
+}
+inline void archive_parts(Archive& archive, Obstacle::Cuboid& cuboid) {
+    archive(cuboid.low, cuboid.high);
 }
 inline void archive_parts(Archive& archive, Obstacle::Lines& lines) {
     archive(lines.corners, lines.is_closed);
 }
 inline void archive_parts(Archive& archive, Obstacle& obstacle) {
-    bool is_disk = std::holds_alternative<Obstacle::Disk>(obstacle.shape);
-    archive(obstacle.name, is_disk);
-    if (archive.is_reading() && is_disk) obstacle.shape = Obstacle::Disk{{0.0, 0.0}, 0.0};
-    if (archive.is_reading() && !is_disk) obstacle.shape = Obstacle::Lines{};
+    auto which = static_cast<std::int64_t>(obstacle.shape.index());
+    archive(obstacle.name, which);
+    if (archive.is_reading()) {
+        if (which == 0) obstacle.shape = Obstacle::Ball{{}, 0.0};
+        if (which == 1) obstacle.shape = Obstacle::Lines{};
+        if (which == 2) obstacle.shape = Obstacle::Cuboid{};
+    }
     std::visit([&](auto& shape) { archive(shape); }, obstacle.shape);
 }
 inline void archive_parts(Archive& archive, Surfaces& surfaces) {

@@ -20,19 +20,44 @@
 
 namespace carom {
 
-/// A straight line across the box, perpendicular to an axis. It has two sides and no thickness.
+/// An opening in a partition: an interval in the plane, a rectangle in space.
+struct Gap {
+    /// Its lower and upper ends along the axes that the partition is not perpendicular to, in the
+    /// order x, y, z; the second is used in space only.
+    std::array<double, 2> low{}, high{};
+
+    Gap() = default;
+    Gap(double from, double to) : low{from}, high{to} {}
+    Gap(const std::array<double, 2>& from, const std::array<double, 2>& to) : low(from), high(to) {}
+
+    double from() const { return low[0]; }
+    double to() const { return high[0]; }
+    /// Its width along the first of these axes.
+    double width() const { return high[0] - low[0]; }
+
+    friend bool operator==(const Gap&, const Gap&) = default;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(low, high);
+    }
+};
+
+/// A straight line across the box or, in space, a plane, perpendicular to an axis. It has two sides
+/// and no thickness.
 struct Partition {
     std::string name;
-    int axis = 0;     ///< the axis it is perpendicular to: 0 for x, 1 for y
-    double at = 0.0;  ///< position on that axis
-    std::vector<std::pair<double, double>> gaps = {};  ///< intervals along the other axis
+    int axis = 0;                ///< the axis it is perpendicular to: 0 for x, 1 for y, 2 for z
+    double at = 0.0;             ///< position on that axis
+    std::vector<Gap> gaps = {};  ///< in the plane in ascending order; they do not overlap
     Behaviour behaviour = Reflecting{};
     bool is_open = false;  ///< absent: everything passes
 };
 
-/// A fixed body: a disk, or straight lines from corner to corner, each of which has two sides.
+/// A fixed body. In the plane: a disk, or straight lines from corner to corner, each of which has
+/// two sides. In space: a sphere, or a cuboid with edges along the axes.
 struct Obstacle {
-    struct Disk {
+    struct Ball {
         Vec center;
         double radius;
     };
@@ -40,8 +65,11 @@ struct Obstacle {
         std::vector<Vec> corners;
         bool is_closed = false;  ///< the last corner is joined to the first
     };
+    struct Cuboid {
+        Vec low, high;
+    };
     std::string name;
-    std::variant<Disk, Lines> shape;
+    std::variant<Ball, Lines, Cuboid> shape;
 };
 
 /// All surfaces of a box, and the gravitational acceleration of everything mobile in it.

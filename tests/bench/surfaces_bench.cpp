@@ -29,7 +29,7 @@ void add_obstacles(Gas& gas) {
     for (int k = 0; k < rows * columns; ++k) {
         const Vec place{gas.box.size[0] * (k % columns + 0.5) / columns,
                         gas.box.size[1] * (k / columns + 0.5) / rows};
-        gas.box.surfaces.obstacles.push_back({std::to_string(k), Obstacle::Disk{place, 1.0}});
+        gas.box.surfaces.obstacles.push_back({std::to_string(k), Obstacle::Ball{place, 1.0}});
     }
 }
 

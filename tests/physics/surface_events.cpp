@@ -229,7 +229,7 @@ TEST_CASE("many bits bring a gas home past obstacles, pistons, membranes, gaps a
     surfaces.gravity = {0.1, -0.4};
     surfaces.sides[3] = Piston{.mass = 10.0, .force = -2.0};
     surfaces.sides[0] = Driven{.velocity = 0.05, .until = 9.0};
-    surfaces.obstacles = {{"peg", Obstacle::Disk{{4.0, 7.0}, 0.8}},
+    surfaces.obstacles = {{"peg", Obstacle::Ball{{4.0, 7.0}, 0.8}},
                           {"wedge", Obstacle::Lines{{{6.0, 1.0}, {8.0, 1.5}, {7.0, 3.0}}, true}},
                           {"shelf", Obstacle::Lines{{{12.0, 3.0}, {14.0, 4.0}}, false}}};
     gas.species.push_back(

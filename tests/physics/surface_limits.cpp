@@ -106,7 +106,7 @@ TEST_CASE("a disk at rest on a shelf, a piston or a moving wall, and on others, 
     }
     SUBCASE("peg") {
         Box box = box_under_gravity(10.0, 10.0);
-        box.surfaces.obstacles = {{"peg", Obstacle::Disk{{5.0, 3.0}, 1.0}}};
+        box.surfaces.obstacles = {{"peg", Obstacle::Ball{{5.0, 3.0}, 1.0}}};
         check_rest_or_error(box, {{5.0, 4.5, 0.0, 0.0}});
     }
     SUBCASE("moving wall") {
@@ -149,7 +149,7 @@ TEST_CASE("a driven partition that crushes a piston against an obstacle ends the
          .axis = 0,
          .at = 4.0,
          .behaviour = Piston{.mass = 1.0, .velocity = 0.1}}};
-    gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{8.0, 5.0}, 1.0}}};
+    gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{8.0, 5.0}, 1.0}}};
     gas.species = {{.name = "points",
                     .count = 1,
                     .radius = 0.0,

@@ -103,7 +103,7 @@ TEST_CASE("a disk at rest on the floor stays there, and slides without falling")
 TEST_CASE("the mean free path of a Sinai billiard is (L^2 - pi R^2) / 2R") {
     constexpr double length = 3.0, radius = 0.8;
     Start start{.box = {.size = {length, length}, .walls = {Wall::periodic, Wall::periodic}}};
-    start.box.surfaces.obstacles = {{"disk", Obstacle::Disk{{1.5, 1.5}, radius}}};
+    start.box.surfaces.obstacles = {{"disk", Obstacle::Ball{{1.5, 1.5}, radius}}};
     start.places = {{0.1, 0.2}};
     start.velocities = {{std::cos(1.0), std::sin(1.0)}};
     test::check_mean(free_paths(start.simulation(), 1.0),
@@ -115,7 +115,7 @@ TEST_CASE("the mean free path of any billiard is pi area / perimeter") {
     Start start{.box = {.size = {4.0, 3.0}}};
     start.box.surfaces.obstacles = {
         {"wedge", Obstacle::Lines{{{1.0, 1.0}, {3.0, 1.0}, {2.0, 2.0}}, true}},
-        {"peg", Obstacle::Disk{{0.8, 2.2}, 0.3}}};
+        {"peg", Obstacle::Ball{{0.8, 2.2}, 0.3}}};
     start.places = {{0.5, 0.5}};
     start.velocities = {{std::cos(0.7), std::sin(0.7)}};
     const double area = 12.0 - 1.0 - std::numbers::pi * 0.09;
@@ -279,7 +279,7 @@ TEST_CASE("reversed, disks come home past obstacles, pistons, driven walls and g
     Gas gas;
     gas.box.size = {12.0, 10.0};
     gas.box.surfaces.gravity = {0.0, -0.5};
-    gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{4.0, 4.0}, 1.0}}};
+    gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{4.0, 4.0}, 1.0}}};
     gas.box.surfaces.sides[1] = Driven{-0.2, 2.0};
     gas.box.surfaces.sides[3] = Piston{.mass = 20.0, .force = -1.0};
     gas.species = {{.name = "disks", .count = 12, .radius = 0.4, .velocity = Temperature{1.0}}};

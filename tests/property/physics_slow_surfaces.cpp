@@ -39,7 +39,7 @@ test::SurfaceScene grazing_scene(std::uint64_t seed) {
         box.surfaces.obstacles = {{"end", Obstacle::Lines{{center, center - away}, false}}};
     } else {
         const double peg = random.uniform(0.1, 2.0);
-        box.surfaces.obstacles = {{"peg", Obstacle::Disk{center, peg}}};
+        box.surfaces.obstacles = {{"peg", Obstacle::Ball{center, peg}}};
         distance += peg;
     }
     box.surfaces.gravity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};

@@ -105,7 +105,7 @@ std::vector<Condition> conditions() {
         with_partition("gap", gap),
         {"obstacle",
          [](GasState& s) {
-             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
+             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{10.0, 7.0}, 1.5}}};
          }},
         {"heated",
          [](GasState& s) {
@@ -132,18 +132,18 @@ std::vector<Condition> conditions() {
         {"billiard",
          [](GasState& s) {
              s.gas.species = {disks(1)};
-             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
+             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{10.0, 7.0}, 1.5}}};
          }},
         {"billiard-falling",
          [](GasState& s) {
              s.gas.species = {disks(1)};
-             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
+             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{10.0, 7.0}, 1.5}}};
              s.gas.box.surfaces.gravity = {0.0, -0.2};
          }},
         {"billiard-on",
          [](GasState& s) {
              s.gas.species = {disks(1)};
-             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{10.0, 7.0}, 1.5}}};
+             s.gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{10.0, 7.0}, 1.5}}};
              s.asked.ends_at_walls = false;
          }},
         of_disks("two", 2, false),

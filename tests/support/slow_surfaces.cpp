@@ -51,8 +51,7 @@ SlowSurfaces::SlowSurfaces(const Box& box, const Particles& particles, const Sam
                      [&](auto a, auto b) { return disks_[a].x.x < disks_[b].x.x; });
 }
 
-void SlowSurfaces::add_partition(int axis, long double at,
-                                 const std::vector<std::pair<double, double>>& gaps,
+void SlowSurfaces::add_partition(int axis, long double at, const std::vector<Gap>& gaps,
                                  std::int32_t surface) {
     const auto point = [&](long double where) {
         return axis == 0 ? Vector{at, where} : Vector{where, at};
@@ -75,14 +74,14 @@ void SlowSurfaces::add_partition(int axis, long double at,
         for (const long double corner : {from, to})
             parts_.push_back({false, point(corner), point(corner), {}, 0.0L, 0.0L, surface});
     };
-    for (const auto& [gap_from, gap_to] : gaps) {
-        add_piece(gap_from);
-        from = gap_to;
+    for (const Gap& gap : gaps) {
+        add_piece(gap.from());
+        from = gap.to();
     }
     add_piece(end);
     // No corner where the partition reaches a wall or its own periodic image.
     const bool is_ring = box_.is_periodic(1 - axis);
-    const bool is_whole = gaps.front().first > 0.0 && gaps.back().second < end;
+    const bool is_whole = gaps.front().from() > 0.0 && gaps.back().to() < end;
     std::erase_if(parts_, [&](const Part& part) {
         const long double where = part.place[1 - axis];
         return part.surface == surface && !part.is_line && (where == 0.0L || where == end) &&
@@ -91,7 +90,7 @@ void SlowSurfaces::add_partition(int axis, long double at,
 }
 
 void SlowSurfaces::add_obstacle(const Obstacle& obstacle, std::int32_t surface) {
-    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
+    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
         const Vector center{disk->center[0], disk->center[1]};
         parts_.push_back({false, center, center, {}, 0.0L, disk->radius, surface});
         return;

@@ -116,7 +116,7 @@ class SlowSurfaces {
         long double place = 0.0L;              ///< where a mover meets a part
     };
 
-    void add_partition(int axis, long double at, const std::vector<std::pair<double, double>>& gaps,
+    void add_partition(int axis, long double at, const std::vector<Gap>& gaps,
                        std::int32_t surface);
     void add_obstacle(const Obstacle& obstacle, std::int32_t surface);
     void set_motion(Mover& mover);

@@ -26,7 +26,7 @@ inline LongRun long_run_of_surfaces(double clock, std::int64_t events, double st
     gas.box.surfaces.gravity = {0.0, -0.5};
     gas.box.surfaces.sides[3] = Piston{.mass = mass, .force = force};
     gas.box.surfaces.partitions = {{.name = "window", .axis = 0, .at = 6.0, .gaps = {{3.0, 5.0}}}};
-    gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{3.0, 3.0}, 0.7}},
+    gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{3.0, 3.0}, 0.7}},
                                   {"shelf", Obstacle::Lines{{{8.0, 2.0}, {10.0, 2.5}}, false}}};
     gas.species = {{.name = "disks", .count = 40, .radius = radius, .velocity = Temperature{3.0}}};
     std::pair<Particles, Sample> placed = place(gas);

@@ -66,7 +66,7 @@ inline Obstacle any_obstacle(Random& random, const Box& box, std::string name) {
     };
     switch (random.below(5)) {
         case 0:
-            return {std::move(name), Obstacle::Disk{at, random.uniform(0.05, 1.0)}};
+            return {std::move(name), Obstacle::Ball{at, random.uniform(0.05, 1.0)}};
         case 1: {
             const double x = random.uniform(0.1, 1.0), y = random.uniform(0.1, 1.0);
             return {
@@ -96,7 +96,7 @@ inline bool is_across(const Obstacle& obstacle, const Box& box) {
         const auto include = [&](double from, double to) {
             low = std::min(low, from), high = std::max(high, to);
         };
-        if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
+        if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
             include(disk->center[axis] - disk->radius, disk->center[axis] + disk->radius);
         else
             for (const auto& corner : std::get<Obstacle::Lines>(obstacle.shape).corners)

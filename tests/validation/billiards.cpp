@@ -42,7 +42,7 @@ Study sinai() {
     study.measure = [=](const RunOf& run) {
         Box box{
             .dimension = 2, .size = {length, length}, .walls = {Wall::periodic, Wall::periodic}};
-        box.surfaces.obstacles = {{"disk", Obstacle::Disk{{1.5, 1.5}, radius}}};
+        box.surfaces.obstacles = {{"disk", Obstacle::Ball{{1.5, 1.5}, radius}}};
         return std::vector<double>{mean_path(box, 0.1, 0.2, run)};
     };
     return study;
@@ -60,7 +60,7 @@ Study any_billiard() {
         Box box{.dimension = 2, .size = {4.0, 3.0}};
         box.surfaces.obstacles = {
             {"wedge", Obstacle::Lines{{{1.0, 1.0}, {3.0, 1.0}, {2.0, 2.0}}, true}},
-            {"peg", Obstacle::Disk{{0.8, 2.2}, 0.3}}};
+            {"peg", Obstacle::Ball{{0.8, 2.2}, 0.3}}};
         return std::vector<double>{mean_path(box, 0.5, 0.5, run)};
     };
     return study;
@@ -100,7 +100,7 @@ Study lorentz() {
         for (int k = 0; k < scatterers; ++k)
             gas.box.surfaces.obstacles.push_back(
                 {"disk " + std::to_string(k),
-                 Obstacle::Disk{{random.uniform(0.0, side), random.uniform(0.0, side)}, 1.0}});
+                 Obstacle::Ball{{random.uniform(0.0, side), random.uniform(0.0, side)}, 1.0}});
         gas.species = {{.name = "", .count = count, .radius = 0.0, .velocity = Speed{1.0}}};
         Simulation simulation(gas, {});
         simulation.record_collisions(true);

@@ -35,8 +35,8 @@ class GapFlux : public FluxTheory {
           partition_(static_cast<std::size_t>(partition)),
           is_member_(static_cast<std::size_t>(context.particles.count())) {
         for (const Eigen::Index i : members) is_member_[static_cast<std::size_t>(i)] = true;
-        for (const auto& [from, to] : context.box().surfaces.partition(partition)->gaps)
-            gaps_.push_back(to - from);
+        for (const Gap& gap : context.box().surfaces.partition(partition)->gaps)
+            gaps_.push_back(gap.width());
     }
 
     std::array<FluxRates, 2> at(const FrameInput& o) override {

@@ -56,10 +56,10 @@ double length_of_surface(const Box& box, const std::vector<SurfaceState>& states
     double length = high - low;
     const Partition* line = box.surfaces.partition(surface);
     if (line == nullptr) return length;
-    for (const auto& [from, to] : line->gaps) {
+    for (const Gap& gap : line->gaps) {
         // One that reaches a wall goes on beyond it, where the wall may be now.
-        const double begin = from > 0.0 ? std::max(from, low) : low;
-        const double end = to < box.length(along) ? std::min(to, high) : high;
+        const double begin = gap.from() > 0.0 ? std::max(gap.from(), low) : low;
+        const double end = gap.to() < box.length(along) ? std::min(gap.to(), high) : high;
         length -= std::max(0.0, end - begin);
     }
     return length;

@@ -137,7 +137,7 @@ void SurfaceView::Brush::draw_obstacle(const Obstacle& obstacle, Point shift) co
     const auto add = [&](double x, double y) {
         corners.push_back(map.pixel({x + shift.x, y + shift.y}));
     };
-    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
+    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
         constexpr int count = 72;
         const double radius = std::max(disk->radius, 0.1 * u / map.scale);
         for (int k = 0; k < count; ++k) {
@@ -292,9 +292,9 @@ void SurfaceView::Brush::draw_partition(std::size_t k) const {
         return;
     }
     double from = begin;
-    for (const auto& [low, high] : partition.gaps) {
-        if (low > from) draw_line(pixel(from), pixel(low), k);
-        from = high;
+    for (const Gap& gap : partition.gaps) {
+        if (gap.from() > from) draw_line(pixel(from), pixel(gap.from()), k);
+        from = gap.to();
     }
     if (end > from) draw_line(pixel(from), pixel(end), k);
 }

@@ -24,8 +24,8 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     double from = 0.0;
     // There is no corner at a wall. At a periodic side there is one only if a gap adjoins it on
     // exactly one side.
-    const bool gap_at_low = !(partition.gaps.front().first > 0.0);
-    const bool gap_at_high = !(partition.gaps.back().second < end);
+    const bool gap_at_low = !(partition.gaps.front().from() > 0.0);
+    const bool gap_at_high = !(partition.gaps.back().to() < end);
     const bool ends_at_border = box.is_periodic(along) && gap_at_low != gap_at_high;
     const auto add_corner = [&](double where) {
         if (!(where > 0.0 && where < end) && !ends_at_border) return;
@@ -45,11 +45,11 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
         if (goes_on_below) piece.normal[axis] = -piece.normal[axis];
         barriers.push_back(piece);
     };
-    for (const auto& [gap_from, gap_to] : partition.gaps) {
-        add_piece(gap_from);
-        add_corner(gap_from);
-        add_corner(gap_to);
-        from = gap_to;
+    for (const Gap& gap : partition.gaps) {
+        add_piece(gap.from());
+        add_corner(gap.from());
+        add_corner(gap.to());
+        from = gap.to();
     }
     add_piece(end);
 }
@@ -62,7 +62,7 @@ Barrier circle_at(const Vec& center, double radius, std::int32_t surface) {
 }
 
 void add_obstacle(const Obstacle& obstacle, std::int32_t surface, std::vector<Barrier>& barriers) {
-    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
+    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
         barriers.push_back(circle_at(disk->center, disk->radius, surface));
         return;
     }

@@ -45,7 +45,7 @@ std::optional<Kind> lost_memory(const Behaviour& behaviour) {
 }
 
 bool is_finite(const Obstacle& obstacle) {
-    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
+    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
         return is_finite(disk->center) && disk->radius >= 0.0 && std::isfinite(disk->radius);
     const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
     return corners.size() >= (is_closed ? 3U : 2U) &&
@@ -54,7 +54,7 @@ bool is_finite(const Obstacle& obstacle) {
 
 // The smallest and the largest coordinates of an obstacle.
 std::pair<Vec, Vec> extent_of(const Obstacle& obstacle) {
-    if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape))
+    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
         return {disk->center - Vec(disk->radius, disk->radius),
                 disk->center + Vec(disk->radius, disk->radius)};
     const auto& corners = std::get<Obstacle::Lines>(obstacle.shape).corners;
@@ -174,7 +174,7 @@ class Search {
             return add(Kind::partition_outside, surface);
         double before = 0.0;
         for (std::size_t k = 0; k < partition.gaps.size(); ++k) {
-            const auto [from, to] = partition.gaps[k];
+            const double from = partition.gaps[k].from(), to = partition.gaps[k].to();
             if (!(from >= 0.0 && to <= box_.length(1 - partition.axis)))
                 return add(Kind::gap_outside, surface, k);
             if (!(from >= before && to > from)) return add(Kind::gaps_unordered, surface, k);
@@ -251,17 +251,17 @@ ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const
                                 line.at),
                     fmt::format("the box goes from {}", range_text(box.length(line.axis)))};
         case Kind::gap_outside:
-            return {fmt::format("the gap from {} to {} is not in the box", line.gaps[p.item].first,
-                                line.gaps[p.item].second),
+            return {fmt::format("the gap from {} to {} is not in the box", line.gaps[p.item].from(),
+                                line.gaps[p.item].to()),
                     fmt::format("gaps of {} lie between {} = {}", name, along,
                                 fmt::format("0 and {}", box.length(1 - line.axis)))};
         case Kind::gaps_unordered:
-            if (line.gaps[p.item].first >= line.gaps[p.item].second)
+            if (line.gaps[p.item].from() >= line.gaps[p.item].to())
                 return {fmt::format("the gap from {} to {} ends where it begins, or before",
-                                    line.gaps[p.item].first, line.gaps[p.item].second),
+                                    line.gaps[p.item].from(), line.gaps[p.item].to()),
                         "give gaps as [from, to], the smaller first"};
             return {fmt::format("the gap from {} to {} begins before the end of the one before",
-                                line.gaps[p.item].first, line.gaps[p.item].second),
+                                line.gaps[p.item].from(), line.gaps[p.item].to()),
                     "give gaps as [from, to] in rising order, without overlap"};
         case Kind::piston_gaps:
             return {fmt::format("{} is a piston, which has no gaps", name),

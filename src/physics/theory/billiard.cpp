@@ -10,7 +10,7 @@ namespace {
 
 // Whether the fixed disks, enlarged by the radius of the moving disk, touch neither each other nor
 // their own images nor a solid wall.
-bool are_apart(const Box& box, const std::vector<Obstacle::Disk>& disks, double radius) {
+bool are_apart(const Box& box, const std::vector<Obstacle::Ball>& disks, double radius) {
     for (std::size_t i = 0; i < disks.size(); ++i) {
         const double reach = disks[i].radius + radius;
         for (int axis = 0; axis < 2; ++axis) {
@@ -35,9 +35,9 @@ std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool 
     if (box.dimension != 2 || !std::ranges::all_of(surfaces.sides, is_elastic) ||
         !surfaces.partitions.empty() || surfaces.has_gravity() || (has_walls && !ends_at_walls))
         return {};
-    std::vector<Obstacle::Disk> disks;
+    std::vector<Obstacle::Ball> disks;
     for (const Obstacle& obstacle : surfaces.obstacles) {
-        const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape);
+        const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape);
         if (disk == nullptr) return {};
         disks.push_back(*disk);
     }
@@ -48,7 +48,7 @@ std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool 
     double area = room(0) * room(1), perimeter = 0.0;
     for (int axis = 0; axis < 2; ++axis)
         if (!box.is_periodic(axis)) perimeter += 2.0 * room(1 - axis);
-    for (const Obstacle::Disk& disk : disks) {
+    for (const Obstacle::Ball& disk : disks) {
         const double reach = disk.radius + radius;
         area -= std::numbers::pi * reach * reach;
         perimeter += 2.0 * std::numbers::pi * reach;

@@ -118,9 +118,8 @@ void complete_partition(PartitionDraft& draft, const Node& node, Reading& readin
 }
 
 KeyTable<PartitionDraft> partition_table() {
-    const auto gap = mapped(pair_of(any_number, "[from, to]"), [](const TwoNumbers& ends) {
-        return std::pair<double, double>(ends[0], ends[1]);
-    });
+    const auto gap = mapped(pair_of(any_number, "[from, to]"),
+                            [](const TwoNumbers& ends) { return Gap(ends[0], ends[1]); });
     std::vector<Choice> choices = acting_choices(true);
     choices.insert(choices.begin(), {{"x", "y"}, true});
     choices.push_back({{"passes", "temperature"}});
@@ -167,7 +166,7 @@ void complete_obstacle(ObstacleDraft& draft, const Node& node, Reading& reading)
         reading.errors.add(*given(node, "radius"), "`radius` applies only to a `disk`",
                            "leave it out");
     if (draft.disk && draft.radius) {
-        draft.shape = Obstacle::Disk{*draft.disk, *draft.radius};
+        draft.shape = Obstacle::Ball{*draft.disk, *draft.radius};
     } else if (draft.rectangle) {
         const auto [x0, y0, x1, y1] = *draft.rectangle;
         draft.shape = Obstacle::Lines{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, true};

@@ -32,7 +32,7 @@ Scene drifting_piston() {
     Surfaces& surfaces = scene.gas.box.surfaces;
     surfaces.partitions.push_back(
         {.name = "piston", .at = 10.0, .behaviour = Piston{4.0, 0.0, 1.0}});
-    surfaces.obstacles.push_back({"a, peg", Obstacle::Disk{{17.0, 5.0}, 1.0}});
+    surfaces.obstacles.push_back({"a, peg", Obstacle::Ball{{17.0, 5.0}, 1.0}});
     return scene;
 }
 

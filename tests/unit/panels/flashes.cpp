@@ -206,7 +206,7 @@ TEST_CASE("a flash stands at the point of contact, for a quarter of a second") {
 // not flash: all boxes have that.
 TEST_CASE("hits on surfaces flash at the point of contact, those on plain walls do not") {
     Surfaces peg, door, bath;
-    peg.obstacles = {{"peg", Obstacle::Disk{{20.0, 15.0}, 2.0}}};
+    peg.obstacles = {{"peg", Obstacle::Ball{{20.0, 15.0}, 2.0}}};
     door.partitions = {{.name = "door", .at = 18.0}};
     bath.sides[0] = Bath{1.0};
     const char* to_right = "{radius: 3, position: [13, 15], velocity: [2, 0]}";

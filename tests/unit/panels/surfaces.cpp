@@ -37,7 +37,7 @@ Scene gas_with_piston(const std::string& film = "size: [640, 360]") {
     Surfaces& surfaces = scene.gas.box.surfaces;
     surfaces.partitions.push_back({.name = "piston", .at = 9.0, .behaviour = Piston{20.0}});
     surfaces.partitions.push_back({.name = "window", .at = 15.0, .gaps = {{4.0, 6.0}}});
-    surfaces.obstacles.push_back({"peg", Obstacle::Disk{{18.0, 5.0}, 1.0}});
+    surfaces.obstacles.push_back({"peg", Obstacle::Ball{{18.0, 5.0}, 1.0}});
     return scene;
 }
 

@@ -30,7 +30,7 @@ Box room(int dimension) { return {dimension, {20.0, dimension == 1 ? 0.0 : 10.0}
 
 Box with_obstacle() {
     Box box = room(2);
-    box.surfaces.obstacles = {{"post", Obstacle::Disk{{2.0, 2.0}, 1.0}}};
+    box.surfaces.obstacles = {{"post", Obstacle::Ball{{2.0, 2.0}, 1.0}}};
     return box;
 }
 

@@ -107,7 +107,7 @@ TEST_CASE("where momentum is not conserved, speeds have independent directions")
     CHECK_THROWS_AS(draw_gas(gas_with(alone, all_periodic)), PlacementError);
     Gas lorentz = gas_with(alone, all_periodic);
     lorentz.box.surfaces.obstacles.push_back(
-        {.name = "", .shape = Obstacle::Disk{{5.0, 5.0}, 2.0}});
+        {.name = "", .shape = Obstacle::Ball{{5.0, 5.0}, 2.0}});
     CHECK(speeds(draw_gas(lorentz).second)[0] == doctest::Approx(1.0));
     Gas pinned = gas_with(alone, all_periodic);
     pinned.species.push_back({.name = "", .count = 1, .mass = Infinite{}});

@@ -135,7 +135,7 @@ TEST_CASE("a disk aimed at the middle of two posts comes straight back") {
         for (const double side : {1.0, -1.0})
             obstacles.surfaces.obstacles.push_back(
                 {.name = side > 0.0 ? "above" : "below",
-                 .shape = Obstacle::Disk{{20.0, 10.0 + side * apart}, apart}});
+                 .shape = Obstacle::Ball{{20.0, 10.0 + side * apart}, apart}});
         in_all_ways<2>(obstacles, {{5, 10, 1, 0}}, 15.5, [&](const Outcome& found) {
             is_velocity(found.v[0], -1.0, 0.0);
             CHECK(found.counts.ties.contacts == 2);

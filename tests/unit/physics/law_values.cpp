@@ -426,7 +426,7 @@ TEST_CASE("a Galton board has the binomial distribution of its rows") {
     // Pegs at every fourth place, three rows, and walls between bins under the gaps of the last.
     GasState s = state_named("gravity");
     const auto peg = [&](double x, double y) {
-        s.gas.box.surfaces.obstacles.push_back({"", Obstacle::Disk{{x, y}, 0.2}});
+        s.gas.box.surfaces.obstacles.push_back({"", Obstacle::Ball{{x, y}, 0.2}});
     };
     for (const double x : {2.0, 6.0, 10.0, 14.0, 18.0}) peg(x, 10.0), peg(x, 6.0);
     for (const double x : {4.0, 8.0, 12.0, 16.0}) {

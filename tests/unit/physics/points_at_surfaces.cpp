@@ -97,7 +97,7 @@ TEST_CASE("points pass a membrane once for each time they reach it") {
 
 TEST_CASE("a point reaches a round obstacle at its radius, and no gap opens at a corner") {
     Box box = plane();
-    box.surfaces.obstacles.push_back({.name = "round", .shape = Obstacle::Disk{{7.0, 5.0}, 1.0}});
+    box.surfaces.obstacles.push_back({.name = "round", .shape = Obstacle::Ball{{7.0, 5.0}, 1.0}});
     box.surfaces.obstacles.push_back(
         {.name = "diamond",
          .shape = Obstacle::Lines{{{3.0, 4.0}, {4.0, 5.0}, {3.0, 6.0}, {2.0, 5.0}}, true}});

@@ -46,7 +46,7 @@ Gas open_scene(std::uint64_t seed) {
         if (seed % 2 == 0) surfaces.gravity = {seed % 3 == 0 ? 0.1 : 0.0, -0.3};
         surfaces.sides[3] = Piston{.mass = 20.0, .force = -3.0};
     }
-    surfaces.obstacles.push_back({"peg", Obstacle::Disk{0.5 * gas.box.size, 0.02}});
+    surfaces.obstacles.push_back({"peg", Obstacle::Ball{0.5 * gas.box.size, 0.02}});
     surfaces.obstacles.push_back(
         {"shelf", Obstacle::Lines{{0.2 * gas.box.size, 0.3 * gas.box.size}, false}});
     return gas;

@@ -134,7 +134,7 @@ std::vector<Difference> differences() {
          {true, false}},
         {"an obstacle",
          [](State& s) {
-             s.surfaces().obstacles = {{.name = "o", .shape = Obstacle::Disk{{5.0, 5.0}, 2.0}}};
+             s.surfaces().obstacles = {{.name = "o", .shape = Obstacle::Ball{{5.0, 5.0}, 2.0}}};
          },
          none,
          {true, true}},

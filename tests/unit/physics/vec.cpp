@@ -108,7 +108,7 @@ TEST_CASE("partitions are numbered after four sides in a plane, after six in spa
         surfaces.side_count = sides;
         surfaces.sides[static_cast<std::size_t>(sides) - 1] = Bath{3.0};
         surfaces.partitions = {{.name = "wall", .axis = 1, .at = 2.0}};
-        surfaces.obstacles = {{"peg", Obstacle::Disk{{1.0, 1.0}, 0.5}}};
+        surfaces.obstacles = {{"peg", Obstacle::Ball{{1.0, 1.0}, 0.5}}};
         CHECK(surfaces.first_partition() == sides);
         CHECK(surfaces.first_obstacle() == sides + 1);
         CHECK(surfaces.count() == sides + 2);

@@ -86,7 +86,7 @@ TEST_CASE("partitions stand at x or lie at y, and are named by their order unles
     CHECK(partitions[1].at == 20.0);
     CHECK(std::get<Piston>(partitions[1].behaviour).mass == 3.0);
     CHECK(partitions[2].name == "partition 3");
-    CHECK(partitions[2].gaps == std::vector<std::pair<double, double>>{{1.0, 2.0}, {5.0, 9.5}});
+    CHECK(partitions[2].gaps == std::vector<Gap>{{1.0, 2.0}, {5.0, 9.5}});
     CHECK(partitions[2].is_open);
 }
 
@@ -122,7 +122,7 @@ TEST_CASE("obstacles are disks, rectangles, polygons and segments") {
             .obstacles;
     REQUIRE(obstacles.size() == 4);
     CHECK(obstacles[0].name == "obstacle 1");
-    const auto disk = std::get<Obstacle::Disk>(obstacles[0].shape);
+    const auto disk = std::get<Obstacle::Ball>(obstacles[0].shape);
     CHECK(disk.center[0] == 50.0);
     CHECK(disk.radius == 3.0);
     CHECK(obstacles[1].name == "block");

@@ -76,7 +76,7 @@ std::vector<Case> cases() {
         {"bath across y", partition(1, {.name = "", .behaviour = Bath{1.0}})},
         {"obstacle",
          [](Gas& gas) {
-             gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{5.0, 5.0}, 2.0}}};
+             gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{5.0, 5.0}, 2.0}}};
          }},
         {"top is a bath", side(3, Bath{1.0})},
         {"top is a piston", side(3, Piston{.mass = 20.0, .force = -3.0})},
@@ -140,7 +140,7 @@ TEST_CASE("a single disk that obstacles stop has a temperature, one that nothing
         return thermal_motion(gas.box, simulation.particles(), simulation.sample()).temperature();
     };
     CHECK(std::isnan(temperature()));
-    gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{5.0, 5.0}, 2.0}}};
+    gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{5.0, 5.0}, 2.0}}};
     CHECK(temperature() == 0.5);
 }
 

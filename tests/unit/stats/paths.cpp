@@ -301,7 +301,7 @@ TEST_CASE("the mean free path of a billiard is pi area over perimeter") {
     box.size = {4.0, 4.0};
     box.walls = {Wall::periodic, Wall::periodic};
     const auto disk_at = [](double x, double y, double radius) {
-        return Obstacle{"peg", Obstacle::Disk{{x, y}, radius}};
+        return Obstacle{"peg", Obstacle::Ball{{x, y}, radius}};
     };
     box.surfaces.obstacles = {disk_at(2.0, 2.0, 1.0)};
     // Sinai's: (L^2 - pi R^2) / 2 R.
@@ -323,7 +323,7 @@ TEST_CASE("a disk among fixed disks has Sinai's mean free path") {
     Gas gas;
     gas.box.size = {2.0, 2.0};
     gas.box.walls = {Wall::periodic, Wall::periodic};
-    gas.box.surfaces.obstacles = {{"peg", Obstacle::Disk{{1.0, 1.0}, 0.5}}};
+    gas.box.surfaces.obstacles = {{"peg", Obstacle::Ball{{1.0, 1.0}, 0.5}}};
     gas.species = {{.name = "a",
                     .count = 1,
                     .radius = 0.1,

@@ -24,7 +24,7 @@ std::vector<PegRow> rows_of_pegs(const BoxedGas& gas, int along, double near) {
     std::vector<PegRow> rows;
     for (const Obstacle& obstacle : gas.box.surfaces.obstacles) {
         Vec top;
-        if (const auto* disk = std::get_if<Obstacle::Disk>(&obstacle.shape)) {
+        if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
             top = disk->center;
         } else {
             const auto& corners = std::get<Obstacle::Lines>(obstacle.shape).corners;

@@ -127,8 +127,8 @@ std::optional<NoLaw> why_not_alike(const BoxedGas& gas, const Asked& asked) {
     const Surfaces& surfaces = gas.box.surfaces;
     const double diameter = 2.0 * gas.particles->radius.maxCoeff();
     for (const Partition& line : surfaces.partitions) {
-        const bool has_gap = std::ranges::any_of(
-            line.gaps, [&](const auto& gap) { return gap.second - gap.first > diameter; });
+        const bool has_gap =
+            std::ranges::any_of(line.gaps, [&](const Gap& gap) { return gap.width() > diameter; });
         const bool reflects = is_elastic(line.behaviour);
         if (!line.is_open && !(reflects && has_gap)) return NoLaw{Why::partitions};
     }

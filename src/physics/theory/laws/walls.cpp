@@ -72,7 +72,7 @@ Law gap_flux(const BoxedGas& gas, const Asked& asked) {
     if (partition == nullptr || gas.box.surfaces.partitions.size() > 1)
         return none(Why::partitions);
     double gaps = 0.0;
-    for (const auto& [from, to] : partition->gaps) gaps += to - from;
+    for (const Gap& gap : partition->gaps) gaps += gap.width();
     if (!(gaps > 0.0)) return none(Why::no_gap);
     if (gaps > widest_gaps * gas.box.length(1 - partition->axis)) return none(Why::wide_gap);
     if (packing_fraction(gas.box, *gas.particles) > densest) return none(Why::dense);

@@ -23,11 +23,14 @@ namespace carom {
 
 struct ReverseVelocities {};
 
+/// Lengths along each axis in decimal, of which a multiprecision run uses all digits; an empty text
+/// is 0.
+using Displacement = std::array<std::string, 3>;
+
 /// Displaces one particle by a small distance.
 struct Perturbation {
-    std::int64_t particle = 0;                ///< as the scene numbers them
-    std::array<std::string, 2> by{"0", "0"};  ///< decimal lengths; a multiprecision run uses all
-                                              ///< their digits; y is 0 in 1-D
+    std::int64_t particle = 0;  ///< as the scene numbers them
+    Displacement by;            ///< 0 along axes that the box does not have
 };
 
 /// Opens a partition, which is then absent, or closes it again.

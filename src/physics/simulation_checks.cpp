@@ -57,7 +57,7 @@ bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Samp
 }  // namespace
 
 void check_box(const Box& box) {
-    require(box.dimension == 1 || box.dimension == 2, "the dimension of a box is 1 or 2");
+    require(box.dimension >= 1 && box.dimension <= 3, "the dimension of a box is 1, 2 or 3");
     for (Eigen::Index axis = 0; axis < box.dimension; ++axis)
         require(box.size[axis] > 0.0 && std::isfinite(box.size[axis]),
                 "the size of a box is positive and finite");
@@ -77,7 +77,9 @@ void check_events(const std::vector<RunEvent>& events, double present, Eigen::In
         if (perturbation == nullptr) continue;
         require(perturbation->particle >= 0 && perturbation->particle < particles,
                 "a perturbation is of a particle of the gas");
-        require(is_number(perturbation->by[0]) && is_number(perturbation->by[1]),
+        require(std::ranges::all_of(
+                    perturbation->by,
+                    [](const std::string& text) { return text.empty() || is_number(text); }),
                 "a perturbation is by decimal numbers");
     }
 }

@@ -10,8 +10,7 @@ const Sample& VelocitySamples::after(Simulation& simulation, double time,
     if (is_known_ && advanced.velocities) {
         for (const VelocityChange& change : *advanced.velocities)
             for (Eigen::Index axis = 0; axis < sample_.velocity.cols(); ++axis)
-                sample_.velocity(change.particle, axis) =
-                    change.after.at(static_cast<std::size_t>(axis));
+                sample_.velocity(change.particle, axis) = change.after[axis];
     } else {
         sample_ = {};  // frees it before the next one is allocated
         sample_ = simulation.sample_of_velocities();

@@ -21,21 +21,21 @@ TEST_CASE("the first root is that of 256 bits in a million cases, grazing ones a
         const double scale = std::exp(random.uniform(-5.0, 5.0));
         AcceleratedMotion<double> m{number(),         number(), scale * number(),
                                     scale * number(), number(), number()};
-        double sigma = std::hypot(m.x, m.y) * std::exp(random.uniform(-4.0, 0.0));
+        double sigma = std::hypot(m.r[0], m.r[1]) * std::exp(random.uniform(-4.0, 0.0));
         if (k % 4 == 0) {  // nearest after one unit of time, by a little more or less than sigma
             const double turn = random.uniform(0.0, 6.3), speed = 1.0 + 3.0 * random.uniform();
             const double miss =
                 std::pow(10.0, random.uniform(-14.0, -3.0)) * (number() < 0 ? -1 : 1);
             const double c = std::cos(turn), s = std::sin(turn);
             sigma = 0.3;
-            m.vx = -speed * s - m.ax, m.vy = speed * c - m.ay;
-            m.x = (sigma + miss) * c - m.vx - 0.5 * m.ax;
-            m.y = (sigma + miss) * s - m.vy - 0.5 * m.ay;
+            m.v[0] = -speed * s - m.a[0], m.v[1] = speed * c - m.a[1];
+            m.r[0] = (sigma + miss) * c - m.v[0] - 0.5 * m.a[0];
+            m.r[1] = (sigma + miss) * s - m.v[1] - 0.5 * m.a[1];
         }
-        if (!(sigma < std::hypot(m.x, m.y))) continue;
+        if (!(sigma < std::hypot(m.r[0], m.r[1]))) continue;
         const double time = accelerated_contact_time(m, sigma, 0.0);
-        const AcceleratedMotion<Real> exact{precise(m.x),  precise(m.y),  precise(m.vx),
-                                            precise(m.vy), precise(m.ax), precise(m.ay)};
+        const AcceleratedMotion<Real> exact{precise(m.r[0]), precise(m.r[1]), precise(m.v[0]),
+                                            precise(m.v[1]), precise(m.a[0]), precise(m.a[1])};
         const auto true_time = static_cast<double>(
             accelerated_contact_time<Real>(exact, precise(sigma), precise(0.0), bits));
         if (time == never<double> && true_time == never<double>) {
@@ -43,9 +43,9 @@ TEST_CASE("the first root is that of 256 bits in a million cases, grazing ones a
             continue;
         }
         const auto there = m.at(std::min(time, true_time));
-        const double speed = std::hypot(there.vx, there.vy);
-        const double approach = std::abs(there.x * there.vx + there.y * there.vy) / sigma;
-        const double size = std::hypot(m.x, m.y) + std::min(time, true_time) * speed;
+        const double speed = std::hypot(there.v[0], there.v[1]);
+        const double approach = std::abs(there.r[0] * there.v[0] + there.r[1] * there.v[1]) / sigma;
+        const double size = std::hypot(m.r[0], m.r[1]) + std::min(time, true_time) * speed;
         // Where it approaches so slowly, round-off decides whether it touches.
         const double depth = 0.5 * approach * approach / (speed * speed) * sigma;
         if (time == never<double> || true_time == never<double>) {

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "physics/collision/pair_collision.h"
@@ -20,13 +21,18 @@
 namespace carom {
 
 /// Position, velocity and constant acceleration of the second body relative to the first.
-template <typename Scalar>
+template <typename Scalar, std::size_t Dimension = 2>
 struct AcceleratedMotion {
-    Scalar x, y, vx, vy, ax, ay;
+    std::array<Scalar, Dimension> r, v, a;
 
-    RelativeMotion<Scalar> at(const Scalar& t) const {
+    RelativeMotion<Scalar, Dimension> at(const Scalar& t) const {
         const Scalar half = t * 0.5;
-        return {x + t * (vx + ax * half), y + t * (vy + ay * half), vx + ax * t, vy + ay * t};
+        RelativeMotion<Scalar, Dimension> then{r, v};
+        for (std::size_t k = 0; k < Dimension; ++k) {
+            then.r[k] = r[k] + t * (v[k] + a[k] * half);
+            then.v[k] = v[k] + a[k] * t;
+        }
+        return then;
     }
 };
 
@@ -75,27 +81,27 @@ struct PositiveRoots {
 /// larger than `sigma` and r . v is below -`round_off`, and `never` if it does not fall to `sigma`.
 /// `bits`: precision of the scalar. The acceleration must not be 0. With `is_inside` the distance
 /// is at present no larger than `sigma`, except for round-off, and must first rise above `sigma`.
-template <typename Scalar>
-Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar& sigma,
+template <typename Scalar, std::size_t Dimension = 2>
+Scalar accelerated_contact_time(const AcceleratedMotion<Scalar, Dimension>& m, const Scalar& sigma,
                                 const Scalar& round_off, int bits = 53, bool is_inside = false) {
     const int steps = bits + 64;
     const auto gap = [&](const Scalar& t) { return contact_gap(m.at(t), sigma); };
     const auto approach = [&](const Scalar& t) {
-        const RelativeMotion<Scalar> now = m.at(t);
-        return now.x * now.vx + now.y * now.vy;
+        const RelativeMotion<Scalar, Dimension> now = m.at(t);
+        return scalar_product(now.r, now.v);
     };
     const auto gap_and_slope = [&](const Scalar& t) {
         return std::pair<Scalar, Scalar>(gap(t), 2 * approach(t));
     };
-    const Scalar va = m.vx * m.ax + m.vy * m.ay, aa = m.ax * m.ax + m.ay * m.ay;
-    const Scalar bend = (m.vx * m.vx + m.vy * m.vy) + (m.x * m.ax + m.y * m.ay);
+    const Scalar va = scalar_product(m.v, m.a), aa = scalar_product(m.a, m.a);
+    const Scalar bend = scalar_product(m.v, m.v) + scalar_product(m.r, m.a);
     const auto approach_and_slope = [&](const Scalar& t) {
         return std::pair<Scalar, Scalar>(approach(t), bend + t * (3 * va + (1.5 * aa) * t));
     };
     using std::abs;
     using std::sqrt;
-    const Scalar zero = m.x - m.x;
-    const Scalar now = m.x * m.vx + m.y * m.vy;
+    const Scalar zero = m.r[0] - m.r[0];
+    const Scalar now = scalar_product(m.r, m.v);
     const bool touches = is_inside || !(gap(zero) > 0);
     if (!is_inside && touches && (now < -round_off || (!(now > 0) && bend < 0))) return zero;
     const PositiveRoots<Scalar> turns(bend, 3 * va, 1.5 * aa);
@@ -107,7 +113,7 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar>& m, const Scalar
         if (piece < turns.count) {
             high = turns.root[static_cast<std::size_t>(piece)];
         } else {  // h grows without end
-            Scalar step = sqrt((m.x * m.x + m.y * m.y) / aa) + abs(va) / aa;
+            Scalar step = sqrt(scalar_product(m.r, m.r) / aa) + abs(va) / aa;
             if (!(step > 0 && step < never<double>)) step = zero + 1.0;  // the square underflows
             for (; !(approach(high) > 0); step = 2 * step) {
                 high = high + step;

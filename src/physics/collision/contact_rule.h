@@ -25,7 +25,7 @@ struct ContactRule {
         return 2.0 * approach;
     }
 
-    /// The impulse factor J = 2 r . v / (r^2 (w1 + w2)) of two disks with separation r and inverse
+    /// The impulse factor J = 2 r . v / (r^2 (w1 + w2)) of two bodies with separation r and inverse
     /// masses w1, w2, at least one of them positive: v1 += w1 J r, v2 -= w2 J r.
     ///
     /// Only r . v and, in product_of(), w J are rounded. If the divisor were rounded as well, its
@@ -33,32 +33,33 @@ struct ContactRule {
     /// by a number close to a power of 2 and products with one close to a simple fraction are
     /// rounded up more often than down, or the reverse. The energy would therefore drift: for equal
     /// disks of diameter 1 and mass 1 it rose by 4e-18 of a disk's energy at each collision.
-    template <typename Scalar>
-    [[gnu::always_inline]] static Unrounded<Scalar> impulse(const RelativeMotion<Scalar>& m,
-                                                            const Scalar& first_inverse_mass,
-                                                            const Scalar& second_inverse_mass) {
+    template <typename Scalar, std::size_t Dimension>
+    [[gnu::always_inline]] static Unrounded<Scalar> impulse(
+        const RelativeMotion<Scalar, Dimension>& m, const Scalar& first_inverse_mass,
+        const Scalar& second_inverse_mass) {
         using std::fma;
         const Unrounded<Scalar> square = square_of_distance(m);
         const Unrounded<Scalar> sum = unrounded_sum(first_inverse_mass, second_inverse_mass);
         const Scalar product = square.value * sum.value;
         const Scalar error = fma(square.value, sum.value, -product) +
                              (square.value * sum.error + square.error * sum.value);
-        return quotient_of<Scalar>(change<Scalar>(m.x * m.vx + m.y * m.vy), {product, error});
+        return quotient_of<Scalar>(change<Scalar>(scalar_product(m.r, m.v)), {product, error});
     }
 
     /// The same for numbers with so many bits that plain arithmetic suffices: changes the
-    /// velocities of two disks in place. `approach` = r . v and `square` = r^2 are overwritten;
+    /// velocities of two bodies in place. `approach` = r . v and `square` = r^2 are overwritten;
     /// `factor` and `part` are scratch.
-    template <typename Scalar>
-    static void push(std::array<Scalar, 2>& first_v, std::array<Scalar, 2>& second_v,
-                     const std::array<Scalar, 2>& r, double first_inverse_mass,
+    template <typename Scalar, std::size_t Dimension>
+    static void push(std::array<Scalar, Dimension>& first_v,
+                     std::array<Scalar, Dimension>& second_v,
+                     const std::array<Scalar, Dimension>& r, double first_inverse_mass,
                      double second_inverse_mass, Scalar& approach, Scalar& square, Scalar& factor,
                      Scalar& part) {
         approach = change(approach);
         if (first_inverse_mass == second_inverse_mass) {  // these are half of their sum
             factor.set_quotient(approach, square);
             factor.scale_by_power_of_two(-1);
-            for (std::size_t k = 0; k < 2; ++k) {
+            for (std::size_t k = 0; k < Dimension; ++k) {
                 part.set_product(factor, r[k]);
                 first_v[k].set_sum(first_v[k], part);
                 second_v[k].set_difference(second_v[k], part);
@@ -69,7 +70,7 @@ struct ContactRule {
         factor.set_sum(factor, second_inverse_mass);
         square.set_product(square, factor);
         factor.set_quotient(approach, square);
-        for (std::size_t k = 0; k < 2; ++k) {
+        for (std::size_t k = 0; k < Dimension; ++k) {
             part.set_product(factor, r[k]);
             square.set_product(part, first_inverse_mass);
             first_v[k].set_sum(first_v[k], square);

@@ -1,5 +1,6 @@
-// Types shared by the event loop (event_loop.h), whose source is the same for both dimensions, and
-// its geometries: the plane of disks (plane.h, mp_plane.h) and the line of beads (line.h).
+// Types shared by the event loop (event_loop.h), whose source is the same in every dimension, and
+// its geometries: disks or spheres in a box (box_of_bodies.h, mp_bodies.h) and beads on a line
+// (line.h).
 #pragma once
 
 #include <algorithm>
@@ -34,15 +35,17 @@ struct Contact {
     double overlap = 0.0;  ///< overlap depth, in units of the contact distance
 };
 
-/// The contact of two disks of which the impulse factor is given (ContactRule::impulse()); `sigma`:
-/// sum of radii.
-template <typename Scalar>
-[[gnu::always_inline]] inline Contact<2> contact_of(const RelativeMotion<Scalar>& m,
-                                                    const Scalar& factor, double sigma) {
-    const auto square = static_cast<double>(m.x * m.x + m.y * m.y);
-    return {{static_cast<double>(m.x), static_cast<double>(m.y)},
-            -static_cast<double>(factor) * square,
-            0.5 * (1.0 - square / (sigma * sigma))};
+/// The contact of two bodies of which the impulse factor is given (ContactRule::impulse());
+/// `sigma`: sum of radii.
+template <typename Scalar, std::size_t Dimension>
+[[gnu::always_inline]] inline Contact<static_cast<int>(Dimension)> contact_of(
+    const RelativeMotion<Scalar, Dimension>& m, const Scalar& factor, double sigma) {
+    const auto square = static_cast<double>(scalar_product(m.r, m.r));
+    Contact<static_cast<int>(Dimension)> contact;
+    for (std::size_t k = 0; k < Dimension; ++k) contact.separation[k] = static_cast<double>(m.r[k]);
+    contact.virial = -static_cast<double>(factor) * square;
+    contact.overlap = 0.5 * (1.0 - square / (sigma * sigma));
+    return contact;
 }
 
 /// Values of Prediction::border: first the sides of the box, of which there are at most six, in the

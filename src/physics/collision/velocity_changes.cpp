@@ -40,8 +40,7 @@ void VelocityLog::grow() {
         slots_[slot_of(changes_[k].particle)] = static_cast<std::uint32_t>(k + 1);
 }
 
-void VelocityLog::note(std::int32_t particle, const std::array<double, 2>& before,
-                       const std::array<double, 2>& after) {
+void VelocityLog::note(std::int32_t particle, const Vec& before, const Vec& after) {
     std::uint32_t& slot = slots_[slot_of(particle)];
     if (slot != vacant) {
         changes_[slot - 1].after = after;

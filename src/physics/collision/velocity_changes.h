@@ -3,19 +3,20 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "physics/vec.h"
+
 namespace carom {
 
-/// The velocity of a particle before an advance and after it; y is 0 in 1-D.
+/// The velocity of a particle before an advance and after it.
 struct VelocityChange {
     std::int32_t particle;
-    std::array<double, 2> before, after;
+    Vec before, after;
 };
 
 /// Keeps one entry for each particle whose velocity has changed. Above a maximum number of entries
@@ -27,8 +28,7 @@ class VelocityLog {
     bool is_open() const { return is_open_; }
 
     /// Records the next change of a particle.
-    void note(std::int32_t particle, const std::array<double, 2>& before,
-              const std::array<double, 2>& after);
+    void note(std::int32_t particle, const Vec& before, const Vec& after);
 
     /// Gives up the log, because velocities have changed without being recorded.
     void give_up() { is_open_ = false; }

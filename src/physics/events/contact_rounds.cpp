@@ -70,47 +70,56 @@ Scalar square_of(const std::vector<Scalar>& a) {
     return scalar_product(a, a);
 }
 
+// The velocity of the second of two participants relative to the first, along a normal.
+template <typename Scalar, std::size_t axes>
+Scalar opening_along(const std::array<Scalar, axes>& normal, const std::array<Scalar, axes>& first,
+                     const std::array<Scalar, axes>& second) {
+    Scalar speed = normal[0] * (second[0] - first[0]);
+    for (std::size_t k = 1; k < axes; ++k) speed += normal[k] * (second[k] - first[k]);
+    return speed;
+}
+
 }  // namespace
 
-template <typename Scalar>
-ContactRounds<Scalar>::ContactRounds(std::vector<Participant> participants,
-                                     std::vector<Contact> contacts, int bits)
+template <typename Scalar, std::size_t axes>
+ContactRounds<Scalar, axes>::ContactRounds(std::vector<Participant> participants,
+                                           std::vector<Contact> contacts, int bits)
     : participants_(std::move(participants)), contacts_(std::move(contacts)), bits_(bits) {
     for (const Participant& participant : participants_)
         for (const Scalar& v : participant.v) fastest_ = std::max(fastest_, magnitude_of(v));
 }
 
-template <typename Scalar>
-Scalar ContactRounds<Scalar>::opening_speed(std::size_t contact) const {
+template <typename Scalar, std::size_t axes>
+Scalar ContactRounds<Scalar, axes>::opening_speed(std::size_t contact) const {
     const Contact& c = contacts_[contact];
     const Vector &a = participants_[c.first].v, &b = participants_[c.second].v;
-    return c.normal[0] * (b[0] - a[0]) + c.normal[1] * (b[1] - a[1]);
+    return opening_along(c.normal, a, b);
 }
 
 // Velocities have the rounding errors of all that have been exchanged at this instant.
-template <typename Scalar>
-double ContactRounds<Scalar>::round_off(std::size_t contact) const {
+template <typename Scalar, std::size_t axes>
+double ContactRounds<Scalar, axes>::round_off(std::size_t contact) const {
     const Contact& c = contacts_[contact];
     double sum = fastest_;
-    for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t k = 0; k < axes; ++k)
         sum += magnitude_of(c.normal[k]) * (magnitude_of(participants_[c.first].v[k]) +
                                             magnitude_of(participants_[c.second].v[k]));
     return std::ldexp(sum, 3 - bits_);
 }
 
-template <typename Scalar>
-bool ContactRounds<Scalar>::approaches(std::size_t contact) const {
+template <typename Scalar, std::size_t axes>
+bool ContactRounds<Scalar, axes>::approaches(std::size_t contact) const {
     return static_cast<double>(opening_speed(contact)) < -round_off(contact);
 }
 
-template <typename Scalar>
-bool ContactRounds<Scalar>::recedes(std::size_t contact) const {
+template <typename Scalar, std::size_t axes>
+bool ContactRounds<Scalar, axes>::recedes(std::size_t contact) const {
     return static_cast<double>(opening_speed(contact)) > round_off(contact);
 }
 
 // The sets of approaching contacts that are connected by participants that can be pushed.
-template <typename Scalar>
-std::vector<std::vector<std::size_t>> ContactRounds<Scalar>::connected_sets() const {
+template <typename Scalar, std::size_t axes>
+std::vector<std::vector<std::size_t>> ContactRounds<Scalar, axes>::connected_sets() const {
     std::vector<std::size_t> root(participants_.size());
     std::iota(root.begin(), root.end(), std::size_t{0});
     const auto find = [&](std::size_t i) {
@@ -137,13 +146,13 @@ std::vector<std::vector<std::size_t>> ContactRounds<Scalar>::connected_sets() co
 
 // How much an impulse at contact b changes the opening speed of contact a: the scalar product of
 // their normals in the mass metric.
-template <typename Scalar>
-Scalar ContactRounds<Scalar>::coupling(std::size_t a, std::size_t b) const {
+template <typename Scalar, std::size_t axes>
+Scalar ContactRounds<Scalar, axes>::coupling(std::size_t a, std::size_t b) const {
     const Contact &p = contacts_[a], &q = contacts_[b];
     Scalar sum = as_precise_as(p.normal[0], 0.0);
     const auto add = [&](std::size_t i, std::size_t j, double sign) {
         if (i != j) return;
-        for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t k = 0; k < axes; ++k)
             sum += sign * participants_[i].inverse_mass[k] * p.normal[k] * q.normal[k];
     };
     add(p.first, q.first, 1.0);
@@ -154,8 +163,8 @@ Scalar ContactRounds<Scalar>::coupling(std::size_t a, std::size_t b) const {
 }
 
 // Whether the angle between the reflections is pi / n. Angles come from places in doubles.
-template <typename Scalar>
-bool ContactRounds<Scalar>::is_free_of_order(std::size_t a, std::size_t b) const {
+template <typename Scalar, std::size_t axes>
+bool ContactRounds<Scalar, axes>::is_free_of_order(std::size_t a, std::size_t b) const {
     constexpr double tolerance = 1e-12;
     constexpr double most = 1000.0;
     const double cosine =
@@ -167,8 +176,8 @@ bool ContactRounds<Scalar>::is_free_of_order(std::size_t a, std::size_t b) const
     return n <= most && std::abs(cosine - std::cos(std::numbers::pi / n)) < tolerance;
 }
 
-template <typename Scalar>
-bool ContactRounds<Scalar>::is_free_of_order(const std::vector<std::size_t>& set) const {
+template <typename Scalar, std::size_t axes>
+bool ContactRounds<Scalar, axes>::is_free_of_order(const std::vector<std::size_t>& set) const {
     const auto share = [&](std::size_t a, std::size_t b) {
         const Contact &p = contacts_[a], &q = contacts_[b];
         return p.first == q.first || p.first == q.second || p.second == q.first ||
@@ -180,12 +189,12 @@ bool ContactRounds<Scalar>::is_free_of_order(const std::vector<std::size_t>& set
     return true;
 }
 
-template <typename Scalar>
-void ContactRounds<Scalar>::push(std::size_t contact, const Scalar& impulse) {
+template <typename Scalar, std::size_t axes>
+void ContactRounds<Scalar, axes>::push(std::size_t contact, const Scalar& impulse) {
     const Contact& c = contacts_[contact];
     Participant &a = participants_[c.first], &b = participants_[c.second];
     Hit hit{contact, {a.v, b.v}, {}, impulse};
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < axes; ++k) {
         const Scalar change = impulse * c.normal[k];
         if (a.inverse_mass[k] > 0.0) a.v[k] -= a.inverse_mass[k] * change;
         if (b.inverse_mass[k] > 0.0) b.v[k] += b.inverse_mass[k] * change;
@@ -195,15 +204,18 @@ void ContactRounds<Scalar>::push(std::size_t contact, const Scalar& impulse) {
 }
 
 // Equal masses that meet along an axis exchange their velocities to the last bit.
-template <typename Scalar>
-void ContactRounds<Scalar>::reflect(std::size_t contact) {
+template <typename Scalar, std::size_t axes>
+void ContactRounds<Scalar, axes>::reflect(std::size_t contact) {
     const Contact& c = contacts_[contact];
     const Scalar impulse =
         -ContactRule::change(opening_speed(contact)) / coupling(contact, contact);
     push(contact, impulse);
     Participant &a = participants_[c.first], &b = participants_[c.second];
-    for (std::size_t k = 0; k < 2; ++k) {
-        if (c.normal[1 - k] != 0.0 || a.inverse_mass[k] != b.inverse_mass[k]) continue;
+    for (std::size_t k = 0; k < axes; ++k) {
+        bool is_along = true;
+        for (std::size_t other = 0; other < axes; ++other)
+            is_along = is_along && (other == k || c.normal[other] == 0.0);
+        if (!is_along || a.inverse_mass[k] != b.inverse_mass[k]) continue;
         Hit& hit = hits_.back();
         a.v[k] = hit.before[1][k];
         b.v[k] = hit.before[0][k];
@@ -211,8 +223,8 @@ void ContactRounds<Scalar>::reflect(std::size_t contact) {
     }
 }
 
-template <typename Scalar>
-void ContactRounds<Scalar>::reflect_together(const std::vector<std::size_t>& set) {
+template <typename Scalar, std::size_t axes>
+void ContactRounds<Scalar, axes>::reflect_together(const std::vector<std::size_t>& set) {
     constexpr std::size_t most_in_matrix = 100;
     std::vector<Scalar> right;
     for (const std::size_t contact : set)
@@ -224,9 +236,9 @@ void ContactRounds<Scalar>::reflect_together(const std::vector<std::size_t>& set
 }
 
 // The impulses that change the opening speeds of a set of contacts by `right`.
-template <typename Scalar>
-std::vector<Scalar> ContactRounds<Scalar>::impulses_by_matrix(const std::vector<std::size_t>& set,
-                                                              std::vector<Scalar> right) const {
+template <typename Scalar, std::size_t axes>
+std::vector<Scalar> ContactRounds<Scalar, axes>::impulses_by_matrix(
+    const std::vector<std::size_t>& set, std::vector<Scalar> right) const {
     std::vector<std::vector<Scalar>> matrix(set.size());
     for (std::size_t k = 0; k < set.size(); ++k)
         for (const std::size_t other : set) matrix[k].push_back(coupling(set[k], other));
@@ -234,8 +246,8 @@ std::vector<Scalar> ContactRounds<Scalar>::impulses_by_matrix(const std::vector<
 }
 
 // The same by conjugate gradients, which need no matrix: for sets of many thousand contacts.
-template <typename Scalar>
-std::vector<Scalar> ContactRounds<Scalar>::impulses_by_gradients(
+template <typename Scalar, std::size_t axes>
+std::vector<Scalar> ContactRounds<Scalar, axes>::impulses_by_gradients(
     const std::vector<std::size_t>& set, std::vector<Scalar> right) {
     std::vector<Scalar> impulses(set.size(), as_precise_as(right[0], 0.0));
     std::vector<Scalar> direction = right;
@@ -258,14 +270,16 @@ std::vector<Scalar> ContactRounds<Scalar>::impulses_by_gradients(
 }
 
 // How much impulses at a set of contacts change their opening speeds.
-template <typename Scalar>
-std::vector<Scalar> ContactRounds<Scalar>::changes_by(const std::vector<std::size_t>& set,
-                                                      const std::vector<Scalar>& impulses) const {
+template <typename Scalar, std::size_t axes>
+std::vector<Scalar> ContactRounds<Scalar, axes>::changes_by(
+    const std::vector<std::size_t>& set, const std::vector<Scalar>& impulses) const {
     const Scalar zero = as_precise_as(impulses[0], 0.0);
-    std::vector<Vector> pushed(participants_.size(), Vector{zero, zero});
+    Vector nothing;
+    nothing.fill(zero);
+    std::vector<Vector> pushed(participants_.size(), nothing);
     for (std::size_t k = 0; k < set.size(); ++k) {
         const Contact& c = contacts_[set[k]];
-        for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (std::size_t axis = 0; axis < axes; ++axis) {
             const Scalar part = impulses[k] * c.normal[axis];
             pushed[c.first][axis] -= participants_[c.first].inverse_mass[axis] * part;
             pushed[c.second][axis] += participants_[c.second].inverse_mass[axis] * part;
@@ -275,13 +289,13 @@ std::vector<Scalar> ContactRounds<Scalar>::changes_by(const std::vector<std::siz
     for (const std::size_t contact : set) {
         const Contact& c = contacts_[contact];
         const Vector &a = pushed[c.first], &b = pushed[c.second];
-        changes.push_back(c.normal[0] * (b[0] - a[0]) + c.normal[1] * (b[1] - a[1]));
+        changes.push_back(opening_along(c.normal, a, b));
     }
     return changes;
 }
 
-template <typename Scalar>
-bool ContactRounds<Scalar>::run() {
+template <typename Scalar, std::size_t axes>
+bool ContactRounds<Scalar, axes>::run() {
     for (int round = 0; round < most_rounds; ++round) {
         const auto sets = connected_sets();
         if (sets.empty()) return true;
@@ -297,8 +311,8 @@ bool ContactRounds<Scalar>::run() {
     return false;
 }
 
-template <typename Scalar>
-bool ContactRounds<Scalar>::lead_back_to(const std::vector<Participant>& start) const {
+template <typename Scalar, std::size_t axes>
+bool ContactRounds<Scalar, axes>::lead_back_to(const std::vector<Participant>& start) const {
     constexpr double tolerance = 1e-6;
     ContactRounds back = *this;
     double fastest = 0.0;
@@ -309,14 +323,16 @@ bool ContactRounds<Scalar>::lead_back_to(const std::vector<Participant>& start) 
         }
     if (!back.run()) return false;
     for (std::size_t i = 0; i < start.size(); ++i)
-        for (std::size_t k = 0; k < 2; ++k)
+        for (std::size_t k = 0; k < axes; ++k)
             if (magnitude_of(Scalar(back.participants_[i].v[k] + start[i].v[k])) >
                 tolerance * fastest)
                 return false;
     return true;
 }
 
-template class ContactRounds<double>;
-template class ContactRounds<Real>;
+template class ContactRounds<double, 2>;
+template class ContactRounds<double, 3>;
+template class ContactRounds<Real, 2>;
+template class ContactRounds<Real, 3>;
 
 }  // namespace carom

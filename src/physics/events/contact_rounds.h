@@ -5,7 +5,8 @@
 // at once, in the mass metric. Rounds repeat until no contact approaches. Energy and momentum are
 // conserved, and the result does not depend on the order of the contacts.
 //
-// For doubles and for multiprecision. Independent of positions, box and clock.
+// For doubles and for multiprecision, in the plane (and on a line) and in space. Independent of
+// positions, box and clock.
 #pragma once
 
 #include <array>
@@ -14,16 +15,21 @@
 
 namespace carom {
 
-template <typename Scalar>
+/// `axes`: number of components of velocities and normals.
+template <typename Scalar, std::size_t axes>
 class ContactRounds {
   public:
-    using Vector = std::array<Scalar, 2>;
+    using Vector = std::array<Scalar, axes>;
 
     /// A particle, or a surface.
     struct Participant {
         Vector v;
-        std::array<double, 2> inverse_mass;  ///< along each axis; 0 if it is not pushed along it
-        bool can_be_pushed() const { return inverse_mass[0] + inverse_mass[1] > 0.0; }
+        std::array<double, axes> inverse_mass;  ///< along each axis; 0 if it is not pushed along it
+        bool can_be_pushed() const {
+            double sum = 0.0;
+            for (const double w : inverse_mass) sum += w;
+            return sum > 0.0;
+        }
     };
     /// Two participants that touch; `normal` has the length 1 and points from the first to the
     /// second.

@@ -6,6 +6,7 @@ namespace carom {
 
 template class EventLoop<1>;
 template class EventLoop<2>;
+template class EventLoop<3>;
 template class EventLoop<1, double, true>;
 template class EventLoop<2, double, true>;
 

@@ -1,8 +1,8 @@
-// The event loop of hard particles, disks in the plane or beads on a line: advances them from one
-// event to the next. Each particle has its own local time, up to which it has been moved; an event
-// touches only the particles that collide. The same source serves doubles and multiprecision
-// (multiprecision.h). The loop does not know about runs, reversals at given times or placement
-// (simulation.h), nor about neighbour search (plane.h, mp_plane.h, line.h).
+// The event loop of hard particles, spheres in space, disks in the plane or beads on a line:
+// advances them from one event to the next. Each particle has its own local time, up to which it
+// has been moved; an event touches only the particles that collide. The same source serves doubles
+// and multiprecision (multiprecision.h). The loop does not know about runs, reversals at given
+// times or placement (simulation.h), nor about neighbour search (plane.h, mp_space.h, line.h).
 //
 // A particle's next event is the earliest of its contact with another particle, its contact with a
 // wall, and its crossing of a cell border. It may predict a contact with a particle whose own next
@@ -31,7 +31,7 @@
 #include "physics/events/local_clock.h"
 #include "physics/line/line.h"
 #include "physics/multiprecision/mp_event_queue.h"
-#include "physics/multiprecision/mp_plane.h"
+#include "physics/multiprecision/mp_space.h"
 #include "physics/particles.h"
 #include "physics/plane/plane.h"
 #include "physics/run.h"
@@ -89,8 +89,7 @@ class EventLoop {
     /// Displaces a particle at `time`, which is restricted as for reverse(), by lengths given in
     /// decimal, and predicts all events again. Returns the particle or wall that it would overlap,
     /// if any.
-    std::optional<Partner> displace(std::int64_t particle, const std::array<std::string, 2>& by,
-                                    double time);
+    std::optional<Partner> displace(std::int64_t particle, const Displacement& by, double time);
 
     /// Writes the state at `time`, which must not lie before the last event processed nor after the
     /// next one, to `state`. Periodic coordinates lie in [0, size). Does not change the particles.
@@ -147,18 +146,31 @@ class EventLoop {
 
   private:
     static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
-    using Disks = std::conditional_t<of_doubles, Plane, MpPlane>;
-    using PlainGeometry = std::conditional_t<Dimension == 1, Line<Scalar>, Disks>;
+    /// Components of vectors: a line uses the first of two.
+    static constexpr std::size_t axes = Dimension == 3 ? 3 : 2;
+    static constexpr int cells_dimension = static_cast<int>(axes);
+    using Vector = std::array<Scalar, axes>;
+    using Shift = std::array<double, axes>;
+    using Space =
+        std::conditional_t<of_doubles, PlainSpace<cells_dimension>, MpSpace<cells_dimension>>;
+    using PlainGeometry = std::conditional_t<Dimension == 1, Line<Scalar>, Space>;
     using OpenGeometry = std::conditional_t<Dimension == 1, OpenLine<Scalar>, OpenPlane<Scalar>>;
     using Geometry = std::conditional_t<has_surfaces, OpenGeometry, PlainGeometry>;
     using Queue = std::conditional_t<of_doubles, EventQueue, MpEventQueue>;
     using Clock = std::conditional_t<of_doubles, LocalClock, MpClock>;
     using Body = typename Geometry::Body;
-    /// In a plane of doubles there can be so many disks that memory access is slow.
-    static constexpr bool is_large = of_doubles && Dimension == 2;
+    /// In boxes of doubles there can be so many bodies that memory access is slow.
+    static constexpr bool is_large = of_doubles && Dimension >= 2;
 
     Body& body(std::int32_t i) { return bodies_[static_cast<std::size_t>(i)]; }
     std::int32_t number_of(std::int32_t i) const { return number_[static_cast<std::size_t>(i)]; }
+
+    /// A vector of zeros in the precision of the loop.
+    Vector no_vector() const {
+        Vector vector;
+        vector.fill(with_bits(0.0));
+        return vector;
+    }
 
     /// Converts a double to the scalar type and precision of the loop.
     Scalar with_bits(double value) const {
@@ -182,7 +194,7 @@ class EventLoop {
     bool collide(std::int32_t first, std::int32_t second, Collision* collision);
     void bounce(std::int32_t i, int side, Collision* collision);
     bool hit(std::int32_t i, const Prediction& event, Collision* collision);
-    void note_velocity(std::int32_t i, const std::array<double, 2>& before);
+    void note_velocity(std::int32_t i, const Vec& before);
     void process_surface_event(std::size_t k);
     void look_for_hits(std::size_t k);
     std::int32_t events_of_surfaces() const;
@@ -202,27 +214,28 @@ class EventLoop {
     struct ClosedContact {
         std::int32_t first, second;
         bool is_pair;
-        std::array<Scalar, 2> normal;  ///< of length 1, from the first to the second
-        double distance;               ///< of the centres, or of the centre from the wall
-        double sigma;                  ///< what that should be
+        Vector normal;    ///< of length 1, from the first to the second
+        double distance;  ///< of the centres, or of the centre from the wall
+        double sigma;     ///< what that should be
     };
     /// Body b relative to body a, and the largest coordinate, whose rounding error matters.
     struct Between {
-        std::array<Scalar, 2> r, v;
+        Vector r, v;
         double furthest;
     };
-    using Participant = typename ContactRounds<Scalar>::Participant;
+    using AllContacts = ContactRounds<Scalar, axes>;
+    using Participant = typename AllContacts::Participant;
     /// Contacts with their participants, and the place of each body and surface among these.
     struct Rounds {
-        ContactRounds<Scalar> rounds;
+        AllContacts rounds;
         std::vector<std::pair<std::int32_t, std::size_t>> bodies, surfaces;
     };
     // event_loop_contacts.h
     double margin_of_instants() const;
     bool is_closed(const Scalar& gap, const Scalar& speed, double length) const;
-    Between between(std::int32_t i, std::int32_t j, const std::array<double, 2>& shift);
-    std::optional<ClosedContact> closed_pair(std::int32_t i, std::int32_t j,
-                                             const std::array<double, 2>& shift, int side);
+    Between between(std::int32_t i, std::int32_t j, const Shift& shift);
+    std::optional<ClosedContact> closed_pair(std::int32_t i, std::int32_t j, const Shift& shift,
+                                             int side);
     std::optional<ClosedContact> closed_side(std::int32_t i, std::size_t axis, bool up);
     std::optional<ClosedContact> closed_barrier(std::int32_t i, std::int32_t k);
     std::vector<ClosedContact> closed_contacts_of(std::int32_t i);
@@ -243,18 +256,17 @@ class EventLoop {
     Participant participant_of(std::int32_t i);
     Participant surface_participant(const ClosedContact& contact);
     Rounds rounds_of(const std::vector<ClosedContact>& contacts);
-    bool is_tie(const ContactRounds<Scalar>& rounds, bool is_random) const;
+    bool is_tie(const AllContacts& rounds, bool is_random) const;
     bool settle_instant(std::int32_t i, std::int32_t j, bool is_random, Collision* collision);
     void count_tie(std::size_t contacts);
-    void set_velocity(std::int32_t i, const std::array<Scalar, 2>& before,
-                      const std::array<Scalar, 2>& after);
-    void carry_out(const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit);
+    void set_velocity(std::int32_t i, const Vector& before, const Vector& after);
+    void carry_out(const ClosedContact& contact, const typename AllContacts::Hit& hit);
     void count_pair(const ClosedContact& contact, double impulse);
-    void count_hit(const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit);
+    void count_hit(const ClosedContact& contact, const typename AllContacts::Hit& hit);
     void note_touching(const std::vector<ClosedContact>& contacts, const Rounds& found);
     void follow_up(const std::array<std::int32_t, 2>& of_event, const Rounds& found,
                    const std::vector<Participant>& start);
-    void push_surface(std::size_t k, const std::array<Scalar, 2>& v);
+    void push_surface(std::size_t k, const Vector& v);
 
     Box box_;
     typename Geometry::Bodies bodies_;
@@ -284,8 +296,10 @@ class EventLoop {
 
 extern template class EventLoop<1>;
 extern template class EventLoop<2>;
+extern template class EventLoop<3>;
 extern template class EventLoop<1, Real>;
 extern template class EventLoop<2, Real>;
+extern template class EventLoop<3, Real>;
 extern template class EventLoop<1, double, true>;
 extern template class EventLoop<2, double, true>;
 extern template class EventLoop<1, Real, true>;

@@ -40,9 +40,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::is_closed(const Scalar& gap, co
 
 template <int Dimension, typename Scalar, bool has_surfaces>
 auto EventLoop<Dimension, Scalar, has_surfaces>::between(std::int32_t i, std::int32_t j,
-                                                         const std::array<double, 2>& shift)
-    -> Between {
-    Between all{{with_bits(0.0), with_bits(0.0)}, {with_bits(0.0), with_bits(0.0)}, 0.0};
+                                                         const Shift& shift) -> Between {
+    Between all{no_vector(), no_vector(), 0.0};
     const Body &a = body(i), &b = body(j);
     for (std::size_t k = 0; k < Dimension; ++k) {
         const Scalar from = position_at(a, k, now_), to = position_at(b, k, now_);
@@ -57,8 +56,7 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::between(std::int32_t i, std::in
 // Empty if the two do not touch. `side` as in Line::for_each_neighbour().
 template <int Dimension, typename Scalar, bool has_surfaces>
 auto EventLoop<Dimension, Scalar, has_surfaces>::closed_pair(std::int32_t i, std::int32_t j,
-                                                             const std::array<double, 2>& shift,
-                                                             int side)
+                                                             const Shift& shift, int side)
     -> std::optional<ClosedContact> {
     using std::sqrt;
     const auto first = geometry_.properties(bodies_, static_cast<std::size_t>(i)),
@@ -73,13 +71,15 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::closed_pair(std::int32_t i, std
     if (square > 1.001 * (sigma * sigma) + 1e-12 * (size * size)) [[likely]]
         return {};
     if (!(first.inverse_mass + second.inverse_mass > 0.0)) return {};
-    if (Dimension == 2 && !(sigma > 0.0)) return {};
+    if (Dimension > 1 && !(sigma > 0.0)) return {};
     const auto [r, v, furthest] = between(i, j, shift);
     const Scalar distance =
-        Dimension == 1 ? Scalar(double(side) * r[0]) : Scalar(sqrt(r[0] * r[0] + r[1] * r[1]));
-    std::array<Scalar, 2> normal{with_bits(side), with_bits(0.0)};
-    if constexpr (Dimension == 2) normal = {r[0] / distance, r[1] / distance};
-    const Scalar speed = normal[0] * v[0] + normal[1] * v[1];
+        Dimension == 1 ? Scalar(double(side) * r[0]) : Scalar(sqrt(scalar_product(r, r)));
+    Vector normal = no_vector();
+    normal[0] = with_bits(side);
+    if constexpr (Dimension > 1)
+        for (std::size_t k = 0; k < Dimension; ++k) normal[k] = r[k] / distance;
+    const Scalar speed = scalar_product(normal, v);
     if (!is_closed(distance - sigma, speed, std::max(sigma, furthest) + sigma)) return {};
     return ClosedContact{i, j, true, normal, static_cast<double>(distance), sigma};
 }
@@ -96,7 +96,7 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::closed_side(std::int32_t i, std
     const Scalar x = position_at(b, axis, now_);
     const Scalar gap = (up ? Scalar(size - x) : x) - radius;
     if (!is_closed(gap, b.v[axis], size)) return {};
-    std::array<Scalar, 2> normal{with_bits(0.0), with_bits(0.0)};
+    Vector normal = no_vector();
     normal[axis] = with_bits(up ? 1.0 : -1.0);
     return ClosedContact{
         i, static_cast<std::int32_t>(2 * axis) + (up ? 1 : 0), false, normal, radius, radius};

@@ -47,7 +47,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::may_coincide_until(double until
 template <int Dimension, typename Scalar, bool has_surfaces>
 auto EventLoop<Dimension, Scalar, has_surfaces>::participant_of(std::int32_t i) -> Participant {
     const double w = geometry_.properties(bodies_, static_cast<std::size_t>(i)).inverse_mass;
-    Participant body_itself{{with_bits(0.0), with_bits(0.0)}, {w, w}};
+    Participant body_itself{no_vector(), {}};
+    body_itself.inverse_mass.fill(w);
     for (std::size_t a = 0; a < Dimension; ++a) body_itself.v[a] = velocity_at(body(i), a, now_);
     return body_itself;
 }
@@ -55,7 +56,7 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::participant_of(std::int32_t i) 
 template <int Dimension, typename Scalar, bool has_surfaces>
 auto EventLoop<Dimension, Scalar, has_surfaces>::surface_participant(const ClosedContact& contact)
     -> Participant {
-    Participant surface{{with_bits(0.0), with_bits(0.0)}, {0.0, 0.0}};
+    Participant surface{no_vector(), {}};
     if constexpr (has_surfaces) {
         const auto& surfaces = geometry_.surfaces();
         surface.v = surfaces.velocity_of(surfaces.barrier(contact.second), now_);
@@ -72,7 +73,7 @@ template <int Dimension, typename Scalar, bool has_surfaces>
 auto EventLoop<Dimension, Scalar, has_surfaces>::rounds_of(
     const std::vector<ClosedContact>& contacts) -> Rounds {
     std::vector<Participant> participants;
-    std::vector<typename ContactRounds<Scalar>::Contact> among;
+    std::vector<typename AllContacts::Contact> among;
     std::map<std::int32_t, std::size_t> bodies, surfaces;
     const auto place_in = [&](auto& places, std::int32_t key, const auto& make) {
         const auto [place, is_new] = places.try_emplace(key, participants.size());
@@ -90,7 +91,7 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::rounds_of(
                                                   [&] { return surface_participant(contact); });
         among.push_back({first, second, contact.normal});
     }
-    return {ContactRounds<Scalar>(std::move(participants), std::move(among), bits_),
+    return {AllContacts(std::move(participants), std::move(among), bits_),
             {bodies.begin(), bodies.end()},
             {surfaces.begin(), surfaces.end()}};
 }
@@ -98,7 +99,7 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::rounds_of(
 // Whether there are several contacts to carry out at once: not if one approaches and all others
 // have just been carried out.
 template <int Dimension, typename Scalar, bool has_surfaces>
-bool EventLoop<Dimension, Scalar, has_surfaces>::is_tie(const ContactRounds<Scalar>& rounds,
+bool EventLoop<Dimension, Scalar, has_surfaces>::is_tie(const AllContacts& rounds,
                                                         bool is_random) const {
     const std::size_t count = rounds.contacts().size();
     std::size_t approaching = 0, receding = 0;
@@ -149,16 +150,15 @@ void EventLoop<Dimension, Scalar, has_surfaces>::count_tie(std::size_t contacts)
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::set_velocity(std::int32_t i,
-                                                              const std::array<Scalar, 2>& before,
-                                                              const std::array<Scalar, 2>& after) {
+void EventLoop<Dimension, Scalar, has_surfaces>::set_velocity(std::int32_t i, const Vector& before,
+                                                              const Vector& after) {
     for (std::size_t a = 0; a < Dimension; ++a) body(i).v[a] = after[a];
-    if (velocities_) note_velocity(i, in_doubles(before));
+    if (velocities_) note_velocity(i, as_vec(before));
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(
-    const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit) {
+void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(const ClosedContact& contact,
+                                                           const typename AllContacts::Hit& hit) {
     set_velocity(contact.first, hit.before[0], hit.after[0]);
     if (contact.is_pair) set_velocity(contact.second, hit.before[1], hit.after[1]);
     const Vec place = as_vec(body(contact.first).x);
@@ -189,8 +189,8 @@ void EventLoop<Dimension, Scalar, has_surfaces>::count_pair(const ClosedContact&
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::count_hit(
-    const ClosedContact& contact, const typename ContactRounds<Scalar>::Hit& hit) {
+void EventLoop<Dimension, Scalar, has_surfaces>::count_hit(const ClosedContact& contact,
+                                                           const typename AllContacts::Hit& hit) {
     const std::int32_t surface = surface_touched(contact);
     at_once_.back().second = Partner::of_surface(surface);
     ++counts_.wall;
@@ -251,8 +251,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::follow_up(
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::push_surface(std::size_t k,
-                                                              const std::array<Scalar, 2>& v) {
+void EventLoop<Dimension, Scalar, has_surfaces>::push_surface(std::size_t k, const Vector& v) {
     if constexpr (has_surfaces) {
         auto& surfaces = geometry_.surfaces();
         surfaces.push(k, v[surfaces.mover(k).axis], now_);

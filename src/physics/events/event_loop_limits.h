@@ -24,7 +24,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::move_on_to(const Scalar& time,
 
 // Initial states with touching particles cause some events at time 0, but far fewer than this
 // bound. Times count as one instant if they are equal as doubles: with many bits, the events of
-// disks that are being crushed could go on almost without end at ever closer but distinct times.
+// bodies that are being crushed could go on almost without end at ever closer but distinct times.
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::refuse_to_stall(std::optional<std::int32_t> i) {
     const auto bound = 1'000'000 + 100 * static_cast<std::int64_t>(bodies_.size());
@@ -41,7 +41,10 @@ void EventLoop<Dimension, Scalar, has_surfaces>::refuse_endless(std::optional<st
         fmt::format(
             "{} collide without end at t = {:g}: they fill the box along a line, or are squeezed "
             "between infinite or far heavier masses{}",
-            Dimension == 1 ? "beads" : "disks", clock_.absolute(now_),
+            Dimension == 1   ? "beads"
+            : Dimension == 2 ? "disks"
+                             : "spheres",
+            clock_.absolute(now_),
             falls ? ", or lie without velocity on an obstacle, a piston or one another" : ""),
         i ? std::optional(number_of(*i)) : std::nullopt);
 }

@@ -19,12 +19,12 @@
 #include "physics/events/event_loop_samples.h"
 #include "physics/events/event_loop_surfaces.h"
 #include "physics/events/event_loop_vectors.h"
-#include "physics/multiprecision/disk_overlap.h"
+#include "physics/multiprecision/body_overlap.h"
 #include "util/interrupt.h"
 
 namespace carom {
 
-// A cycle covers about eight events of each disk; neighbours need a few cycles to separate.
+// A cycle covers about eight events of each body; neighbours need a few cycles to separate.
 inline constexpr int cycles_between_sorts = 2;
 
 // Sets a pointer for the lifetime of this object.
@@ -186,8 +186,9 @@ void EventLoop<Dimension, Scalar, has_surfaces>::reverse(double time) {
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::displace(
-    std::int64_t particle, const std::array<std::string, 2>& by, double time) {
+std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::displace(std::int64_t particle,
+                                                                            const Displacement& by,
+                                                                            double time) {
     move_epoch_to(clock_.local(time));
     const auto moved = static_cast<std::size_t>(
         std::find(number_.begin(), number_.end(), static_cast<std::int32_t>(particle)) -
@@ -200,7 +201,7 @@ std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::displace(
             b.x[a] += Real::from_text(by[a], bits_);
     }
     const auto obstacle = overlapped(moved);
-    if constexpr (Dimension == 2) {
+    if constexpr (Dimension > 1) {
         for (std::size_t a = 0; a < Dimension; ++a) {
             const double size = box_.length(a);
             if (!box_.is_periodic(a)) continue;
@@ -237,7 +238,7 @@ std::optional<Partner> EventLoop<Dimension, Scalar, has_surfaces>::overlapped(
         const auto k = geometry_.overlapped(bodies_, static_cast<std::int32_t>(moved), now_, slack);
         return k ? std::optional<Partner>(number_of(*k)) : std::nullopt;
     } else {
-        const auto k = disk_overlapped(geometry_, bodies_, moved, box_, slack);
+        const auto k = body_overlapped(geometry_, bodies_, moved, box_, slack);
         return k ? std::optional<Partner>(number_[*k]) : std::nullopt;
     }
 }
@@ -399,8 +400,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
     impulses_.virial += contact.virial;
     impulses_.largest_overlap = std::max(impulses_.largest_overlap, contact.overlap);
     if (velocities_) {
-        note_velocity(first, in_two(first_before));
-        note_velocity(second, in_two(second_before));
+        note_velocity(first, as_vec(first_before));
+        note_velocity(second, as_vec(second_before));
     }
     if (collision) {
         const Vec position = as_vec(a.x);
@@ -418,10 +419,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::collide(std::int32_t first, std
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::note_velocity(
-    std::int32_t i, const std::array<double, 2>& before) {
-    if (velocities_->is_open())
-        velocities_->note(number_of(i), before, in_two(in_doubles(body(i).v)));
+void EventLoop<Dimension, Scalar, has_surfaces>::note_velocity(std::int32_t i, const Vec& before) {
+    if (velocities_->is_open()) velocities_->note(number_of(i), before, as_vec(body(i).v));
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
@@ -438,7 +437,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::bounce(std::int32_t i, int side
     body_has_changed(b);
     ++b.collisions;
     ++counts_.wall;
-    if (velocities_) note_velocity(i, in_two(before));
+    if (velocities_) note_velocity(i, as_vec(before));
     if (!collision) return;
     const Vec position = as_vec(b.x);
     Vec contact = position;

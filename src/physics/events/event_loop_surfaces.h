@@ -265,7 +265,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_
         const bool are_finite =
             std::ranges::none_of(bodies_, [](const Body& b) { return b.inverse_mass == 0.0; });
         Scalar mass = with_bits(0.0), mass_of_all = with_bits(0.0), energy = with_bits(0.0);
-        std::array<Scalar, 2> mean{with_bits(0.0), with_bits(0.0)}, mean_of_all = mean;
+        Vector mean = no_vector(), mean_of_all = mean;
         double count = 0.0;
         for (const Body& b : bodies_) {
             if (b.inverse_mass == 0.0) continue;

@@ -1,4 +1,4 @@
-// Positions and velocities of the event loop as records hold them: in doubles, with two components.
+// Positions and velocities of the event loop as records hold them: in doubles.
 #pragma once
 
 #include <array>
@@ -20,12 +20,6 @@ std::array<double, Dimension> in_doubles(const std::array<Scalar, Dimension>& x)
     std::array<double, Dimension> values;
     for (std::size_t a = 0; a < Dimension; ++a) values[a] = static_cast<double>(x[a]);
     return values;
-}
-
-// Converts to two components; on a line the second is 0.
-template <std::size_t Dimension>
-std::array<double, 2> in_two(const std::array<double, Dimension>& v) {
-    return {v[0], Dimension == 1 ? 0.0 : v[Dimension - 1]};
 }
 
 }  // namespace carom

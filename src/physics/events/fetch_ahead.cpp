@@ -44,17 +44,18 @@ void FetchAhead<Geometry>::look_ahead(const Bodies& bodies, EventQueue& queue) {
 template <typename Geometry>
 void FetchAhead<Geometry>::fetch(const Bodies& bodies, Geometry& plane, EventQueue& queue) {
     const std::uint32_t k = begin_++;
-    plane.fetch_disk_ahead(bodies, coming(k));
+    plane.fetch_body_ahead(bodies, coming(k));
     const std::int32_t second = coming(k - partner_after);
     const std::int32_t partner = Geometry::partner_ahead(bodies, second, queue.time(second));
-    plane.fetch_disk_ahead(bodies, partner);
+    plane.fetch_body_ahead(bodies, partner);
     queue.fetch(partner);
     const std::int32_t third = coming(k - cells_after), last = coming(k - neighbours_after);
     plane.fetch_cells_ahead(bodies, third, queue.time(third));
     plane.fetch_neighbours_ahead(bodies, last, queue.time(last));
 }
 
-template class FetchAhead<Plane>;
+template class FetchAhead<PlainSpace<2>>;
+template class FetchAhead<PlainSpace<3>>;
 template class FetchAhead<OpenPlane<double>>;
 
 }  // namespace carom

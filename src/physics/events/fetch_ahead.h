@@ -1,6 +1,6 @@
-// Prefetching: if there are many disks, most are not in a nearby cache. The event queue knows which
-// disks have the next events, so the data needed for these are prefetched in time and in stages,
-// each stage after the data of the previous one have arrived. Does not change any result.
+// Prefetching: if there are many bodies, most are not in a nearby cache. The event queue knows
+// which bodies have the next events, so the data needed for these are prefetched in time and in
+// stages, each stage after the data of the previous one have arrived. Does not change any result.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@
 
 namespace carom {
 
-/// For planes whose neighbour search is a PairSearch; for other geometries the class exists but its
+/// For boxes whose neighbour search is a PairSearch; for other geometries the class exists but its
 /// functions are not used.
 template <typename Geometry>
 class FetchAhead {
   public:
     using Bodies = typename Geometry::Bodies;
 
-    /// To be called for each event. Does nothing for a few disks, which stay in the caches.
+    /// To be called for each event. Does nothing for a few bodies, which stay in the caches.
     void step(const Bodies& bodies, Geometry& plane, EventQueue& queue) {
         if (bodies.size() >= least) ask(bodies, plane, queue);
     }
@@ -28,17 +28,18 @@ class FetchAhead {
   private:
     static constexpr std::size_t least = 32768;
 
-    void look_ahead(const Bodies& bodies, EventQueue& queue);  ///< adds the disks of the next
+    void look_ahead(const Bodies& bodies, EventQueue& queue);  ///< adds the bodies of the next
                                                                ///< events to the ring
     void fetch(const Bodies& bodies, Geometry& plane, EventQueue& queue);
     void ask(const Bodies& bodies, Geometry& plane, EventQueue& queue);
     std::int32_t& coming(std::uint32_t k) { return coming_[k % coming_.size()]; }
 
-    std::array<std::int32_t, 64> coming_{};  ///< ring buffer of the disks of the next events
+    std::array<std::int32_t, 64> coming_{};  ///< ring buffer of the bodies of the next events
     std::uint32_t begin_ = 0, end_ = 0;      ///< range that is still to be prefetched
 };
 
-extern template class FetchAhead<Plane>;
+extern template class FetchAhead<PlainSpace<2>>;
+extern template class FetchAhead<PlainSpace<3>>;
 extern template class FetchAhead<OpenPlane<double>>;
 
 }  // namespace carom

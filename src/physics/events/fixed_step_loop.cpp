@@ -110,7 +110,7 @@ void FixedStepLoop::collide(std::int32_t first, std::int32_t second,
     if (distance >= sigma || distance == 0.0) return;
     const Vec first_before = velocity(first), second_before = velocity(second);
     const Vec relative = second_before - first_before;
-    const RelativeMotion<double> motion{apart[0], apart[1], relative[0], relative[1]};
+    const RelativeMotion<double> motion{{apart[0], apart[1]}, {relative[0], relative[1]}};
     const double first_w = particles_.inverse_mass[first],
                  second_w = particles_.inverse_mass[second];
     if (dot(apart, relative) >= 0.0 || first_w + second_w == 0.0) return;
@@ -134,8 +134,8 @@ void FixedStepLoop::reverse(double time) {
 }
 
 // Particles may overlap afterwards, as they may at the end of a step.
-std::optional<Partner> FixedStepLoop::displace(std::int64_t particle,
-                                               const std::array<std::string, 2>& by, double time) {
+std::optional<Partner> FixedStepLoop::displace(std::int64_t particle, const Displacement& by,
+                                               double time) {
     move_to(time);
     first_ = time;
     steps_ = 0;

@@ -15,6 +15,7 @@
 #include "physics/box.h"
 #include "physics/collision/velocity_changes.h"
 #include "physics/particles.h"
+#include "physics/run.h"
 #include "physics/surfaces/surface_error.h"
 
 namespace carom {
@@ -32,8 +33,7 @@ class FixedStepLoop {
     void advance(double time, std::vector<Collision>* record, const TimeCallback& on_progress = {},
                  VelocityLog* velocities = nullptr);
     void reverse(double time);
-    std::optional<Partner> displace(std::int64_t particle, const std::array<std::string, 2>& by,
-                                    double time);
+    std::optional<Partner> displace(std::int64_t particle, const Displacement& by, double time);
     void sample(double time, Sample& state) const;
     Sample sample_of_positions(double time) const;
     Sample sample_of_velocities(double time) const { return {time, {}, now_.velocity}; }

@@ -7,6 +7,7 @@ namespace carom {
 
 template class EventLoop<1, Real>;
 template class EventLoop<2, Real>;
+template class EventLoop<3, Real>;
 template class EventLoop<1, Real, true>;
 template class EventLoop<2, Real, true>;
 

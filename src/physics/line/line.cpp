@@ -160,7 +160,7 @@ std::optional<std::int32_t> Line<Scalar, BodyType>::overlapped(const Bodies& bod
 
 template class Line<double>;
 template class Line<Real>;
-template class Line<double, FallingDisk<double>>;
-template class Line<Real, FallingDisk<Real>>;
+template class Line<double, FallingBody<double>>;
+template class Line<Real, FallingBody<Real>>;
 
 }  // namespace carom

@@ -125,7 +125,7 @@ class Line : public PlainBodies<BodyType> {
 
 extern template class Line<double>;
 extern template class Line<Real>;
-extern template class Line<double, FallingDisk<double>>;
-extern template class Line<Real, FallingDisk<Real>>;
+extern template class Line<double, FallingBody<double>>;
+extern template class Line<Real, FallingBody<Real>>;
 
 }  // namespace carom

@@ -10,45 +10,62 @@ namespace {
 
 constexpr double wider = 1.0 + 1e-9;  // so that round-off never leaves a cell too narrow
 
+// The edge of a square or a cube with this content.
+template <int Dimension>
+double edge_of(double content) {
+    return Dimension == 2 ? std::sqrt(content) : std::cbrt(content);
+}
+
+// x^n.
+double power(double x, int n) { return n == 0 ? 1.0 : x * power(x, n - 1); }
+
 // Lower limit of the cell size: smaller cells would mostly be empty and cause more crossings. In
 // dilute gases crossings outnumber collisions and wide cells can overlap, so larger cells are
 // better there. Tuned by counting instructions.
-double least_cell(double area, double count, double diameter) {
-    const double one_each = std::sqrt(area / std::max(count, 4.0));
+template <int Dimension>
+double least_cell(double content, double count, double diameter) {
+    const double one_each = edge_of<Dimension>(content / std::max(count, 4.0));
     const double cells_per_particle = one_each > 1.75 * diameter ? 1.0 : 1.25;
-    return one_each / std::sqrt(cells_per_particle);
+    return one_each / edge_of<Dimension>(cells_per_particle);
 }
 
 // Estimated number of cells and pairs examined per unit of time, in arbitrary units, if disks with
 // radii up to `small` are in the fine grid. Larger disks have more neighbours and search more
 // cells, in proportion to their size.
-double expected_work(const Eigen::ArrayXd& radii, double small, double area) {
+template <int Dimension>
+double expected_work(const Eigen::ArrayXd& radii, double small, double content) {
+    const double around = power(3.0, Dimension);  // a cell and its neighbours
     const auto larger = (radii > small).cast<double>();
     const double large_count = larger.sum();
     const double small_count = static_cast<double>(radii.size()) - large_count;
     const double cell =
-        std::max(2.0 * small, least_cell(area, static_cast<double>(radii.size()), 2.0 * small));
+        std::max(2.0 * small,
+                 least_cell<Dimension>(content, static_cast<double>(radii.size()), 2.0 * small));
     const double coarse = std::max(2.0 * radii.maxCoeff(), cell);
-    const double in_cell = small_count * std::min(1.0, cell * cell / area);
-    const double in_coarse = large_count * std::min(1.0, coarse * coarse / area);
-    const double look_at_large = large_count > 0.0 ? 9.0 + 9.0 * in_coarse : 0.0;
-    const double per_small = 9.0 + 9.0 * in_cell + look_at_large;
+    const double in_cell = small_count * std::min(1.0, power(cell, Dimension) / content);
+    const double in_coarse = large_count * std::min(1.0, power(coarse, Dimension) / content);
+    const double look_at_large = large_count > 0.0 ? around + around * in_coarse : 0.0;
+    const double per_small = around + around * in_cell + look_at_large;
     const Eigen::ArrayXd ratio = radii / cell;
-    const Eigen::ArrayXd ring = 9.0 + 6.0 * std::numbers::pi * ratio;
+    // Three cells thick: three times the circumference or the surface.
+    const Eigen::ArrayXd ring =
+        Dimension == 2 ? Eigen::ArrayXd(around + 6.0 * std::numbers::pi * ratio)
+                       : Eigen::ArrayXd(around + 12.0 * std::numbers::pi * ratio.square());
     const double large_work =
         (larger * (1.0 + ratio) * (ring * (1.0 + in_cell) + look_at_large)).sum();
     return small_count * per_small + large_work;
 }
 
-double choose_small_radius(const Eigen::ArrayXd& radii, double area) {
+template <int Dimension>
+double choose_small_radius(const Eigen::ArrayXd& radii, double content) {
     const double largest = radii.maxCoeff();
     double best = largest;
-    double least_work = expected_work(radii, largest, area);
+    double least_work = expected_work<Dimension>(radii, largest, content);
     for (double bound = largest / std::numbers::sqrt2; bound > largest * 1e-6;
          bound /= std::numbers::sqrt2) {
         if (!(radii <= bound).any()) break;
         const double small = (radii <= bound).select(radii, 0.0).maxCoeff();
-        const double work = expected_work(radii, small, area);
+        const double work = expected_work<Dimension>(radii, small, content);
         if (work < least_work) {
             least_work = work;
             best = small;
@@ -95,8 +112,8 @@ bool nearest_is_meant(const std::vector<std::int32_t>& coarse, double overhang, 
 }
 
 // The cells around which no other image can be relevant.
-CellGrid::Inner inner_cells(const std::vector<std::int32_t>& coarse, bool periodic,
-                            bool has_large) {
+template <typename Inner>
+Inner inner_cells(const std::vector<std::int32_t>& coarse, bool periodic, bool has_large) {
     const auto count = static_cast<unsigned>(coarse.size());
     if (!periodic) return {0, count};
     if (!has_large) return {1, count > 2 ? count - 2 : 0};
@@ -108,62 +125,67 @@ CellGrid::Inner inner_cells(const std::vector<std::int32_t>& coarse, bool period
 
 }  // namespace
 
-CellGrid::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
-    const double area = box.content();
+template <int Dimension>
+CellGrid<Dimension>::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
+    const double content = box.content();
     const double largest = radii.size() > 0 ? radii.maxCoeff() : 0.0;
-    small_radius_ = radii.size() > 0 ? choose_small_radius(radii, area) : 0.0;
+    small_radius_ = radii.size() > 0 ? choose_small_radius<Dimension>(radii, content) : 0.0;
     has_large_ = small_radius_ < largest;
     const double diameter = 2.0 * small_radius_;
-    const double least =
-        std::max(diameter, least_cell(area, static_cast<double>(radii.size()), diameter));
+    const double least = std::max(
+        diameter, least_cell<Dimension>(content, static_cast<double>(radii.size()), diameter));
     plain_ = true;
-    for (std::size_t a = 0; a < 2; ++a) {
+    std::int64_t fine_stride = 1, coarse_stride = 1;
+    for (std::size_t a = 0; a < axes; ++a) {
         const double length = box.length(a);
         const bool periodic = box.is_periodic(a);
-        fine_[a] = {cells_along(length, least), periodic, length};
-        last_cell_[a] = fine_[a].cells - 1;
+        Axis& fine = fine_.along[a];
+        fine = {cells_along(length, least), periodic, length};
+        last_cell_[a] = fine.cells - 1;
         narrow_[a] = periodic && 4.0 * largest > 0.99 * length;
-        const double cell = cell_size_[a] = length / fine_[a].cells;
+        const double cell = cell_size_[a] = length / fine.cells;
         overhang_[a] = overhang_of(cell, diameter, length, periodic);
-        coarse_cell_[a] =
-            merge(fine_[a].cells, cell, std::max(2.0 * (largest + overhang_[a]), cell));
-        coarse_[a] = {coarse_cell_[a].back() + 1, periodic, length};
+        coarse_cell_[a] = merge(fine.cells, cell, std::max(2.0 * (largest + overhang_[a]), cell));
+        coarse_.along[a] = {coarse_cell_[a].back() + 1, periodic, length};
         plain_ =
             plain_ && nearest_is_meant(coarse_cell_[a], overhang_[a] / cell, periodic, has_large_);
-        inner_[a] = inner_cells(coarse_cell_[a], periodic, has_large_);
-        const std::int32_t stride = a == 0 ? 1 : fine_stride();
-        for (std::int32_t k = -1; k <= fine_[a].cells; ++k) {
-            const Wrapped in = wrap(k, fine_[a]);
-            around_[a].push_back(stride * (in.cell < 0 ? fine_[a].cells : in.cell));
+        inner_[a] = inner_cells<Inner>(coarse_cell_[a], periodic, has_large_);
+        fine_.stride[a] = fine_stride;
+        coarse_.stride[a] = coarse_stride;
+        for (std::int32_t k = -1; k <= fine.cells; ++k) {
+            const Wrapped in = wrap(k, fine);
+            around_[a].push_back(fine_stride * (in.cell < 0 ? fine.cells : in.cell));
         }
+        fine_stride *= fine.cells + 1;
+        coarse_stride *= coarse_.along[a].cells;
     }
-    fine_slots_.resize(static_cast<std::size_t>(fine_stride()) *
-                       static_cast<std::size_t>(fine_[1].cells + 1));
-    coarse_slots_.resize(has_large_ ? static_cast<std::size_t>(coarse_[0].cells) *
-                                          static_cast<std::size_t>(coarse_[1].cells)
-                                    : 0);
+    fine_slots_.resize(static_cast<std::size_t>(fine_stride));
+    coarse_slots_.resize(has_large_ ? static_cast<std::size_t>(coarse_stride) : 0);
     next_.assign(static_cast<std::size_t>(radii.size()), -1);
 }
 
-Cell CellGrid::cell_at(double x, double y) const {
-    const auto along = [this](double position, std::size_t axis) {
-        const double cell = std::floor(position / cell_size_[axis]);
-        return static_cast<std::uint16_t>(
-            std::clamp(cell, 0.0, static_cast<double>(last_cell_[axis])));
-    };
-    return {along(x, 0), along(y, 1)};
+template <int Dimension>
+CellOf<Dimension> CellGrid<Dimension>::cell_at(const std::array<double, axes>& x) const {
+    Cell cell;
+    for (std::size_t a = 0; a < axes; ++a)
+        cell[a] = static_cast<std::uint16_t>(
+            std::clamp(std::floor(x[a] / cell_size_[a]), 0.0, static_cast<double>(last_cell_[a])));
+    return cell;
 }
 
-void CellGrid::clear() {
+template <int Dimension>
+void CellGrid<Dimension>::clear() {
     std::fill(fine_slots_.begin(), fine_slots_.end(), Slots{});
     std::fill(coarse_slots_.begin(), coarse_slots_.end(), Slots{});
 }
 
-void CellGrid::add(std::int32_t particle, double radius, Cell cell) {
+template <int Dimension>
+void CellGrid<Dimension>::add(std::int32_t particle, double radius, Cell cell) {
     put_in(particle, slots_of(radius, cell));
 }
 
-void CellGrid::move(std::int32_t particle, double radius, Cell from, Cell to) {
+template <int Dimension>
+void CellGrid<Dimension>::move(std::int32_t particle, double radius, Cell from, Cell to) {
     Slots& old_slots = slots_of(radius, from);
     Slots& new_slots = slots_of(radius, to);
     if (&old_slots == &new_slots) return;
@@ -171,7 +193,8 @@ void CellGrid::move(std::int32_t particle, double radius, Cell from, Cell to) {
     put_in(particle, new_slots);
 }
 
-void CellGrid::put_in(std::int32_t particle, Slots& slots) {
+template <int Dimension>
+void CellGrid<Dimension>::put_in(std::int32_t particle, Slots& slots) {
     if (slots.count() < Slots::most) {
         slots.particle_[static_cast<std::size_t>(slots.count())] = particle;
         ++slots.rest_;
@@ -182,7 +205,8 @@ void CellGrid::put_in(std::int32_t particle, Slots& slots) {
 }
 
 // The last particle, or the first of the chain, fills the gap.
-void CellGrid::take_out(std::int32_t particle, Slots& slots) {
+template <int Dimension>
+void CellGrid<Dimension>::take_out(std::int32_t particle, Slots& slots) {
     if (!slots.has_chain()) [[likely]] {
         // slots after the last particle may hold anything, so the first match counts; branchless,
         // because the processor could not predict the branches
@@ -210,29 +234,41 @@ void CellGrid::take_out(std::int32_t particle, Slots& slots) {
     next_[static_cast<std::size_t>(before)] = next_[static_cast<std::size_t>(particle)];
 }
 
-void CellGrid::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
-                            std::size_t& size) const {
+template <int Dimension>
+void CellGrid<Dimension>::append_chain(const Slots& slots, std::vector<std::int32_t>& list,
+                                       std::size_t& size) const {
     for (std::int32_t i = slots.chain(); i >= 0; i = next_[static_cast<std::size_t>(i)]) {
         if (size + 2 * spare > list.size()) list.resize(2 * list.size() + 2 * spare);
         list[size++] = i;
     }
 }
 
-void CellGrid::append_large_around(Cell cell, std::vector<std::int32_t>& list,
-                                   std::size_t& size) const {
-    for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_cell_[0][cell[0]],
-                    coarse_cell_[1][cell[1]],
-                    [&](const Slots& slots, double, double) { append(slots, list, size); });
+template <int Dimension>
+void CellGrid<Dimension>::append_large_around(Cell cell, std::vector<std::int32_t>& list,
+                                              std::size_t& size) const {
+    for_each_around(coarse_slots_, coarse_, coarse_place(cell),
+                    [&](const Slots& slots, const Shift&) { append(slots, list, size); });
 }
 
 // Three cells of a row lie within two cache lines. Not inlined, like all functions that only
 // prefetch: if GCC inlines such a function it finds no side effect and removes the calls.
-void CellGrid::fetch_around(Cell cell) const {
+template <int Dimension>
+void CellGrid<Dimension>::fetch_around(Cell cell) const {
     const std::int64_t* const columns = &around_[0][cell[0]];
     const std::int64_t* const rows = &around_[1][cell[1]];
-    for (std::size_t k = 0; k < 3; ++k)
+    const auto fetch = [&](std::int64_t row) {
         for (const std::int64_t column : {columns[0], columns[2]})
-            __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(rows[k] + column)]);
+            __builtin_prefetch(&fine_slots_[static_cast<std::size_t>(row + column)]);
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        if constexpr (Dimension == 2)
+            fetch(rows[k]);
+        else
+            for (std::size_t l = 0; l < 3; ++l) fetch(rows[k] + (&around_[2][cell[2]])[l]);
+    }
 }
+
+template class CellGrid<2>;
+template class CellGrid<3>;
 
 }  // namespace carom

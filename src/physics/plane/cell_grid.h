@@ -30,32 +30,39 @@
 
 namespace carom {
 
-/// Column and row of a cell.
-using Cell = std::array<std::uint16_t, 2>;
+/// The place of a cell among the others along each axis: column, row and, in space, layer.
+template <int Dimension>
+using CellOf = std::array<std::uint16_t, static_cast<std::size_t>(Dimension)>;
 
+template <int Dimension>
 class CellGrid {
+    static constexpr std::size_t axes = static_cast<std::size_t>(Dimension);
+
   public:
+    using Cell = CellOf<Dimension>;
+    using Shift = std::array<double, axes>;
+
     /// Creates an empty grid with cell sizes suited to these radii.
     CellGrid(const Box& box, const Eigen::ArrayXd& radii);
 
-    /// Column and row of the last cell, and the size of a cell along each axis.
-    const std::array<int, 2>& last_cell() const { return last_cell_; }
-    const std::array<double, 2>& cell_size() const { return cell_size_; }
+    /// The last cell, and the size of a cell along each axis.
+    const std::array<int, axes>& last_cell() const { return last_cell_; }
+    const std::array<double, axes>& cell_size() const { return cell_size_; }
 
     /// For each axis, whether the box is periodic and so narrow that two images of one disk may
     /// touch another disk.
-    const std::array<bool, 2>& narrow() const { return narrow_; }
+    const std::array<bool, axes>& narrow() const { return narrow_; }
 
     /// For each axis, how far the centre of a disk may lie beyond a side of its cell before the
     /// disk must move to the next cell.
-    const std::array<double, 2>& overhang() const { return overhang_; }
+    const std::array<double, axes>& overhang() const { return overhang_; }
 
     /// The cell of a position inside the box.
-    Cell cell_at(double x, double y) const;
+    Cell cell_at(const std::array<double, axes>& x) const;
 
-    /// The cell beyond `side` (left 0, right 1, bottom 2, top 3) of a cell; in a periodic box the
-    /// first cell follows the last. Branchless, because the processor could not predict the
-    /// branches.
+    /// The cell beyond a side of a cell (numbered as Side: left 0, right 1, bottom 2, top 3, ...);
+    /// in a periodic box the first cell follows the last. Branchless, because the processor could
+    /// not predict the branches.
     Cell next_cell(Cell cell, int side) const {
         const auto axis = static_cast<std::size_t>(side / 2);
         const int up = side % 2;
@@ -109,8 +116,8 @@ class CellGrid {
         }
     };
 
-    /// Calls f(slots, shift_x, shift_y) for every cell with disks that could touch a disk of
-    /// `radius` in `cell` while both stay in their cells. Adding the shift (0 or plus or minus the
+    /// Calls f(slots, shift) for every cell with particles that could touch one of `radius` in
+    /// `cell` while both stay in their cells. Adding the shift (0 or plus or minus the
     /// box size) to their positions gives the relevant images. The disk itself is among those
     /// found.
     template <typename Function>
@@ -122,20 +129,19 @@ class CellGrid {
     void for_each_neighbour(std::int32_t i, double radius, Cell cell,
                             std::vector<std::int32_t>& list, const See& see) const;
 
-    /// As for_each_near(). For a small disk in a grid without large disks, however, only the cells
-    /// that came into range when it crossed `side` (left 0, right 1, bottom 2, top 3) of its former
-    /// cell into `cell`.
+    /// As for_each_near(). For a small particle in a grid without large ones, however, only the
+    /// cells that came into range when it crossed `side` of its former cell into `cell`.
     template <typename Function>
     void for_each_newly_near(double radius, Cell cell, int side, Function&& f) const;
 
-    /// Calls f(slots) for every cell with small disks in the columns (axis 0) or rows from `first`
-    /// to `last`, both included, and for every cell with large disks.
+    /// Calls f(slots) for every cell with small particles whose place along `axis` is from `first`
+    /// to `last`, both included, and for every cell with large ones.
     template <typename Function>
     void for_each_in_band(std::size_t axis, int first, int last, Function&& f) const;
 
     /// Appends the particles of a cell to `list`, whose first `size` entries are in use; there is
     /// always room for `spare` more.
-    static constexpr std::size_t spare = 64;
+    static constexpr std::size_t spare = Dimension == 2 ? 64 : 192;
     void append(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
 
     /// Whether this is the simple case for a disk of `radius`: all disks that it may touch are in
@@ -153,7 +159,7 @@ class CellGrid {
             archive(first, count);
         }
     };
-    const std::array<Inner, 2>& inner() const { return inner_; }
+    const std::array<Inner, axes>& inner() const { return inner_; }
 
     /// Appends all particles in the cells around `cell`, and the large ones nearby; only if
     /// plain().
@@ -168,7 +174,7 @@ class CellGrid {
     void fetch_around(Cell cell) const;
 
   private:
-    /// The columns (or rows) of one grid, and what follows beyond its ends.
+    /// The cells of one grid along an axis, and what follows beyond its ends.
     struct Axis {
         std::int32_t cells;
         bool periodic;
@@ -190,15 +196,34 @@ class CellGrid {
                         : Wrapped{cell - axis.cells, axis.length};
     }
 
-    std::int32_t fine_stride() const { return fine_[0].cells + 1; }
+    /// One grid: its cells along each axis, and the distance in memory of two neighbours along it.
+    struct Lattice {
+        std::array<Axis, axes> along{};
+        std::array<std::int64_t, axes> stride{};
+
+        template <class Archive>
+        void archive(Archive& archive) {
+            archive(along, stride);
+        }
+    };
+    /// A cell of a lattice, by its place along each axis, which may lie beyond the ends.
+    using Place = std::array<std::int32_t, axes>;
+
     std::size_t fine_index(Cell cell) const {
-        return static_cast<std::size_t>(cell[1]) * static_cast<std::size_t>(fine_stride()) +
-               cell[0];
+        std::int64_t index = cell[0];
+        for (std::size_t a = 1; a < axes; ++a) index += fine_.stride[a] * cell[a];
+        return static_cast<std::size_t>(index);
+    }
+    Place coarse_place(Cell cell) const {
+        Place place;
+        for (std::size_t a = 0; a < axes; ++a) place[a] = coarse_cell_[a][cell[a]];
+        return place;
     }
     std::size_t coarse_index(Cell cell) const {
-        return static_cast<std::size_t>(coarse_cell_[1][cell[1]]) *
-                   static_cast<std::size_t>(coarse_[0].cells) +
-               static_cast<std::size_t>(coarse_cell_[0][cell[0]]);
+        const Place place = coarse_place(cell);
+        std::int64_t index = place[0];
+        for (std::size_t a = 1; a < axes; ++a) index += coarse_.stride[a] * place[a];
+        return static_cast<std::size_t>(index);
     }
     Slots& slots_of(double radius, Cell cell) {
         return radius > small_radius_ ? coarse_slots_[coarse_index(cell)]
@@ -208,40 +233,49 @@ class CellGrid {
     template <std::size_t Firsts, std::size_t Seconds>
     void append_cells(const std::int64_t* first, const std::int64_t* second,
                       std::vector<std::int32_t>& list, std::size_t& size) const;
+    template <std::size_t Seconds, std::size_t Thirds>
+    static std::array<std::int64_t, Seconds * Thirds> sums_of(const std::int64_t* second,
+                                                              const std::int64_t* third);
     void put_in(std::int32_t particle, Slots& slots);
     void take_out(std::int32_t particle, Slots& slots);
     void append_chain(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
 
+    /// A cell that has been found along some of the axes: its index, and its shift.
+    struct Found {
+        std::int64_t index = 0;
+        Shift shift{};
+    };
+    template <std::size_t Axis, typename Range, typename Function>
+    static void for_each_within(const LargeVector<Slots>& cells, const Lattice& lattice,
+                                const Place& center, const Found& found, const Range& range,
+                                Function& f);
     template <typename Function>
-    void for_each_in(const LargeVector<Slots>& cells, std::int32_t columns, Wrapped column,
-                     Wrapped row, Function&& f) const;
-    template <typename Function>
-    void for_each_around(const LargeVector<Slots>& cells, const std::array<Axis, 2>& axes,
-                         std::int32_t stride, std::int32_t column, std::int32_t row,
-                         Function&& f) const;
-    template <typename Function>
-    void for_each_at_rim(double radius, Cell cell, Function&& f) const;
+    void for_each_around(const LargeVector<Slots>& cells, const Lattice& lattice,
+                         const Place& center, Function&& f) const;
+    template <std::size_t Axis, typename Function>
+    void for_each_at_rim(double radius, const Place& center, const Found& found,
+                         double least_square, double most_square, Function& f) const;
 
-    std::array<int, 2> last_cell_{};
-    std::array<bool, 2> narrow_{};
-    std::array<double, 2> cell_size_{}, overhang_{};
+    std::array<int, axes> last_cell_{};
+    std::array<bool, axes> narrow_{};
+    std::array<double, axes> cell_size_{}, overhang_{};
     double small_radius_ = 0.0;  ///< disks with a larger one are in the coarse grid
     bool has_large_ = false;
     bool plain_ = false;
-    std::array<Inner, 2> inner_{};
-    // Offsets of the columns and rows in fine_slots_, from the one before the first to the one
-    // after the last. Beyond a wall there is an additional column and row of cells, which stay
-    // empty.
-    std::array<std::vector<std::int64_t>, 2> around_;
-    std::array<Axis, 2> fine_{}, coarse_{};
+    std::array<Inner, axes> inner_{};
+    // Offsets of the cells along each axis in fine_slots_, from the one before the first to the one
+    // after the last. Beyond a wall there is an additional column, row or layer of cells, which
+    // stay empty.
+    std::array<std::vector<std::int64_t>, axes> around_;
+    Lattice fine_{}, coarse_{};
     LargeVector<Slots> fine_slots_, coarse_slots_;
-    std::array<std::vector<std::int32_t>, 2> coarse_cell_;  ///< coarse column or row of each column
-                                                            ///< or row of fine cells
+    std::array<std::vector<std::int32_t>, axes> coarse_cell_;  ///< of each fine cell along an axis
     std::vector<std::int32_t> next_;  ///< next particle in the chain, for each particle
 };
 
-inline void CellGrid::append(const Slots& slots, std::vector<std::int32_t>& list,
-                             std::size_t& size) const {
+template <int Dimension>
+inline void CellGrid<Dimension>::append(const Slots& slots, std::vector<std::int32_t>& list,
+                                        std::size_t& size) const {
     std::memcpy(list.data() + size, &slots, sizeof slots);
     size += static_cast<std::size_t>(slots.count());
     if (slots.has_chain()) [[unlikely]]
@@ -250,11 +284,11 @@ inline void CellGrid::append(const Slots& slots, std::vector<std::int32_t>& list
 
 // Appends the particles of the cells at first[k] + second[l]. Crowded cells, which have chains, are
 // rare: if there is one, everything is done a second time.
+template <int Dimension>
 template <std::size_t Firsts, std::size_t Seconds>
-[[gnu::always_inline]] inline void CellGrid::append_cells(const std::int64_t* first,
-                                                          const std::int64_t* second,
-                                                          std::vector<std::int32_t>& list,
-                                                          std::size_t& size) const {
+[[gnu::always_inline]] inline void CellGrid<Dimension>::append_cells(
+    const std::int64_t* first, const std::int64_t* second, std::vector<std::int32_t>& list,
+    std::size_t& size) const {
     // Local copies: as far as the compiler knows, the list might overlap the members.
     std::array<const Slots*, Firsts> row;
     for (std::size_t k = 0; k < Firsts; ++k) row[k] = fine_slots_.data() + first[k];
@@ -280,122 +314,174 @@ template <std::size_t Firsts, std::size_t Seconds>
             append(fine_slots_[static_cast<std::size_t>(first[k] + second[l])], list, size);
 }
 
-[[gnu::always_inline]] inline void CellGrid::append_around(Cell cell,
-                                                           std::vector<std::int32_t>& list,
-                                                           std::size_t& size) const {
-    append_cells<3, 3>(&around_[1][cell[1]], &around_[0][cell[0]], list, size);
+// The sums of each of the thirds and each of the seconds.
+template <int Dimension>
+template <std::size_t Seconds, std::size_t Thirds>
+[[gnu::always_inline]] inline std::array<std::int64_t, Seconds * Thirds>
+CellGrid<Dimension>::sums_of(const std::int64_t* second, const std::int64_t* third) {
+    std::array<std::int64_t, Seconds * Thirds> sums;
+    for (std::size_t k = 0; k < Thirds; ++k)
+        for (std::size_t l = 0; l < Seconds; ++l) sums[k * Seconds + l] = third[k] + second[l];
+    return sums;
+}
+
+template <int Dimension>
+[[gnu::always_inline]] inline void CellGrid<Dimension>::append_around(
+    Cell cell, std::vector<std::int32_t>& list, std::size_t& size) const {
+    if constexpr (Dimension == 2) {
+        append_cells<3, 3>(&around_[1][cell[1]], &around_[0][cell[0]], list, size);
+    } else {
+        const auto rows = sums_of<3, 3>(&around_[1][cell[1]], &around_[2][cell[2]]);
+        append_cells<9, 3>(rows.data(), &around_[0][cell[0]], list, size);
+    }
     if (has_large_) append_large_around(cell, list, size);
 }
 
-[[gnu::always_inline]] inline void CellGrid::append_newly_around(Cell cell, int side,
-                                                                 std::vector<std::int32_t>& list,
-                                                                 std::size_t& size) const {
-    const std::array around{&around_[0][cell[0]], &around_[1][cell[1]]};
+template <int Dimension>
+[[gnu::always_inline]] inline void CellGrid<Dimension>::append_newly_around(
+    Cell cell, int side, std::vector<std::int32_t>& list, std::size_t& size) const {
+    std::array<const std::int64_t*, axes> around;
+    for (std::size_t a = 0; a < axes; ++a) around[a] = &around_[a][cell[a]];
     const auto axis = static_cast<std::size_t>(side / 2);
-    append_cells<1, 3>(around[axis] + (side % 2 == 0 ? 0 : 2), around[1 - axis], list, size);
+    const std::int64_t* ahead = around[axis] + (side % 2 == 0 ? 0 : 2);
+    if constexpr (Dimension == 2) {
+        append_cells<1, 3>(ahead, around[1 - axis], list, size);
+    } else {
+        // the axes across, the one along which cells follow each other in memory first
+        const std::size_t second = axis == 0 ? 1 : 0, third = axis == 2 ? 1 : 2;
+        const auto rows = sums_of<1, 3>(ahead, around[third]);
+        append_cells<3, 3>(rows.data(), around[second], list, size);
+    }
     if (has_large_) append_large_around(cell, list, size);
 }
 
-template <typename Function>
-void CellGrid::for_each_in(const LargeVector<Slots>& cells, std::int32_t columns, Wrapped column,
-                           Wrapped row, Function&& f) const {
-    const std::size_t cell =
-        static_cast<std::size_t>(row.cell) * static_cast<std::size_t>(columns) +
-        static_cast<std::size_t>(column.cell);
-    f(cells[cell], column.shift, row.shift);
-}
-
-template <typename Function>
-void CellGrid::for_each_around(const LargeVector<Slots>& cells, const std::array<Axis, 2>& axes,
-                               std::int32_t stride, std::int32_t column, std::int32_t row,
-                               Function&& f) const {
-    for (std::int32_t dy = -1; dy <= 1; ++dy) {
-        const Wrapped y = wrap(row + dy, axes[1]);
-        if (y.cell < 0) continue;
-        for (std::int32_t dx = -1; dx <= 1; ++dx) {
-            const Wrapped x = wrap(column + dx, axes[0]);
-            if (x.cell >= 0) for_each_in(cells, stride, x, y, f);
-        }
+// Calls f for the cells that lie, along this axis and the lower ones, at the distances from the
+// center that range(axis) gives: the first and the last.
+template <int Dimension>
+template <std::size_t Axis, typename Range, typename Function>
+void CellGrid<Dimension>::for_each_within(const LargeVector<Slots>& cells, const Lattice& lattice,
+                                          const Place& center, const Found& found,
+                                          const Range& range, Function& f) {
+    const auto [first, last] = range(Axis);
+    for (std::int32_t d = first; d <= last; ++d) {
+        const Wrapped at = wrap(center[Axis] + d, lattice.along[Axis]);
+        if (at.cell < 0) continue;
+        Found here = found;
+        here.index += lattice.stride[Axis] * at.cell;
+        here.shift[Axis] = at.shift;
+        if constexpr (Axis == 0)
+            f(cells[static_cast<std::size_t>(here.index)], here.shift);
+        else
+            for_each_within<Axis - 1>(cells, lattice, center, here, range, f);
     }
 }
 
-// A small disk can touch a large one of `radius` only from a cell whose distance is at most the sum
-// of radii, and never from a cell that lies entirely under the large disk, allowing for the
-// overhang of both.
+template <int Dimension>
 template <typename Function>
-void CellGrid::for_each_at_rim(double radius, Cell cell, Function&& f) const {
+void CellGrid<Dimension>::for_each_around(const LargeVector<Slots>& cells, const Lattice& lattice,
+                                          const Place& center, Function&& f) const {
+    const auto next = [](std::size_t) { return std::array<std::int32_t, 2>{-1, 1}; };
+    for_each_within<axes - 1>(cells, lattice, center, Found(), next, f);
+}
+
+// A small particle can touch a large one of `radius` only from a cell whose distance is at most the
+// sum of radii, and never from a cell that lies entirely under the large one, allowing for the
+// overhang of both. `least_square`, `most_square`: squares of the least and the greatest distance
+// along the axes above.
+template <int Dimension>
+template <std::size_t Axis, typename Function>
+void CellGrid<Dimension>::for_each_at_rim(double radius, const Place& center, const Found& found,
+                                          double least_square, double most_square,
+                                          Function& f) const {
     const double reach = (radius + small_radius_) * (1.0 + 1e-9);
     const double inside = radius * (1.0 - 1e-9);
-    const auto chord = [](double r, double y) { return std::sqrt(std::max(0.0, r * r - y * y)); };
-    const double hang_x = 2.0 * overhang_[0], hang_y = 2.0 * overhang_[1];
-    const int most_rows =
-        std::min(static_cast<int>((reach + hang_y) / cell_size_[1]) + 1, fine_[1].cells);
-    for (int dy = -most_rows; dy <= most_rows; ++dy) {
-        const Wrapped y = wrap(cell[1] + dy, fine_[1]);
-        const double least = std::max(0.0, (std::abs(dy) - 1) * cell_size_[1] - hang_y);
-        if (y.cell < 0 || least > reach) continue;
-        const int outer = std::min(
-            static_cast<int>((chord(reach, least) + hang_x) / cell_size_[0]) + 1, fine_[0].cells);
-        const double most = (std::abs(dy) + 1) * cell_size_[1] + hang_y;
-        const int inner = most < inside
-                              ? static_cast<int>((chord(inside, most) - hang_x) / cell_size_[0]) - 1
-                              : -1;
-        for (int dx = -outer; dx <= outer; ++dx) {
-            if (std::abs(dx) <= inner) dx = inner + 1;
-            if (dx > outer) break;
-            const Wrapped x = wrap(cell[0] + dx, fine_[0]);
-            if (x.cell >= 0) for_each_in(fine_slots_, fine_stride(), x, y, f);
+    const double hang = 2.0 * overhang_[Axis], size = cell_size_[Axis];
+    const auto chord = [](double r, double square) {
+        return std::sqrt(std::max(0.0, r * r - square));
+    };
+    const auto& along = fine_.along[Axis];
+    const int outer =
+        std::min(static_cast<int>((chord(reach, least_square) + hang) / size) + 1, along.cells);
+    // the cells on this axis that lie entirely inside are left out
+    const int inner = Axis == 0 && most_square < inside * inside
+                          ? static_cast<int>((chord(inside, most_square) - hang) / size) - 1
+                          : -1;
+    for (int d = -outer; d <= outer; ++d) {
+        if (std::abs(d) <= inner) d = inner + 1;
+        if (d > outer) break;
+        const Wrapped at = wrap(center[Axis] + d, along);
+        if (at.cell < 0) continue;
+        Found here = found;
+        here.index += fine_.stride[Axis] * at.cell;
+        here.shift[Axis] = at.shift;
+        if constexpr (Axis == 0) {
+            f(fine_slots_[static_cast<std::size_t>(here.index)], here.shift);
+        } else {
+            const double least = std::max(0.0, (std::abs(d) - 1) * size - hang);
+            const double most = (std::abs(d) + 1) * size + hang;
+            if (least > reach) continue;
+            for_each_at_rim<Axis - 1>(radius, center, here, least_square + least * least,
+                                      most_square + most * most, f);
         }
     }
 }
 
+template <int Dimension>
 template <typename Function>
-void CellGrid::for_each_near(double radius, Cell cell, Function&& f) const {
-    if (has_large_)
-        for_each_around(coarse_slots_, coarse_, coarse_[0].cells, coarse_cell_[0][cell[0]],
-                        coarse_cell_[1][cell[1]], f);
+void CellGrid<Dimension>::for_each_near(double radius, Cell cell, Function&& f) const {
+    if (has_large_) for_each_around(coarse_slots_, coarse_, coarse_place(cell), f);
+    Place center;
+    for (std::size_t a = 0; a < axes; ++a) center[a] = cell[a];
     if (radius > small_radius_)
-        for_each_at_rim(radius, cell, f);
+        for_each_at_rim<axes - 1>(radius, center, Found(), 0.0, 0.0, f);
     else
-        for_each_around(fine_slots_, fine_, fine_stride(), cell[0], cell[1], f);
+        for_each_around(fine_slots_, fine_, center, f);
 }
 
+template <int Dimension>
 template <typename See>
-void CellGrid::for_each_neighbour(std::int32_t i, double radius, Cell cell,
-                                  std::vector<std::int32_t>& list, const See& see) const {
-    for_each_near(radius, cell, [&](const Slots& slots, double shift_x, double shift_y) {
+void CellGrid<Dimension>::for_each_neighbour(std::int32_t i, double radius, Cell cell,
+                                             std::vector<std::int32_t>& list,
+                                             const See& see) const {
+    for_each_near(radius, cell, [&](const Slots& slots, const Shift& shift) {
         std::size_t count = 0;
         append(slots, list, count);
         for (std::size_t k = 0; k < count; ++k)
-            if (list[k] != i) see(list[k], std::array<double, 2>{shift_x, shift_y}, 0);
+            if (list[k] != i) see(list[k], shift, 0);
     });
 }
 
+template <int Dimension>
 template <typename Function>
-void CellGrid::for_each_newly_near(double radius, Cell cell, int side, Function&& f) const {
+void CellGrid<Dimension>::for_each_newly_near(double radius, Cell cell, int side,
+                                              Function&& f) const {
     if (has_large_) {
         for_each_near(radius, cell, f);
         return;
     }
-    const int ahead = side % 2 == 0 ? -1 : 1;
-    for (int across = -1; across <= 1; ++across) {
-        const Wrapped x = wrap(cell[0] + (side < 2 ? ahead : across), fine_[0]);
-        const Wrapped y = wrap(cell[1] + (side < 2 ? across : ahead), fine_[1]);
-        if (x.cell >= 0 && y.cell >= 0) for_each_in(fine_slots_, fine_stride(), x, y, f);
-    }
+    const auto axis = static_cast<std::size_t>(side / 2);
+    const std::int32_t ahead = side % 2 == 0 ? -1 : 1;
+    const auto range = [&](std::size_t a) {
+        return a == axis ? std::array{ahead, ahead} : std::array<std::int32_t, 2>{-1, 1};
+    };
+    Place center;
+    for (std::size_t a = 0; a < axes; ++a) center[a] = cell[a];
+    for_each_within<axes - 1>(fine_slots_, fine_, center, Found(), range, f);
 }
 
+template <int Dimension>
 template <typename Function>
-void CellGrid::for_each_in_band(std::size_t axis, int first, int last, Function&& f) const {
-    for (int k = first; k <= last; ++k) {
-        for (int l = 0; l <= last_cell_[1 - axis]; ++l) {
-            Cell in_band{};
-            in_band[axis] = static_cast<std::uint16_t>(k);
-            in_band[1 - axis] = static_cast<std::uint16_t>(l);
-            f(fine_slots_[fine_index(in_band)]);
-        }
-    }
+void CellGrid<Dimension>::for_each_in_band(std::size_t axis, int first, int last,
+                                           Function&& f) const {
+    const auto range = [&](std::size_t a) {
+        return a == axis ? std::array{first, last} : std::array{0, last_cell_[a]};
+    };
+    const auto each = [&](const Slots& slots, const Shift&) { f(slots); };
+    for_each_within<axes - 1>(fine_slots_, fine_, Place{}, Found(), range, each);
     for (const Slots& slots : coarse_slots_) f(slots);
 }
+
+extern template class CellGrid<2>;
+extern template class CellGrid<3>;
 
 }  // namespace carom

@@ -11,39 +11,41 @@
 namespace carom {
 namespace {
 
-// The searching disk at the present, and the time up to which contacts matter.
+// The searching body at the present, and the time up to which contacts matter.
+template <std::size_t axes>
 struct Viewer {
-    double x, y, vx, vy;
+    std::array<double, axes> x, v;
     Properties properties;
     double latest;
 };
 
-// The input of a search: all disks, the numbers of those to test, and the images of them.
+// The input of a search: all bodies, the numbers of those to test, and the images of them.
 template <typename BodyType, bool may_fall>
 struct Scope {
     using Body = BodyType;
     static constexpr bool falls = may_fall;
-    const Body* disks;
-    const DiskProperties& properties;
-    const Pairing& pairing;
+    static constexpr std::size_t axes = Body::axes;
+    const Body* bodies;
+    const BodyProperties& properties;
+    const Pairing<static_cast<int>(axes)>& pairing;
     const std::int32_t* near;
     double now;
     /// Earlier than now by more than the rounding error of a contact time.
     double just_before = now - 8 * std::numeric_limits<double>::epsilon() * std::abs(now);
 
-    [[gnu::always_inline]] const Body& disk(std::size_t k) const { return disks[near[k]]; }
+    [[gnu::always_inline]] const Body& body(std::size_t k) const { return bodies[near[k]]; }
     [[gnu::always_inline]] const Properties& properties_of(std::size_t k) const {
         return properties[near[k]];
     }
 
-    [[gnu::always_inline]] Viewer viewer(std::int32_t i, const FirstContact& first) const {
-        const Body& d = disks[i];
-        const double age = now - d.time;
-        Viewer viewer{d.x[0], d.x[1], d.v[0], d.v[1], properties[i], first.time};
-        move(viewer.x, viewer.vx, age, 0);
-        move(viewer.y, viewer.vy, age, 1);
-        viewer.x -= pairing.shift[0];
-        viewer.y -= pairing.shift[1];
+    [[gnu::always_inline]] Viewer<axes> viewer(std::int32_t i, const FirstContact& first) const {
+        const Body& b = bodies[i];
+        const double age = now - b.time;
+        Viewer<axes> viewer{b.x, b.v, properties[i], first.time};
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            move(viewer.x[axis], viewer.v[axis], age, axis);
+            viewer.x[axis] -= pairing.shift[axis];
+        }
         return viewer;
     }
 
@@ -61,7 +63,9 @@ struct Scope {
     }
 };
 
-[[gnu::always_inline]] inline FourLanes nearest(const FourLanes& x, const Pairing& pairing,
+template <int Dimension>
+[[gnu::always_inline]] inline FourLanes nearest(const FourLanes& x,
+                                                const Pairing<Dimension>& pairing,
                                                 std::size_t axis) {
     const FourLanes size = FourLanes{} + pairing.size[axis];
     const FourLanes lower = select(x > pairing.half[axis], size, FourLanes{});
@@ -70,39 +74,47 @@ struct Scope {
 }
 
 // Relative motion of the pairs at the present.
+template <std::size_t axes>
 struct Pairs {
     template <typename T>
     using Each = std::array<T, most_searched>;
-    alignas(sizeof(FourLanes)) Each<double> x, y, vx, vy, sigma;
+    alignas(sizeof(FourLanes)) std::array<Each<double>, axes> r, v;
+    alignas(sizeof(FourLanes)) Each<double> sigma;
 };
 
-// Which of four other disks might be touched: a mask, one lane for each.
+// One vector of each of four bodies, transposed: the four x, the four y, ... Two components of a
+// body are adjacent in memory.
+template <std::size_t axes>
+[[gnu::always_inline]] inline std::array<FourLanes, axes> transposed(
+    const std::array<double, axes>& a, const std::array<double, axes>& b,
+    const std::array<double, axes>& c, const std::array<double, axes>& d) {
+    const FourLanes ac = load_two_and_two(a.data(), c.data());
+    const FourLanes bd = load_two_and_two(b.data(), d.data());
+    std::array<FourLanes, axes> all;
+    all[0] = __builtin_shufflevector(ac, bd, 0, 4, 2, 6);
+    all[1] = __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
+    if constexpr (axes == 3) all[2] = FourLanes{a[2], b[2], c[2], d[2]};
+    return all;
+}
+
+// Which of four other bodies might be touched: a mask, one lane for each.
 template <bool several_images, bool alike, typename Scope>
-[[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope, const Viewer& a,
-                                                    std::size_t k, Pairs& pairs) {
+[[gnu::always_inline]] inline FourMasks might_touch(const Scope& scope,
+                                                    const Viewer<Scope::axes>& a, std::size_t k,
+                                                    Pairs<Scope::axes>& pairs) {
     using Body = typename Scope::Body;
-    const Body &b0 = scope.disk(k), &b1 = scope.disk(k + 1), &b2 = scope.disk(k + 2),
-               &b3 = scope.disk(k + 3);
-    // For each disk x and y are adjacent in memory, and so are vx and vy: they are transposed, two
-    // pairs at a time.
-    const FourLanes x02 = load_two_and_two(b0.x.data(), b2.x.data());
-    const FourLanes x13 = load_two_and_two(b1.x.data(), b3.x.data());
-    const FourLanes v02 = load_two_and_two(b0.v.data(), b2.v.data());
-    const FourLanes v13 = load_two_and_two(b1.v.data(), b3.v.data());
-    FourLanes others_vx = __builtin_shufflevector(v02, v13, 0, 4, 2, 6);
-    FourLanes others_vy = __builtin_shufflevector(v02, v13, 1, 5, 3, 7);
+    constexpr std::size_t axes = Scope::axes;
+    const Body &b0 = scope.body(k), &b1 = scope.body(k + 1), &b2 = scope.body(k + 2),
+               &b3 = scope.body(k + 3);
+    RelativeMotion<FourLanes, axes> motion{transposed(b0.x, b1.x, b2.x, b3.x),
+                                           transposed(b0.v, b1.v, b2.v, b3.v)};
     const FourLanes age = scope.now - FourLanes{b0.time, b1.time, b2.time, b3.time};
-    FourLanes x = __builtin_shufflevector(x02, x13, 0, 4, 2, 6);
-    FourLanes y = __builtin_shufflevector(x02, x13, 1, 5, 3, 7);
-    scope.move(x, others_vx, age, 0);
-    scope.move(y, others_vy, age, 1);
-    x -= a.x;
-    y -= a.y;
-    if (several_images) {
-        x = nearest(x, scope.pairing, 0);
-        y = nearest(y, scope.pairing, 1);
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        scope.move(motion.r[axis], motion.v[axis], age, axis);
+        motion.r[axis] -= a.x[axis];
+        if (several_images) motion.r[axis] = nearest(motion.r[axis], scope.pairing, axis);
+        motion.v[axis] -= a.v[axis];
     }
-    const FourLanes vx = others_vx - a.vx, vy = others_vy - a.vy;
     FourLanes sigma = FourLanes{} + scope.pairing.sigma;
     if (!alike) {
         sigma = FourLanes{scope.properties_of(k).radius, scope.properties_of(k + 1).radius,
@@ -110,11 +122,10 @@ template <bool several_images, bool alike, typename Scope>
                 a.properties.radius;
         store_lanes(sigma, &pairs.sigma[k]);
     }
-    store_lanes(x, &pairs.x[k]);
-    store_lanes(y, &pairs.y[k]);
-    store_lanes(vx, &pairs.vx[k]);
-    store_lanes(vy, &pairs.vy[k]);
-    const RelativeMotion<FourLanes> motion{x, y, vx, vy};
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        store_lanes(motion.r[axis], &pairs.r[axis][k]);
+        store_lanes(motion.v[axis], &pairs.v[axis][k]);
+    }
     const auto look = quick_look(motion, sigma);
     const FourLanes others_latest{b0.prediction.contact_time, b1.prediction.contact_time,
                                   b2.prediction.contact_time, b3.prediction.contact_time};
@@ -165,25 +176,36 @@ struct Two {
     return {k, (l & ~none) | (k & none), none};
 }
 
-// The exact times of two contacts: of a with the disk at position k in `near`, and of b with that
+// The exact times of two contacts: of a with the body at position k in `near`, and of b with that
 // at l.
 template <bool alike, typename Scope>
-[[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer& a, const Viewer& b,
-                                         const Pairs& p, const Two& two, FirstContact& first_of_a,
+[[gnu::always_inline]] inline void solve(const Scope& scope, const Viewer<Scope::axes>& a,
+                                         const Viewer<Scope::axes>& b, const Pairs<Scope::axes>& p,
+                                         const Two& two, FirstContact& first_of_a,
                                          FirstContact& first_of_b, double& second_of_a,
                                          double& second_of_b) {
     const auto [k, l, same] = two;
-    const auto &c = scope.disk(k), &d = scope.disk(l);
-    RelativeMotion<TwoLanes> motion{
-        {p.x[k], p.x[l]}, {p.y[k], p.y[l]}, {p.vx[k], p.vx[l]}, {p.vy[k], p.vy[l]}};
+    const auto &c = scope.body(k), &d = scope.body(l);
+    constexpr std::size_t axes = Scope::axes;
+    RelativeMotion<TwoLanes, axes> motion;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        motion.r[axis] = TwoLanes{p.r[axis][k], p.r[axis][l]};
+        motion.v[axis] = TwoLanes{p.v[axis][k], p.v[axis][l]};
+    }
     TwoLanes sigma = both(scope.pairing.sigma);
     if (!alike) sigma = TwoLanes{p.sigma[k], p.sigma[l]};
-    for (TwoLanes* pair : {&motion.x, &motion.y, &motion.vx, &motion.vy, &sigma})
-        keep_together(*pair);
-    const TwoLanes vx{a.vx, b.vx}, vy{a.vy, b.vy};
-    TwoLanes others_vx{c.v[0], d.v[0]}, others_vy{c.v[1], d.v[1]};
-    if constexpr (Scope::falls) others_vx = motion.vx + vx, others_vy = motion.vy + vy;
-    const TwoLanes round_off = approach_round_off(motion, vx, vy, others_vx, others_vy);
+    std::array<TwoLanes, axes> v, others_v;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        keep_together(motion.r[axis]);
+        keep_together(motion.v[axis]);
+        v[axis] = TwoLanes{a.v[axis], b.v[axis]};
+        if constexpr (Scope::falls)
+            others_v[axis] = motion.v[axis] + v[axis];
+        else
+            others_v[axis] = TwoLanes{c.v[axis], d.v[axis]};
+    }
+    keep_together(sigma);
+    const TwoLanes round_off = approach_round_off(motion, v, others_v);
     const TwoLanes met = scope.now + contact_time(motion, sigma, round_off);
     const TwoLanes latest{c.prediction.contact_time, d.prediction.contact_time};
     TwoMasks possible = met <= latest;
@@ -200,9 +222,10 @@ template <bool alike, typename Scope>
 }
 
 template <bool several_images, bool alike, typename Scope>
-[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope& scope, const Viewer& a,
+[[gnu::always_inline]] inline FourMasks all_that_might_touch(const Scope& scope,
+                                                             const Viewer<Scope::axes>& a,
                                                              std::size_t begin, std::size_t end,
-                                                             Pairs& pairs) {
+                                                             Pairs<Scope::axes>& pairs) {
     FourMasks found{};
     FourMasks bits = FourMasks{1, 2, 4, 8} << static_cast<std::int64_t>(begin);
     for (std::size_t k = begin; k < end; k += lanes) {
@@ -212,12 +235,12 @@ template <bool several_images, bool alike, typename Scope>
     return found;
 }
 
-// Search for one disk.
+// Search for one body.
 template <bool several_images, bool alike, typename Scope>
 [[gnu::always_inline]] inline bool search(const Scope& scope, std::int32_t i, std::size_t count,
                                           FirstContact& first) {
-    const Viewer a = scope.viewer(i, first);
-    Pairs pairs;
+    const Viewer<Scope::axes> a = scope.viewer(i, first);
+    Pairs<Scope::axes> pairs;
     std::uint64_t bits =
         bits_of(all_that_might_touch<several_images, alike>(scope, a, 0, count, pairs));
     if (bits == 0) return false;
@@ -230,14 +253,14 @@ template <bool several_images, bool alike, typename Scope>
     return second - best.time <= scope.pairing.margin;
 }
 
-// Search for two disks.
+// Search for two bodies.
 template <bool several_images, bool alike, typename Scope>
 [[gnu::always_inline]] inline bool search(const Scope& scope,
                                           const std::array<std::int32_t, 2>& both,
                                           std::size_t split, std::size_t count,
                                           std::array<FirstContact, 2>& firsts) {
     const std::array viewers{scope.viewer(both[0], firsts[0]), scope.viewer(both[1], firsts[1])};
-    Pairs pairs;
+    Pairs<Scope::axes> pairs;
     std::uint64_t bits = bits_of(
         all_that_might_touch<several_images, alike>(scope, viewers[0], 0, split, pairs) |
         all_that_might_touch<several_images, alike>(scope, viewers[1], split, count, pairs));
@@ -262,25 +285,29 @@ template <typename Scope, typename... Arguments>
     return search<false, false>(scope, arguments...);
 }
 
-// Disks that may fall, with or without gravity.
-template <typename... Arguments>
-[[gnu::always_inline]] inline auto search_falling(const FallingDisks& disks,
-                                                  const DiskProperties& properties,
-                                                  const Pairing& pairing, const std::int32_t* near,
-                                                  double now, Arguments&&... arguments) {
-    using Body = FallingDisk<double>;
-    if ((pairing.gravity[0] == 0.0) & (pairing.gravity[1] == 0.0))
-        return search_by_kind(Scope<Body, false>{disks.data(), properties, pairing, near, now},
-                              arguments...);
-    return search_by_kind(Scope<Body, true>{disks.data(), properties, pairing, near, now},
+// Bodies that fly straight, or that may fall, with or without gravity.
+template <typename Body, typename... Arguments>
+[[gnu::always_inline]] inline auto search_bodies(
+    const LargeVector<Body>& bodies, const BodyProperties& properties,
+    const Pairing<static_cast<int>(Body::axes)>& pairing, const std::int32_t* near, double now,
+    Arguments&&... arguments) {
+    if constexpr (Falls<Body>) {
+        bool falls = false;
+        for (const double g : pairing.gravity) falls |= g != 0.0;
+        if (falls)
+            return search_by_kind(Scope<Body, true>{bodies.data(), properties, pairing, near, now},
+                                  arguments...);
+    }
+    return search_by_kind(Scope<Body, false>{bodies.data(), properties, pairing, near, now},
                           arguments...);
 }
 
 }  // namespace
 
-Pairing Pairing::nearest(const Box& box) {
+template <int Dimension>
+Pairing<Dimension> Pairing<Dimension>::nearest(const Box& box) {
     Pairing pairing;
-    for (std::size_t a = 0; a < 2; ++a) {
+    for (std::size_t a = 0; a < pairing.half.size(); ++a) {
         const bool periodic = box.is_periodic(a);
         const double size = box.length(a);
         pairing.half[a] = periodic ? 0.5 * size : never<double>;
@@ -289,43 +316,47 @@ Pairing Pairing::nearest(const Box& box) {
     return pairing;
 }
 
-Pairing Pairing::shifted(double x, double y) {
-    return {.shift = {x, y},
-            .half = {never<double>, never<double>},
-            .size = {0.0, 0.0},
-            .several_images = false};
+template <int Dimension>
+Pairing<Dimension> Pairing<Dimension>::shifted(const Vector& shift) {
+    Pairing pairing{.shift = shift, .several_images = false};
+    pairing.half.fill(never<double>);
+    return pairing;
 }
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-bool search_contact(const DiskStates& disks, const DiskProperties& properties, std::int32_t i,
-                    double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
-                    FirstContact& first) {
-    return search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now}, i,
-                          count, first);
+template struct Pairing<2>;
+template struct Pairing<3>;
+
+template <typename Body>
+CAROM_FOR_PROCESSORS_WITH_FMA bool search_contact(
+    const LargeVector<Body>& bodies, const BodyProperties& properties, std::int32_t i, double now,
+    const std::int32_t* near, std::size_t count,
+    const Pairing<static_cast<int>(Body::axes)>& pairing, FirstContact& first) {
+    return search_bodies(bodies, properties, pairing, near, now, i, count, first);
 }
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-bool search_contact(const FallingDisks& disks, const DiskProperties& properties, std::int32_t i,
-                    double now, const std::int32_t* near, std::size_t count, const Pairing& pairing,
-                    FirstContact& first) {
-    return search_falling(disks, properties, pairing, near, now, i, count, first);
+template <typename Body>
+CAROM_FOR_PROCESSORS_WITH_FMA bool search_two_contacts(
+    const LargeVector<Body>& bodies, const BodyProperties& properties,
+    std::array<std::int32_t, 2> both, double now, const std::int32_t* near, std::size_t split,
+    std::size_t count, const Pairing<static_cast<int>(Body::axes)>& pairing,
+    std::array<FirstContact, 2>& firsts) {
+    return search_bodies(bodies, properties, pairing, near, now, both, split, count, firsts);
 }
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-bool search_two_contacts(const DiskStates& disks, const DiskProperties& properties,
-                         std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
-                         std::size_t split, std::size_t count, const Pairing& pairing,
-                         std::array<FirstContact, 2>& firsts) {
-    return search_by_kind(Scope<DiskState, false>{disks.data(), properties, pairing, near, now},
-                          both, split, count, firsts);
-}
+// For both kinds of bodies of doubles.
+#define CAROM_SEARCHES(...)                                                                    \
+    template bool search_contact<__VA_ARGS__>(                                                 \
+        const LargeVector<__VA_ARGS__>&, const BodyProperties&, std::int32_t, double,          \
+        const std::int32_t*, std::size_t, const Pairing<static_cast<int>(__VA_ARGS__::axes)>&, \
+        FirstContact&);                                                                        \
+    template bool search_two_contacts<__VA_ARGS__>(                                            \
+        const LargeVector<__VA_ARGS__>&, const BodyProperties&, std::array<std::int32_t, 2>,   \
+        double, const std::int32_t*, std::size_t, std::size_t,                                 \
+        const Pairing<static_cast<int>(__VA_ARGS__::axes)>&, std::array<FirstContact, 2>&)
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-bool search_two_contacts(const FallingDisks& disks, const DiskProperties& properties,
-                         std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
-                         std::size_t split, std::size_t count, const Pairing& pairing,
-                         std::array<FirstContact, 2>& firsts) {
-    return search_falling(disks, properties, pairing, near, now, both, split, count, firsts);
-}
+CAROM_SEARCHES(BodyState<2>);
+CAROM_SEARCHES(BodyState<3>);
+CAROM_SEARCHES(FallingBody<double, 2>);
+CAROM_SEARCHES(FallingBody<double, 3>);
 
 }  // namespace carom

@@ -2,7 +2,7 @@
 
 namespace carom {
 
-DiskProperties::DiskProperties(const Particles& particles) {
+BodyProperties::BodyProperties(const Particles& particles) {
     const auto count = static_cast<std::size_t>(particles.count());
     if (count == 0) return;
     const bool same = particles.are_equal();
@@ -15,7 +15,7 @@ DiskProperties::DiskProperties(const Particles& particles) {
     }
 }
 
-void DiskProperties::renumber(const std::vector<std::int32_t>& before) {
+void BodyProperties::renumber(const std::vector<std::int32_t>& before) {
     if (mask_ == 0) return;
     LargeVector<Properties> each(each_.size());
     for (std::size_t k = 0; k < before.size(); ++k) each[k] = (*this)[before[k]];

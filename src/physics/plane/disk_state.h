@@ -1,4 +1,4 @@
-// The state of a disk in the event loop, and the constant properties of disks.
+// The state of a disk or a sphere in the event loop, and the constant properties of all of them.
 #pragma once
 
 #include <array>
@@ -14,13 +14,19 @@
 
 namespace carom {
 
-/// All that is needed to test and collide a pair of equal disks, in one cache line.
-struct alignas(64) DiskState {
+/// All that is needed to test and collide a pair of equal disks, in one cache line; of spheres all
+/// that is needed to test a pair is in the first of two.
+template <int Dimension>
+struct BodyState;
+
+template <>
+struct alignas(64) BodyState<2> {
+    static constexpr std::size_t axes = 2;
     std::array<double, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
     std::array<double, 2> v;
     double time;  ///< local
     std::uint32_t collisions;
-    Cell cell;
+    CellOf<2> cell;
     Prediction prediction;
 
     template <class Archive>
@@ -28,35 +34,54 @@ struct alignas(64) DiskState {
         archive(x, v, time, collisions, cell, prediction);
     }
 };
-static_assert(sizeof(DiskState) == 64);
+static_assert(sizeof(BodyState<2>) == 64);
+
+template <>
+struct alignas(64) BodyState<3> {
+    static constexpr std::size_t axes = 3;
+    std::array<double, 3> x, v;
+    double time;
+    Prediction prediction;  ///< begins with the time of its contact
+    std::uint32_t collisions;
+    CellOf<3> cell;
+
+    template <class Archive>
+    void archive(Archive& archive) {
+        archive(x, v, time, collisions, cell, prediction);
+    }
+};
+static_assert(offsetof(BodyState<3>, prediction) == 56 && sizeof(BodyState<3>) == 128);
 
 /// As the generic advance_body(). Values that are read as a pair are also written as a pair: a
 /// processor can forward only what was stored as a unit.
-inline void advance_body(DiskState& d, double now) {
-    const TwoLanes x = load_two(d.x.data()), v = load_two(d.v.data());
-    store_two(x + v * (now - d.time), d.x.data());
-    d.time = now;
+template <int Dimension>
+inline void advance_body(BodyState<Dimension>& b, double now) {
+    const double age = now - b.time;
+    store_two(load_two(b.x.data()) + load_two(b.v.data()) * age, b.x.data());
+    if constexpr (Dimension == 3) b.x[2] += b.v[2] * age;
+    b.time = now;
 }
 
-using DiskStates = LargeVector<DiskState>;
+template <int Dimension>
+using BodyStates = LargeVector<BodyState<Dimension>>;
 
-/// The properties of each disk, stored only once if all disks are alike.
-class DiskProperties {
+/// The properties of each body, stored only once if all are alike.
+class BodyProperties {
   public:
-    explicit DiskProperties(const Particles& particles);
+    explicit BodyProperties(const Particles& particles);
 
     const Properties& operator[](std::int32_t i) const {
         return each_[static_cast<std::size_t>(i) & mask_];
     }
     const Properties& operator[](std::size_t i) const { return each_[i & mask_]; }
 
-    /// Whether all disks have the same nonzero radius and the same finite mass.
+    /// Whether all have the same nonzero radius and the same finite mass.
     bool alike() const { return alike_; }
 
-    /// Renumbers the disks: disk k is the one that had the number before[k].
+    /// Renumbers the bodies: body k is the one that had the number before[k].
     void renumber(const std::vector<std::int32_t>& before);
 
-    /// In the order that the disks have.
+    /// In the order that the bodies have.
     template <class Archive>
     void archive(Archive& archive) {
         archive(each_);
@@ -64,7 +89,7 @@ class DiskProperties {
 
   private:
     LargeVector<Properties> each_;
-    std::size_t mask_ = 0;  ///< applied to disk numbers: 0 if there is only one entry
+    std::size_t mask_ = 0;  ///< applied to numbers: 0 if there is only one entry
     bool alike_ = false;
 };
 

@@ -1,5 +1,6 @@
-// A disk, or a bead on a line, that may fall: the state in the event loop for boxes with active
-// surfaces. Of a bead only the first coordinate is used; the other is 0.
+// A disk, a sphere or a bead on a line that may fall: the state in the event loop for boxes with
+// active surfaces. A bead is stored as a disk of which only the first coordinate is used; the other
+// is 0.
 #pragma once
 
 #include <array>
@@ -13,13 +14,14 @@
 
 namespace carom {
 
-/// The counterpart of DiskState for multiprecision.
-template <typename Scalar>
-struct PreciseDiskState {
-    std::array<Scalar, 2> x{}, v{};
+/// The counterpart of BodyState for multiprecision.
+template <typename Scalar, int Dimension>
+struct PreciseBodyState {
+    static constexpr std::size_t axes = static_cast<std::size_t>(Dimension);
+    std::array<Scalar, axes> x{}, v{};
     Scalar time = 0.0;
     std::uint32_t collisions = 0;
-    Cell cell{};
+    CellOf<Dimension> cell{};
     Prediction prediction{};
 
     template <class Archive>
@@ -30,71 +32,89 @@ struct PreciseDiskState {
 
 /// In its prediction a partner < 0 denotes barrier -1 - partner. The members that a contact search
 /// needs for most disks come first, in one cache line; the search assumes that all disks fall.
-template <typename Scalar>
-struct FallingDisk
-    : std::conditional_t<std::is_same_v<Scalar, double>, DiskState, PreciseDiskState<Scalar>> {
-    std::array<Scalar, 2> a{};  ///< acceleration; 0 while the disk rests on a floor
+template <typename Scalar, int Dimension>
+using FallingState = std::conditional_t<std::is_same_v<Scalar, double>, BodyState<Dimension>,
+                                        PreciseBodyState<Scalar, Dimension>>;
+
+template <typename Scalar, int Dimension = 2>
+struct FallingBody : FallingState<Scalar, Dimension> {
+    /// Acceleration; 0 while the body rests on a floor.
+    std::array<Scalar, static_cast<std::size_t>(Dimension)> a{};
     double radius = 0.0, inverse_mass = 0.0;
     std::int32_t species = 0;
     std::int32_t turns = 0;  ///< of a bead: number of turns around a periodic line
-    /// Bit k modulo 64 is set if surface k has let the disk through and not reflected it since.
-    /// While the disk still overlaps the surface, all parts of the surface let it through.
+    /// Bit k modulo 64 is set if surface k has let the body through and not reflected it since.
+    /// While it still overlaps the surface, all parts of the surface let it through.
     std::uint64_t passing = 0;
     bool is_at_rest = false;  ///< rests on a floor and therefore does not fall
 
     template <class Archive>
     void archive(Archive& archive) {
-        std::conditional_t<std::is_same_v<Scalar, double>, DiskState,
-                           PreciseDiskState<Scalar>>::archive(archive);
+        FallingState<Scalar, Dimension>::archive(archive);
         archive(a, radius, inverse_mass, species, turns, passing, is_at_rest);
     }
 };
 
-using FallingDisks = LargeVector<FallingDisk<double>>;
+template <int Dimension>
+using FallingBodies = LargeVector<FallingBody<double, Dimension>>;
 
-/// Position and velocity of a disk with this acceleration at a time, computed in pairs as the disk
+/// Position and velocity of a body with this acceleration at a time, computed in pairs as the body
 /// stores them (disk_state.h).
-[[gnu::always_inline]] inline void fall(const DiskState& d, double now,
-                                        const std::array<double, 2>& a, std::array<double, 2>& x,
-                                        std::array<double, 2>& v) {
-    const double t = now - d.time;
-    const TwoLanes before = load_two(d.v.data()), gain = t * load_two(a.data());
-    store_two(load_two(d.x.data()) + t * (before + 0.5 * gain), x.data());
+template <int Dimension>
+[[gnu::always_inline]] inline void fall(const BodyState<Dimension>& b, double now,
+                                        const std::array<double, BodyState<Dimension>::axes>& a,
+                                        std::array<double, BodyState<Dimension>::axes>& x,
+                                        std::array<double, BodyState<Dimension>::axes>& v) {
+    const double t = now - b.time;
+    const TwoLanes before = load_two(b.v.data()), gain = t * load_two(a.data());
+    store_two(load_two(b.x.data()) + t * (before + 0.5 * gain), x.data());
     store_two(before + gain, v.data());
+    if constexpr (Dimension == 3) {
+        const double up_before = b.v[2], up_gain = t * a[2];
+        x[2] = b.x[2] + t * (up_before + 0.5 * up_gain);
+        v[2] = up_before + up_gain;
+    }
 }
 
-/// As advance_body(), but with the acceleration given by the caller: only the first cache line of
-/// the disk is read.
-inline void advance_body(DiskState& d, double now, const std::array<double, 2>& a) {
-    fall(d, now, a, d.x, d.v);
-    d.time = now;
+/// As advance_body(), but with the acceleration given by the caller: only what a contact search
+/// needs of the body is read.
+template <int Dimension>
+inline void advance_body(BodyState<Dimension>& b, double now,
+                         const std::array<double, BodyState<Dimension>::axes>& a) {
+    fall(b, now, a, b.x, b.v);
+    b.time = now;
 }
 
 /// Adds a multiple of a vector to the velocity.
-template <typename Scalar>
-inline void accelerate(FallingDisk<Scalar>& d, const Scalar& factor,
-                       const std::array<Scalar, 2>& r) {
-    for (std::size_t k = 0; k < 2; ++k) d.v[k] += factor * r[k];
-}
-inline void accelerate(DiskState& d, double factor, const std::array<double, 2>& r) {
-    store_two(load_two(d.v.data()) + factor * TwoLanes{r[0], r[1]}, d.v.data());
+template <typename Scalar, int Dimension>
+inline void accelerate(FallingBody<Scalar, Dimension>& b, const Scalar& factor,
+                       const std::array<Scalar, BodyState<Dimension>::axes>& r) {
+    if constexpr (std::is_same_v<Scalar, double>) {
+        store_two(load_two(b.v.data()) + factor * TwoLanes{r[0], r[1]}, b.v.data());
+        if constexpr (Dimension == 3) b.v[2] += factor * r[2];
+    } else {
+        for (std::size_t k = 0; k < r.size(); ++k) b.v[k] += factor * r[k];
+    }
 }
 
-/// A disk in doubles, advanced to the present.
-struct DiskView {
-    std::array<double, 2> x, v, a;
+/// A body in doubles, advanced to the present.
+template <int Dimension>
+struct BodyView {
+    std::array<double, static_cast<std::size_t>(Dimension)> x, v, a;
 
     template <typename Scalar>
-    DiskView(const FallingDisk<Scalar>& d, const Scalar& time) {
-        for (std::size_t k = 0; k < 2; ++k) {
-            x[k] = static_cast<double>(position_at(d, k, time));
-            v[k] = static_cast<double>(velocity_at(d, k, time));
-            a[k] = static_cast<double>(d.a[k]);
+    BodyView(const FallingBody<Scalar, Dimension>& b, const Scalar& time) {
+        for (std::size_t k = 0; k < x.size(); ++k) {
+            x[k] = static_cast<double>(position_at(b, k, time));
+            v[k] = static_cast<double>(velocity_at(b, k, time));
+            a[k] = static_cast<double>(b.a[k]);
         }
     }
     /// With a known acceleration, as for advance_body().
-    DiskView(const DiskState& d, double time, const std::array<double, 2>& gravity) : a(gravity) {
-        fall(d, time, gravity, x, v);
+    BodyView(const BodyState<Dimension>& b, double time,
+             const std::array<double, static_cast<std::size_t>(Dimension)>& gravity)
+        : a(gravity) {
+        fall(b, time, gravity, x, v);
     }
 };
 

@@ -1,6 +1,7 @@
-// Finds which disk a disk touches first: contact_search.h searches the disks in the surrounding
-// cells (cell_grid.h), and the data that a search will need are prefetched. Also handles the order
-// of disks in memory and their moves between cells. Independent of walls, event queue and clock.
+// Finds which disk or sphere one of them touches first: contact_search.h searches those in the
+// surrounding cells (cell_grid.h), and the data that a search will need are prefetched. Also
+// handles the order of bodies in memory and their moves between cells. Independent of walls, event
+// queue and clock.
 #pragma once
 
 #include <algorithm>
@@ -20,23 +21,28 @@
 
 namespace carom {
 
-/// The bodies are DiskStates or derive from them. Only bodies of doubles are searched and sorted in
+/// The bodies are BodyStates or derive from them. Only bodies of doubles are searched and sorted in
 /// memory.
 template <typename BodyType>
 class PairSearch {
   public:
     using Body = BodyType;
     using Bodies = LargeVector<Body>;
+    static constexpr std::size_t axes = Body::axes;
+    static constexpr int dimension = static_cast<int>(axes);
+    using Grid = CellGrid<dimension>;
+    using Cell = CellOf<dimension>;
+    using Point = std::array<double, axes>;
 
-    PairSearch(const Box& box, const Particles& particles, const std::array<double, 2>& gravity)
+    PairSearch(const Box& box, const Particles& particles, const Point& gravity)
         : box_(box),
           grid_(box, particles.radius),
           properties_(particles),
-          nearest_(Pairing::nearest(box)),
-          only_(Pairing::shifted(0.0, 0.0)) {
+          nearest_(Pairing<dimension>::nearest(box)),
+          only_(Pairing<dimension>::shifted({})) {
         if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * particles.radius[0];
         nearest_.gravity = only_.gravity = gravity;
-        for (std::size_t a = 0; a < 2; ++a)
+        for (std::size_t a = 0; a < axes; ++a)
             surely_nearest_[a] = grid_.narrow()[a]    ? -1.0
                                  : box.is_periodic(a) ? 0.5 * box.length(a)
                                                       : never<double>;
@@ -61,9 +67,12 @@ class PairSearch {
 
     /// Enters sorted bodies at time 0 into the grid.
     void enter(Bodies& bodies) {
-        for (Body& body : bodies)
-            body.cell = grid_.cell_at(static_cast<double>(body.x[0]) - origin_[0],
-                                      static_cast<double>(body.x[1]) - origin_[1]);
+        for (Body& body : bodies) {
+            Point x;
+            for (std::size_t a = 0; a < axes; ++a)
+                x[a] = static_cast<double>(body.x[a]) - origin_[a];
+            body.cell = grid_.cell_at(x);
+        }
         fill_grid(bodies);
     }
 
@@ -97,10 +106,10 @@ class PairSearch {
     template <typename Scalar>
     void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
-    /// Prefetch the data needed for the event of disk i at `time`, to be called in this order, each
-    /// after the previous data have arrived: the disk itself; its partner, by the same call; the
-    /// cells around both; the disks in these cells.
-    void fetch_disk_ahead(const Bodies& bodies, std::int32_t i) const {
+    /// Prefetch the data needed for the event of body i at `time`, to be called in this order, each
+    /// after the previous data have arrived: the body itself; its partner, by the same call; the
+    /// cells around both; the bodies in these cells.
+    void fetch_body_ahead(const Bodies& bodies, std::int32_t i) const {
         constexpr std::size_t cache_line = 64;
         const auto* begin = reinterpret_cast<const char*>(&at(bodies, i));
         for (std::size_t k = 0; k < sizeof(Body); k += cache_line) __builtin_prefetch(begin + k);
@@ -108,22 +117,22 @@ class PairSearch {
     void fetch_cells_ahead(const Bodies& bodies, std::int32_t i, double time) const;
     void fetch_neighbours_ahead(const Bodies& bodies, std::int32_t i, double time);
 
-    /// The other disk in the event of disk i at `time`, or i if there is none.
+    /// The other body in the event of body i at `time`, or i if there is none.
     static std::int32_t partner_ahead(const Bodies& bodies, std::int32_t i, double time);
 
   protected:
-    static constexpr bool of_doubles = std::is_base_of_v<DiskState, Body>;
+    static constexpr bool of_doubles = std::is_base_of_v<BodyState<dimension>, Body>;
     static auto& at(auto& bodies, std::int32_t i) { return bodies[static_cast<std::size_t>(i)]; }
 
     double radius_of(std::int32_t i) const { return properties_[i].radius; }
 
-    /// The earliest contact of a disk.
+    /// The earliest contact of a body.
     FirstContact first_contact(const Bodies& bodies, std::int32_t i, double now);
-    /// The same for two disks that have just collided. Returns false without a result if they might
-    /// meet again before either meets a third disk.
+    /// The same for two bodies that have just collided. Returns false without a result if they
+    /// might meet again before either meets a third.
     bool first_contacts(const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
                         std::array<FirstContact, 2>& contacts);
-    /// The same for a disk that has just crossed the side of a cell: the contact predicted before
+    /// The same for a body that has just crossed the side of a cell: the contact predicted before
     /// remains valid.
     FirstContact first_contact_after_crossing(const Bodies& bodies, std::int32_t i, int side,
                                               double now);
@@ -132,26 +141,26 @@ class PairSearch {
     /// the nearest image, or in a narrow periodic box, where two images may touch a, the one that a
     /// approaches. Returns false if a approaches none.
     template <typename Scalar>
-    bool separation_at_contact(const Body& a, const Body& b, double sigma, Scalar& x,
-                               Scalar& y) const;
+    bool separation_at_contact(const Body& a, const Body& b, double sigma,
+                               std::array<Scalar, axes>& r) const;
 
-    /// Creates a new grid for all disks over the part of the plane that begins at `origin` and has
-    /// the size and walls of `part`. The bodies must be entered again.
-    void set_grid(const std::array<double, 2>& origin, const Box& part, std::size_t count) {
+    /// Creates a new grid for all bodies over the part of space that begins at `origin` and has the
+    /// size and walls of `part`. The bodies must be entered again.
+    void set_grid(const Point& origin, const Box& part, std::size_t count) {
         Eigen::ArrayXd radii(static_cast<Eigen::Index>(count));
         for (std::size_t k = 0; k < count; ++k)
             radii[static_cast<Eigen::Index>(k)] = properties_[k].radius;
         origin_ = origin;
-        grid_ = CellGrid(part, radii);
+        grid_ = Grid(part, radii);
     }
 
     Box box_;
-    CellGrid grid_;
+    Grid grid_;
     Coincidences coincidences_;
-    std::array<double, 2> origin_{};  ///< lower left corner of the grid
+    Point origin_{};  ///< lower corner of the grid
     std::vector<std::int32_t> near_ =
-        std::vector<std::int32_t>(4 * CellGrid::spare);  ///< scratch: the disks to be examined
-    DiskProperties properties_;
+        std::vector<std::int32_t>(4 * Grid::spare);  ///< scratch: the bodies to be examined
+    BodyProperties properties_;
 
   private:
     static bool crosses_cells(const Prediction& prediction, double time) {
@@ -161,20 +170,20 @@ class PairSearch {
         return static_cast<int>(prediction.border - first_cell_side);
     }
     template <typename Scalar>
-    bool separation_of_images(const Body& a, const Body& b, double sigma, Scalar& x,
-                              Scalar& y) const;
+    bool separation_of_images(const Body& a, const Body& b, double sigma,
+                              std::array<Scalar, axes>& r) const;
     void fill_grid(const Bodies& bodies);
     void fill_up_lanes(std::int32_t i);
-    bool search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
+    bool search(const Bodies& bodies, std::int32_t i, double now, const Pairing<dimension>& pairing,
                 FirstContact& first);
     auto search_slots(const Bodies& bodies, std::int32_t i, double now, FirstContact& first,
                       bool& may_coincide);
-    const Pairing& pairing_near(Cell cell) const;
+    const Pairing<dimension>& pairing_near(Cell cell) const;
     template <std::size_t usual>
     void fetch_listed(const Bodies& bodies);
 
-    Pairing nearest_, only_;                  ///< for several images, and for a single one
-    std::array<double, 2> surely_nearest_{};  ///< an image closer than this is the one in contact
+    Pairing<dimension> nearest_, only_;  ///< for several images, and for a single one
+    Point surely_nearest_{};             ///< an image closer than this is the one in contact
     std::size_t near_count_ = 0;
 };
 
@@ -203,45 +212,53 @@ void PairSearch<Body>::cross(Bodies& bodies, std::int32_t i, int side, const Sca
 template <typename Body>
 template <typename Scalar>
 inline bool PairSearch<Body>::separation_at_contact(const Body& a, const Body& b, double sigma,
-                                                    Scalar& x, Scalar& y) const {
-    x = b.x[0] - a.x[0];
-    y = b.x[1] - a.x[1];
-    const auto is_nearest = [this](const Scalar& distance, std::size_t axis) {
-        return std::abs(static_cast<double>(distance)) <= surely_nearest_[axis];
-    };
-    if (is_nearest(x, 0) && is_nearest(y, 1)) [[likely]]
-        return x * (b.v[0] - a.v[0]) + y * (b.v[1] - a.v[1]) < 0.0;
-    return separation_of_images(a, b, sigma, x, y);
+                                                    std::array<Scalar, axes>& r) const {
+    std::array<Scalar, axes> v;
+    bool is_nearest = true;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        r[axis] = b.x[axis] - a.x[axis];
+        v[axis] = b.v[axis] - a.v[axis];
+        is_nearest = is_nearest && std::abs(static_cast<double>(r[axis])) <= surely_nearest_[axis];
+    }
+    if (is_nearest) [[likely]]
+        return scalar_product(r, v) < 0.0;
+    return separation_of_images(a, b, sigma, r);
 }
 
 template <typename Body>
 template <typename Scalar>
-bool PairSearch<Body>::separation_of_images(const Body& a, const Body& b, double sigma, Scalar& x,
-                                            Scalar& y) const {
-    std::array<std::array<Scalar, 2>, 2> along{};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
+bool PairSearch<Body>::separation_of_images(const Body& a, const Body& b, double sigma,
+                                            std::array<Scalar, axes>& r) const {
+    std::array<std::array<Scalar, 2>, axes> along{};
+    std::array<Scalar, axes> v;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        v[axis] = b.v[axis] - a.v[axis];
         const Scalar plain = b.x[axis] - a.x[axis];
         const double size = box_.length(axis);
         const Scalar nearest = plain - size * box_.turns(axis, static_cast<double>(plain));
         along[axis] = {nearest, nearest > 0.0 ? Scalar(nearest - size) : Scalar(nearest + size)};
     }
     double best = never<double>;
-    for (std::size_t i = 0; i < (grid_.narrow()[0] ? 2 : 1); ++i) {
-        for (std::size_t j = 0; j < (grid_.narrow()[1] ? 2 : 1); ++j) {
-            const Scalar &rx = along[0][i], &ry = along[1][j];
-            if (!(rx * (b.v[0] - a.v[0]) + ry * (b.v[1] - a.v[1]) < 0.0)) continue;
-            const double misfit =
-                std::abs(static_cast<double>(Scalar(rx * rx + ry * ry - sigma * sigma)));
-            if (misfit >= best) continue;
-            best = misfit;
-            x = rx;
-            y = ry;
+    // Each bit of a combination chooses one of the two images along an axis.
+    for (unsigned which = 0; which < 1U << axes; ++which) {
+        std::array<Scalar, axes> image;
+        bool exists = true;
+        for (std::size_t axis = 0; axis < axes; ++axis) {
+            const unsigned second = which >> (axes - 1 - axis) & 1U;
+            exists = exists && (second == 0 || grid_.narrow()[axis]);
+            image[axis] = along[axis][second];
         }
+        if (!exists || !(scalar_product(image, v) < 0.0)) continue;
+        const double misfit =
+            std::abs(static_cast<double>(Scalar(scalar_product(image, image) - sigma * sigma)));
+        if (misfit >= best) continue;
+        best = misfit;
+        r = image;
     }
     return std::isfinite(best);
 }
 
-// Pads the list to whole groups with the disk itself, which it never collides with; afterwards
+// Pads the list to whole groups with the body itself, which it never collides with; afterwards
 // there is at least one group.
 template <typename Body>
 inline void PairSearch<Body>::fill_up_lanes(std::int32_t i) {
@@ -249,10 +266,11 @@ inline void PairSearch<Body>::fill_up_lanes(std::int32_t i) {
     near_count_ = std::max(lanes, (near_count_ + lanes - 1) / lanes * lanes);
 }
 
-// The earliest contact with one of the listed disks. Returns whether two contacts may coincide.
+// The earliest contact with one of the listed bodies. Returns whether two contacts may coincide.
 template <typename Body>
 [[gnu::always_inline]] inline bool PairSearch<Body>::search(const Bodies& bodies, std::int32_t i,
-                                                            double now, const Pairing& pairing,
+                                                            double now,
+                                                            const Pairing<dimension>& pairing,
                                                             FirstContact& first) {
     fill_up_lanes(i);
     const std::size_t count = near_count_;
@@ -267,24 +285,25 @@ template <typename Body>
     return may_coincide;
 }
 
-// The pairing for disks in the surrounding cells.
+// The pairing for bodies in the surrounding cells.
 template <typename Body>
-[[gnu::always_inline]] inline const Pairing& PairSearch<Body>::pairing_near(Cell cell) const {
-    const auto inner = [&](std::size_t a) {
-        return cell[a] - grid_.inner()[a].first < grid_.inner()[a].count;
-    };
-    return inner(0) & inner(1) ? only_ : nearest_;
+[[gnu::always_inline]] inline auto PairSearch<Body>::pairing_near(Cell cell) const
+    -> const Pairing<dimension>& {
+    bool is_inner = true;
+    for (std::size_t a = 0; a < axes; ++a)
+        is_inner &= cell[a] - grid_.inner()[a].first < grid_.inner()[a].count;
+    return is_inner ? only_ : nearest_;
 }
 
-// Returns early for empty cells: it is called for every cell, and most cells around a large disk
+// Returns early for empty cells: it is called for every cell, and most cells around a large body
 // are empty.
 template <typename Body>
 inline auto PairSearch<Body>::search_slots(const Bodies& bodies, std::int32_t i, double now,
                                            FirstContact& first, bool& may_coincide) {
-    return [&, i, now](const CellGrid::Slots& slots, double shift_x, double shift_y) {
+    return [&, i, now](const typename Grid::Slots& slots, const Point& shift) {
         grid_.append(slots, near_, near_count_);
         if (near_count_ == 0) return;
-        Pairing pairing = Pairing::shifted(shift_x, shift_y);
+        auto pairing = Pairing<dimension>::shifted(shift);
         pairing.gravity = only_.gravity;
         pairing.margin = only_.margin;
         may_coincide |= search(bodies, i, now, pairing, first);
@@ -310,7 +329,7 @@ template <typename Body>
     return first;
 }
 
-// The nearest image of the other disk recedes, and no other image is relevant.
+// The nearest image of the other body recedes, and no other image is relevant.
 template <typename Body>
 [[gnu::always_inline]] inline bool PairSearch<Body>::first_contacts(
     const Bodies& bodies, std::int32_t i, std::int32_t j, double now,
@@ -354,14 +373,14 @@ template <typename Body>
     return first;
 }
 
-// Negative partners are not disks.
+// Negative partners are not bodies.
 template <typename Body>
 inline std::int32_t PairSearch<Body>::partner_ahead(const Bodies& bodies, std::int32_t i,
                                                     double time) {
     const Prediction& prediction = at(bodies, i).prediction;
     const std::int32_t meets = prediction.contact_time <= time ? -1 : 0;
-    const std::int32_t no_disk = prediction.partner >> 31;
-    return i ^ ((i ^ prediction.partner) & meets & ~no_disk);
+    const std::int32_t no_body = prediction.partner >> 31;
+    return i ^ ((i ^ prediction.partner) & meets & ~no_body);
 }
 
 // The processor cannot predict the length of the list, so at least `usual` entries are prefetched,
@@ -384,7 +403,7 @@ inline void PairSearch<Body>::fetch_cells_ahead(const Bodies& bodies, std::int32
     const Cell next = grid_.next_cell(a.cell, is_crossing ? cell_side(a.prediction) : 0);
     const unsigned crosses = is_crossing ? ~0U : 0U;
     Cell about;
-    for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t k = 0; k < axes; ++k)
         about[k] = static_cast<std::uint16_t>(a.cell[k] ^ ((a.cell[k] ^ next[k]) & crosses));
     grid_.fetch_around(about);
     grid_.fetch_around(at(bodies, partner_ahead(bodies, i, time)).cell);
@@ -398,11 +417,11 @@ inline void PairSearch<Body>::fetch_neighbours_ahead(const Bodies& bodies, std::
     if (crosses_cells(a.prediction, time)) {
         const int side = cell_side(a.prediction);
         grid_.append_newly_around(grid_.next_cell(a.cell, side), side, near_, near_count_);
-        fetch_listed<4>(bodies);
+        fetch_listed<dimension == 2 ? 4 : 10>(bodies);
     } else {
         grid_.append_around(a.cell, near_, near_count_);
         grid_.append_around(at(bodies, partner_ahead(bodies, i, time)).cell, near_, near_count_);
-        fetch_listed<20>(bodies);
+        fetch_listed<dimension == 2 ? 20 : 56>(bodies);
     }
 }
 

@@ -4,16 +4,61 @@
 #include "util/threads/processors.h"
 
 namespace carom {
+namespace {
 
-template class PairSearch<DiskState>;
+// A vector as lanes; the fourth lane is 0.
+[[gnu::always_inline]] inline TwoLanes lanes_of(const std::array<double, 2>& x) {
+    return load_two(x.data());
+}
+[[gnu::always_inline]] inline FourLanes lanes_of(const std::array<double, 3>& x) {
+    return FourLanes{x[0], x[1], x[2], 0.0};
+}
+[[gnu::always_inline]] inline TwoLanes lanes_of(const CellOf<2>& cell) {
+    return TwoLanes{static_cast<double>(cell[0]), static_cast<double>(cell[1])};
+}
+[[gnu::always_inline]] inline FourLanes lanes_of(const CellOf<3>& cell) {
+    return FourLanes{static_cast<double>(cell[0]), static_cast<double>(cell[1]),
+                     static_cast<double>(cell[2]), 0.0};
+}
 
-Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
-    : PairSearch(box, particles, {}) {
-    cell_size_ = load_two(grid_.cell_size().data());
-    overhang_ = load_two(grid_.overhang().data());
-    for (std::size_t a = 0; a < 2; ++a) {
+// The lower side of each axis.
+[[gnu::always_inline]] inline void set_lower_sides(TwoMasks& sides) { sides = TwoMasks{0, 2}; }
+[[gnu::always_inline]] inline void set_lower_sides(FourMasks& sides) {
+    sides = FourMasks{0, 2, 4, 6};
+}
+
+// The least of the times, in all lanes, with its side; the processor cannot predict which it is.
+[[gnu::always_inline]] inline void take_first(TwoLanes& time, TwoMasks& side) {
+    const TwoMasks other_first = swapped(time) < time;
+    side = other_first ? swapped(side) : side;
+    time = select(other_first, swapped(time), time);
+}
+[[gnu::always_inline]] inline void take_first(FourLanes& time, FourMasks& side) {
+    const FourLanes next = __builtin_shufflevector(time, time, 1, 0, 3, 2);
+    const FourMasks next_side = __builtin_shufflevector(side, side, 1, 0, 3, 2);
+    const FourMasks next_first = next < time;
+    side = next_first ? next_side : side;
+    time = select(next_first, next, time);
+    const FourLanes other = __builtin_shufflevector(time, time, 2, 3, 0, 1);
+    const FourMasks other_side = __builtin_shufflevector(side, side, 2, 3, 0, 1);
+    const FourMasks other_first = other < time;
+    side = other_first ? other_side : side;
+    time = select(other_first, other, time);
+}
+
+}  // namespace
+
+template class PairSearch<BodyState<2>>;
+template class PairSearch<BodyState<3>>;
+
+template <int Dimension>
+PlainSpace<Dimension>::PlainSpace(const Box& box, const Particles& particles, const Arithmetic&)
+    : Base(box, particles, {}) {
+    for (std::size_t a = 0; a < axes; ++a) {
         const double size = box.length(a);
         const bool periodic = box.is_periodic(a);
+        cell_size_[a] = grid_.cell_size()[a];
+        overhang_[a] = grid_.overhang()[a];
         last_cell_[a] = grid_.last_cell()[a];
         box_size_[a] = size;
         solid_[a] = periodic ? 0 : -1;
@@ -21,82 +66,97 @@ Plane::Plane(const Box& box, const Particles& particles, const Arithmetic&)
     }
 }
 
-Plane::Bodies Plane::bodies_of(const Particles& particles) {
+template <int Dimension>
+auto PlainSpace<Dimension>::bodies_of(const Particles& particles) -> Bodies {
     return Bodies(static_cast<std::size_t>(particles.count()));
 }
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-bool Plane::collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const {
+template <int Dimension>
+CAROM_FOR_PROCESSORS_WITH_FMA bool PlainSpace<Dimension>::collide(
+    Bodies& bodies, std::int32_t i, std::int32_t j, Contact<Dimension>& contact) const {
     Body &a = at(bodies, i), &b = at(bodies, j);
     const Properties &first = properties_[i], &second = properties_[j];
     const double sigma = first.radius + second.radius;
-    RelativeMotion<double> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
-    if (!separation_at_contact(a, b, sigma, m.x, m.y)) return false;
+    RelativeMotion<double, axes> m;
+    for (std::size_t k = 0; k < axes; ++k) m.v[k] = b.v[k] - a.v[k];
+    if (!this->separation_at_contact(a, b, sigma, m.r)) return false;
     static_assert(ContactRule::keeps_species);
     const Unrounded<double> factor =
         ContactRule::impulse(m, first.inverse_mass, second.inverse_mass);
-    const TwoLanes r{m.x, m.y};
-    store_two(load_two(a.v.data()) + product_of(first.inverse_mass, factor) * r, a.v.data());
-    store_two(load_two(b.v.data()) - product_of(second.inverse_mass, factor) * r, b.v.data());
+    const double of_first = product_of(first.inverse_mass, factor);
+    const double of_second = product_of(second.inverse_mass, factor);
+    const TwoLanes r{m.r[0], m.r[1]};
+    store_two(load_two(a.v.data()) + of_first * r, a.v.data());
+    store_two(load_two(b.v.data()) - of_second * r, b.v.data());
+    if constexpr (Dimension == 3) {
+        a.v[2] += of_first * m.r[2];
+        b.v[2] -= of_second * m.r[2];
+    }
     contact = contact_of(m, factor.value, sigma);
     return true;
 }
 
 // The contact, or the first of the borders ahead on each axis: of the cell with its overhang, or of
-// the box. A large disk reaches the wall while it is still several cells away.
-[[gnu::always_inline]] inline double Plane::next_event(Body& d, double radius, double now,
-                                                       const FirstContact& contact) {
-    const TwoLanes none = both(never<double>), zero{};
-    const TwoLanes v = load_two(d.v.data()), x = load_two(d.x.data());
-    const TwoLanes cell{static_cast<double>(d.cell[0]), static_cast<double>(d.cell[1])};
-    const TwoMasks up = v > 0.0;
-    TwoLanes border =
-        cell_size_ * (cell + select(up, both(1.0), zero)) + select(up, overhang_, -overhang_);
-    TwoMasks kind = TwoMasks{0, 2} + first_cell_side - up;
+// the box. A large body reaches the wall while it is still several cells away.
+template <int Dimension>
+[[gnu::always_inline]] inline double PlainSpace<Dimension>::next_event(
+    Body& b, double radius, double now, const FirstContact& contact) {
+    const Lanes zero{}, none = zero + never<double>, one = zero + 1.0;
+    const Lanes v = lanes_of(b.v), x = lanes_of(b.x), cell = lanes_of(b.cell);
+    const Masks up = v > 0.0;
+    Lanes border = cell_size_ * (cell + select(up, one, zero)) + select(up, overhang_, -overhang_);
+    Masks kind;
+    set_lower_sides(kind);
+    kind = kind + first_cell_side - up;
     if (has_walls_) {
-        const TwoLanes wall = select(up, box_size_ - radius, both(radius));
-        const TwoLanes last = select(up, last_cell_, zero);
+        const Lanes wall = select(up, box_size_ - radius, zero + radius);
+        const Lanes last = select(up, last_cell_, zero);
         // both the other way round for those that go down, so that one comparison is enough
-        const TwoLanes before = select(up, wall, border), behind = select(up, border, wall);
-        const TwoMasks at_wall = solid_ & ((cell == last) | (before <= behind));
+        const Lanes before = select(up, wall, border), behind = select(up, border, wall);
+        const Masks at_wall = solid_ & ((cell == last) | (before <= behind));
         border = select(at_wall, wall, border);
         kind -= at_wall & first_cell_side;
     }
-    const TwoLanes ahead = (border - (x + v * (now - d.time))) / v;
-    const TwoLanes time = now + select(v == 0.0, none, select(ahead > 0.0, ahead, zero));
-    // all in lanes: the processor cannot predict which is first
-    const TwoMasks other_first = swapped(time) < time;
-    const TwoMasks first_kind = other_first ? swapped(kind) : kind;
-    const TwoLanes border_time = select(other_first, swapped(time), time);
-    const TwoLanes contact_time = both(contact.time);
+    const Lanes ahead = (border - (x + v * (now - b.time))) / v;
+    Lanes border_time = now + select(v == 0.0, none, select(ahead > 0.0, ahead, zero));
+    take_first(border_time, kind);
+    const Lanes contact_time = zero + contact.time;
     if (coincidences_.may_coincide(contact.time, border_time[0])) [[unlikely]]
         coincidences_.note(contact.time);
-    d.prediction = {.contact_time = contact.time,
+    b.prediction = {.contact_time = contact.time,
                     .partner = contact.partner(),
                     .partner_collisions = contact.collisions() & most_collisions,
-                    .border = static_cast<std::uint32_t>(first_kind[0]) & most_border};
+                    .border = static_cast<std::uint32_t>(kind[0]) & most_border};
     return select(contact_time < border_time, contact_time, border_time)[0];
 }
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-double Plane::predict(Bodies& bodies, std::int32_t i, double now) {
-    return next_event(at(bodies, i), properties_[i].radius, now, first_contact(bodies, i, now));
+template <int Dimension>
+CAROM_FOR_PROCESSORS_WITH_FMA double PlainSpace<Dimension>::predict(Bodies& bodies, std::int32_t i,
+                                                                    double now) {
+    return next_event(at(bodies, i), properties_[i].radius, now,
+                      this->first_contact(bodies, i, now));
 }
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-bool Plane::predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
-                         std::array<double, 2>& when) {
+template <int Dimension>
+CAROM_FOR_PROCESSORS_WITH_FMA bool PlainSpace<Dimension>::predict_both(
+    Bodies& bodies, std::int32_t i, std::int32_t j, double now, std::array<double, 2>& when) {
     std::array<FirstContact, 2> contacts;
-    if (!first_contacts(bodies, i, j, now, contacts)) return false;
+    if (!this->first_contacts(bodies, i, j, now, contacts)) return false;
     when = {next_event(at(bodies, i), properties_[i].radius, now, contacts[0]),
             next_event(at(bodies, j), properties_[j].radius, now, contacts[1])};
     return true;
 }
 
-CAROM_FOR_PROCESSORS_WITH_FMA
-double Plane::predict_after_crossing(Bodies& bodies, std::int32_t i, int side, double now) {
+template <int Dimension>
+CAROM_FOR_PROCESSORS_WITH_FMA double PlainSpace<Dimension>::predict_after_crossing(Bodies& bodies,
+                                                                                   std::int32_t i,
+                                                                                   int side,
+                                                                                   double now) {
     return next_event(at(bodies, i), properties_[i].radius, now,
-                      first_contact_after_crossing(bodies, i, side, now));
+                      this->first_contact_after_crossing(bodies, i, side, now));
 }
+
+template class PlainSpace<2>;
+template class PlainSpace<3>;
 
 }  // namespace carom

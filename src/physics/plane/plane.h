@@ -1,6 +1,6 @@
-// The plane: disks in two dimensions in a box with reflecting or periodic sides. Determines which
-// pairs touch (pair_search.h) and when a disk reaches a wall. Independent of the event queue and
-// the clock.
+// Disks in the plane, or spheres in space, in a box with reflecting or periodic sides. Determines
+// which pairs touch (pair_search.h) and when a body reaches a wall. Independent of the event queue
+// and the clock.
 #pragma once
 
 #include <array>
@@ -14,11 +14,17 @@
 
 namespace carom {
 
-extern template class PairSearch<DiskState>;
+extern template class PairSearch<BodyState<2>>;
+extern template class PairSearch<BodyState<3>>;
 
-class Plane : public PairSearch<DiskState> {
+template <int Dimension>
+class PlainSpace : public PairSearch<BodyState<Dimension>> {
   public:
-    Plane(const Box& box, const Particles& particles, const Arithmetic& = {});
+    using Base = PairSearch<BodyState<Dimension>>;
+    using Base::axes;
+    using typename Base::Body, typename Base::Bodies;
+
+    PlainSpace(const Box& box, const Particles& particles, const Arithmetic& = {});
 
     /// Creates the bodies of these particles.
     static Bodies bodies_of(const Particles& particles);
@@ -35,17 +41,25 @@ class Plane : public PairSearch<DiskState> {
     /// remains valid.
     double predict_after_crossing(Bodies& bodies, std::int32_t i, int side, double now);
 
-    /// Changes the velocities of two disks in contact that have been advanced to the same time.
+    /// Changes the velocities of two bodies in contact that have been advanced to the same time.
     /// Returns false if they do not approach (a grazing contact, due to round-off).
-    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact) const;
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<Dimension>& contact) const;
 
   private:
-    double next_event(Body& d, double radius, double now, const FirstContact& contact);
+    using Base::at, Base::box_, Base::grid_, Base::coincidences_, Base::properties_;
+    // One lane for each axis; in space the fourth is not used.
+    using Lanes = std::conditional_t<Dimension == 2, TwoLanes, FourLanes>;
+    using Masks = std::conditional_t<Dimension == 2, TwoMasks, FourMasks>;
 
-    TwoLanes cell_size_{}, last_cell_{}, overhang_{};  ///< parameters of the grid, as lanes
-    TwoLanes box_size_{};
-    TwoMasks solid_{};  ///< mask of the axes with solid walls
+    double next_event(Body& b, double radius, double now, const FirstContact& contact);
+
+    Lanes cell_size_{}, last_cell_{}, overhang_{};  ///< parameters of the grid, as lanes
+    Lanes box_size_{};
+    Masks solid_{};  ///< mask of the axes with solid walls
     bool has_walls_ = false;
 };
+
+extern template class PlainSpace<2>;
+extern template class PlainSpace<3>;
 
 }  // namespace carom

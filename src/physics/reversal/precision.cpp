@@ -318,15 +318,16 @@ int bits_for(const Perturbation& perturbation, double size) {
 }
 
 ReturnDistance moved_by(const std::vector<Perturbation>& perturbations, Eigen::Index particles) {
-    std::map<std::int64_t, std::array<Real, 2>> displaced;
+    std::map<std::int64_t, std::array<Real, 3>> displaced;
     for (const Perturbation& perturbation : perturbations) {
-        std::array<Real, 2>& by = displaced[perturbation.particle];
+        std::array<Real, 3>& by = displaced[perturbation.particle];
         for (std::size_t axis = 0; axis < by.size(); ++axis)
-            by[axis] += Real::from_text(perturbation.by[axis], least_bits);
+            if (!perturbation.by[axis].empty())
+                by[axis] += Real::from_text(perturbation.by[axis], least_bits);
     }
     Real largest = 0.0, sum = 0.0;
     for (const auto& [particle, by] : displaced) {
-        const Real square = by[0] * by[0] + by[1] * by[1];
+        const Real square = by[0] * by[0] + by[1] * by[1] + by[2] * by[2];
         largest = std::max(largest, square);
         sum += square;
     }

@@ -56,12 +56,12 @@ Scalar plain_contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, 
         return contact_time(m, sigma, round_off);
     } else {
         using std::sqrt;
-        const Scalar approach = m.x * m.vx + m.y * m.vy;
+        const Scalar approach = scalar_product(m.r, m.v);
         if (!(approach < -round_off)) return Scalar(never<double>);
-        const Scalar gap = m.x * m.x + m.y * m.y - sigma * sigma;
+        const Scalar gap = scalar_product(m.r, m.r) - sigma * sigma;
         if (!(gap > 0.0)) return Scalar(0.0);
-        const Scalar miss = m.x * m.vy - m.y * m.vx;
-        const Scalar square = sigma * sigma * (m.vx * m.vx + m.vy * m.vy) - miss * miss;
+        const Scalar square =
+            sigma * sigma * scalar_product(m.v, m.v) - sum_of_squares(cross_product(m));
         return square > 0.0 ? gap / (sqrt(square) - approach) : Scalar(never<double>);
     }
 }
@@ -74,8 +74,8 @@ Scalar falling_contact_time(const RelativeMotion<Scalar>& m, const std::array<Sc
                             bool is_let_in = false) {
     if (a[0] == 0.0 && a[1] == 0.0)
         return is_let_in ? Scalar(never<double>) : plain_contact_time(m, sigma, round_off);
-    return accelerated_contact_time<Scalar>({m.x, m.y, m.vx, m.vy, a[0], a[1]}, sigma,
-                                            Scalar(round_off), bits, is_let_in);
+    return accelerated_contact_time<Scalar>({m.r, m.v, a}, sigma, Scalar(round_off), bits,
+                                            is_let_in);
 }
 
 /// Time until a disk touches a line from either side, or `never`. A disk whose center is nearer to
@@ -118,8 +118,7 @@ Scalar circle_time(const Barrier& circle, const BarrierMotion<Scalar>& m, double
         approach_error(size(m.x[0]), size(m.x[1]), size(m.v[0]), size(m.v[1]), bits);
     const bool is_let_in =
         let_in > 0.0 && std::hypot(size(m.x[0]), size(m.x[1])) < circle.radius + let_in;
-    return falling_contact_time<Scalar>({m.x[0], m.x[1], m.v[0], m.v[1]}, m.a, sigma, round_off,
-                                        bits, is_let_in);
+    return falling_contact_time<Scalar>({m.x, m.v}, m.a, sigma, round_off, bits, is_let_in);
 }
 
 }  // namespace carom

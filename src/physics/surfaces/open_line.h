@@ -14,10 +14,10 @@
 namespace carom {
 
 template <typename Scalar>
-class OpenLine : public Line<Scalar, FallingDisk<Scalar>> {
+class OpenLine : public Line<Scalar, FallingBody<Scalar>> {
   public:
-    using Base = Line<Scalar, FallingDisk<Scalar>>;
-    using Body = FallingDisk<Scalar>;
+    using Base = Line<Scalar, FallingBody<Scalar>>;
+    using Body = FallingBody<Scalar>;
     using Bodies = LargeVector<Body>;
 
     OpenLine(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});

@@ -83,7 +83,7 @@ struct InCell {
 
 // Whether two disks with the same acceleration certainly do not touch within `time`: they separate,
 // miss each other or are too far apart, by margins far above the rounding errors of doubles.
-bool surely_miss(const DiskView& a, const DiskView& b, const std::array<double, 2>& shift,
+bool surely_miss(const BodyView<2>& a, const BodyView<2>& b, const std::array<double, 2>& shift,
                  double sigma, double time) {
     if (a.a != b.a) return false;
     constexpr double slack = 1e-9;
@@ -101,7 +101,7 @@ bool surely_miss(const DiskView& a, const DiskView& b, const std::array<double, 
 
 }  // namespace
 
-template class PairSearch<FallingDisk<double>>;
+template class PairSearch<FallingBody<double>>;
 
 template <typename Scalar>
 OpenPlane<Scalar>::OpenPlane(const Box& box, const Particles& particles,
@@ -273,7 +273,7 @@ Scalar OpenPlane<Scalar>::pair_time(const Body& a, const Body& b,
 // Considers the barriers that a disk may touch within a time.
 template <typename Scalar>
 inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
-                                                const DiskView& view, const Scalar& now,
+                                                const BodyView<2>& view, const Scalar& now,
                                                 double within, First& first) {
     const auto look = [&](std::int32_t k) {
         if (screened_ && !surfaces_.may_touch(view, radius, k, now, within)) return;
@@ -295,7 +295,7 @@ inline void OpenPlane<Scalar>::look_at_barriers(const Body& body, double radius,
 // Time until a body leaves its cell, and through which side. A cell next to a wall has no border
 // there.
 template <typename Scalar>
-inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& view,
+inline double OpenPlane<Scalar>::border_time(const Body& body, const BodyView<2>& view,
                                              std::uint32_t& side) const {
     const TwoLanes cell{static_cast<double>(body.cell[0]), static_cast<double>(body.cell[1])};
     const TwoLanes size = load_two(grid_.cell_size().data());
@@ -317,9 +317,8 @@ inline double OpenPlane<Scalar>::border_time(const Body& body, const DiskView& v
 template <typename Scalar>
 auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now,
                                      First& first) {
-    return [this, &bodies, &now, &first, i, view = DiskView(at(bodies, i), now)](
-               const CellGrid::Slots& slots, double shift_x, double shift_y) {
-        const std::array<double, 2> shift{shift_x, shift_y};
+    return [this, &bodies, &now, &first, i, view = BodyView<2>(at(bodies, i), now)](
+               const CellGrid<2>::Slots& slots, const std::array<double, 2>& shift) {
         const Body& body = at(bodies, i);
         std::size_t count = 0;
         grid_.append(slots, near_, count);
@@ -328,7 +327,7 @@ auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const
             if (j == i) continue;
             const Body& other = at(bodies, j);
             if (screened_ &&
-                surely_miss(view, DiskView(other, now), shift, body.radius + other.radius,
+                surely_miss(view, BodyView<2>(other, now), shift, body.radius + other.radius,
                             rounded_up(Scalar(first.time - now))))
                 continue;
             const Scalar time = now + pair_time(body, other, shift, now);
@@ -345,7 +344,7 @@ auto OpenPlane<Scalar>::search_slots(const Bodies& bodies, std::int32_t i, const
 template <typename Scalar>
 inline Scalar OpenPlane<Scalar>::next_event(Body& body, double radius, const Scalar& now,
                                             First first) {
-    const DiskView view = view_of(body, now);
+    const BodyView<2> view = view_of(body, now);
     std::uint32_t side = 0;
     Scalar border = now + border_time(body, view, side);
     const double within = rounded_up(Scalar(std::min(first.time, border) - now));
@@ -402,15 +401,14 @@ bool OpenPlane<Scalar>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
     Body &a = at(bodies, i), &b = at(bodies, j);
     const Properties &first = properties_[i], &second = properties_[j];
     const double sigma = first.radius + second.radius;
-    RelativeMotion<Scalar> m{0.0, 0.0, b.v[0] - a.v[0], b.v[1] - a.v[1]};
-    if (!this->separation_at_contact(a, b, sigma, m.x, m.y)) return false;
-    const Scalar first_w = as_precise_as(m.x, first.inverse_mass),
-                 second_w = as_precise_as(m.x, second.inverse_mass);
+    RelativeMotion<Scalar> m{{0.0, 0.0}, {b.v[0] - a.v[0], b.v[1] - a.v[1]}};
+    if (!this->separation_at_contact(a, b, sigma, m.r)) return false;
+    const Scalar first_w = as_precise_as(m.r[0], first.inverse_mass),
+                 second_w = as_precise_as(m.r[0], second.inverse_mass);
     static_assert(ContactRule::keeps_species);
     const Unrounded<Scalar> factor = ContactRule::impulse(m, first_w, second_w);
-    const std::array<Scalar, 2> r{m.x, m.y};
-    accelerate(a, product_of(first_w, factor), r);
-    accelerate(b, Scalar(-product_of(second_w, factor)), r);
+    accelerate(a, product_of(first_w, factor), m.r);
+    accelerate(b, Scalar(-product_of(second_w, factor)), m.r);
     surfaces_.path_has_changed(a);
     surfaces_.path_has_changed(b);
     contact = contact_of(m, factor.value, sigma);
@@ -438,7 +436,7 @@ void OpenPlane<Scalar>::look_for_hits(Bodies& bodies, std::size_t k, const Scala
             body.prediction.partner_collisions = mover.changes & most_collisions;
         };
         grid_.for_each_in_band(mover.axis, moving.first, moving.last,
-                               [&](const CellGrid::Slots& slots) {
+                               [&](const CellGrid<2>::Slots& slots) {
                                    std::size_t count = 0;
                                    grid_.append(slots, near_, count);
                                    for (std::size_t n = 0; n < count; ++n) look_at(near_[n]);

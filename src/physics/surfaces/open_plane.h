@@ -31,20 +31,20 @@ struct Agenda {
 
 /// Creates the bodies of these particles, with their species.
 template <typename Scalar>
-LargeVector<FallingDisk<Scalar>> falling_bodies_of(const Particles& particles) {
-    auto bodies = PlainBodies<FallingDisk<Scalar>>::bodies_of(particles);
+LargeVector<FallingBody<Scalar>> falling_bodies_of(const Particles& particles) {
+    auto bodies = PlainBodies<FallingBody<Scalar>>::bodies_of(particles);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         bodies[i].species = particles.species[static_cast<Eigen::Index>(i)];
     return bodies;
 }
 
-extern template class PairSearch<FallingDisk<double>>;
+extern template class PairSearch<FallingBody<double>>;
 
 template <typename Scalar>
-class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
+class OpenPlane : public PairSearch<FallingBody<Scalar>> {
   public:
-    using Base = PairSearch<FallingDisk<Scalar>>;
-    using Body = FallingDisk<Scalar>;
+    using Base = PairSearch<FallingBody<Scalar>>;
+    using Body = FallingBody<Scalar>;
     using Bodies = LargeVector<Body>;
 
     OpenPlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
@@ -93,7 +93,7 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     /// Calls see(k) for the barriers that a disk in the cell of body i may touch.
     template <typename See>
     void for_each_barrier(const Bodies& bodies, std::int32_t i, const See& see) const {
-        const Cell& cell_of_body = at(bodies, i).cell;
+        const CellOf<2>& cell_of_body = at(bodies, i).cell;
         const int cell = cell_of_body[1] * (grid_.last_cell()[0] + 1) + cell_of_body[0];
         for (std::int32_t k = at(first_listed_, cell); k < at(first_listed_, cell + 1); ++k)
             see(at(listed_, k));
@@ -154,16 +154,16 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     void list_reach(std::size_t mover);
     double reach_of(std::size_t axis) const;
     int cell_along(std::size_t axis, double place) const;
-    DiskView view_of(const Body& body, const Scalar& now) const {
+    BodyView<2> view_of(const Body& body, const Scalar& now) const {
         if constexpr (of_doubles)
-            if (all_fall()) return DiskView(body, now, gravity_);
-        return DiskView(body, now);
+            if (all_fall()) return BodyView<2>(body, now, gravity_);
+        return BodyView<2>(body, now);
     }
     bool all_fall() const { return of_doubles && surfaces_.count_at_rest() == 0; }
     Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
                      const Scalar& now) const;
-    void look_at_barriers(const Body& body, double radius, const DiskView& view, const Scalar& now,
-                          double within, First& first);
+    void look_at_barriers(const Body& body, double radius, const BodyView<2>& view,
+                          const Scalar& now, double within, First& first);
     void notice(const Scalar& time, const First& first) {
         const auto when = static_cast<double>(time);
         if (coincidences_.may_coincide(when, static_cast<double>(first.time)))
@@ -171,7 +171,7 @@ class OpenPlane : public PairSearch<FallingDisk<Scalar>> {
     }
     auto search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now, First& first);
     Scalar next_event(Body& body, double radius, const Scalar& now, First first);
-    double border_time(const Body& body, const DiskView& view, std::uint32_t& side) const;
+    double border_time(const Body& body, const BodyView<2>& view, std::uint32_t& side) const;
 
     int bits_;
     bool screened_;

@@ -72,7 +72,7 @@ BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barr
 }
 
 template <typename Scalar>
-bool SurfaceSet<Scalar>::may_touch(const DiskView& disk, double radius, std::int32_t k,
+bool SurfaceSet<Scalar>::may_touch(const BodyView<2>& disk, double radius, std::int32_t k,
                                    const Scalar& now, double within) const {
     const Barrier& barrier = this->barrier(k);
     BarrierMotion<double> m{.x = disk.x, .v = disk.v, .a = disk.a, .radius = radius};
@@ -197,8 +197,7 @@ void SurfaceSet<Scalar>::scatter(Body& body, const Barrier& barrier, std::int64_
         for (std::size_t k = 0; k < 2; ++k)
             normal[k] = as_precise_as(from[k], side * barrier.normal[k]);
     }
-    const Unrounded<Scalar> square =
-        square_of_distance<Scalar>({body.v[0], body.v[1], Scalar(0.0), Scalar(0.0)});
+    const Unrounded<Scalar> square = unrounded_product(body.v, body.v);
     const Scalar root = sqrt(square.value);
     const Unrounded<Scalar> speed{root,
                                   (fma(-root, root, square.value) + square.error) / (2.0 * root)};

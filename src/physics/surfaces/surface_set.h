@@ -25,7 +25,7 @@ template <typename Scalar>
 class SurfaceSet : public MovingSurfaces<Scalar> {
   public:
     using Base = MovingSurfaces<Scalar>;
-    using Body = FallingDisk<Scalar>;
+    using Body = FallingBody<Scalar>;
     using typename Base::Vector;
 
     /// As for MovingSurfaces; `bits`: precision of the scalar.
@@ -36,7 +36,7 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
 
     /// Whether a disk may touch a barrier between `now` and `now` + `within`; false only if it
     /// certainly does not.
-    bool may_touch(const DiskView& disk, double radius, std::int32_t barrier, const Scalar& now,
+    bool may_touch(const BodyView<2>& disk, double radius, std::int32_t barrier, const Scalar& now,
                    double within) const;
 
     /// Time from `now` until a disk touches a barrier, or `never`.

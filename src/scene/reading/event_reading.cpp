@@ -19,15 +19,14 @@ namespace {
 constexpr std::int32_t no_surface = -1;  // until its name is resolved
 
 // The displacement is kept as the text in the file, because a double cannot hold all of its digits.
-Notation<std::array<std::string, 2>> digits(int dimension) {
-    using Digits = std::array<std::string, 2>;
+Notation<Displacement> digits(int dimension) {
     if (dimension == 1)
         return parsed(number(any_number), [](double, const Node& node, Reading&) {
-            return std::optional(Digits{node.text, "0"});
+            return std::optional(Displacement{node.text});
         });
     return parsed(pair_of(any_number, "[dx, dy]"),
                   [](const TwoNumbers&, const Node& node, Reading&) {
-                      return std::optional(Digits{node.items[0].text, node.items[1].text});
+                      return std::optional(Displacement{node.items[0].text, node.items[1].text});
                   });
 }
 

@@ -61,15 +61,15 @@ class Sturm {
 };
 
 Polynomial gap_of(const AcceleratedMotion<double>& m, double sigma) {
-    const Real x = precise(m.x), y = precise(m.y), vx = precise(m.vx), vy = precise(m.vy),
-               ax = precise(m.ax), ay = precise(m.ay), s = precise(sigma);
+    const Real x = precise(m.r[0]), y = precise(m.r[1]), vx = precise(m.v[0]), vy = precise(m.v[1]),
+               ax = precise(m.a[0]), ay = precise(m.a[1]), s = precise(sigma);
     return {x * x + y * y - s * s, 2.0 * (x * vx + y * vy), vx * vx + vy * vy + x * ax + y * ay,
             vx * ax + vy * ay, (ax * ax + ay * ay) * 0.25};
 }
 
 double distance_at(const AcceleratedMotion<double>& m, double t) {
     const auto there = m.at(t);
-    return std::hypot(there.x, there.y);
+    return std::hypot(there.r[0], there.r[1]);
 }
 
 }  // namespace
@@ -109,15 +109,15 @@ TEST_CASE("the first contact of a falling point is found, and none that is not t
         const double fast = k % 5 == 1 ? 0.0 : scale;
         const AcceleratedMotion<double> m{number(),        number(), fast * number(),
                                           fast * number(), number(), number()};
-        double sigma = std::hypot(m.x, m.y) * std::exp(random.uniform(-4.0, 0.0));
+        double sigma = std::hypot(m.r[0], m.r[1]) * std::exp(random.uniform(-4.0, 0.0));
         if (k % 4 == 0) {
-            double nearest = std::hypot(m.x, m.y);
+            double nearest = std::hypot(m.r[0], m.r[1]);
             for (int step = 0; step < 2000; ++step)
                 nearest = std::min(nearest, distance_at(m, 3.0 / scale * step / 1000.0));
             sigma = nearest *
                     (1.0 + (k % 8 == 0 ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-12.0, -3.0)));
         }
-        if (!(sigma < std::hypot(m.x, m.y))) continue;
+        if (!(sigma < std::hypot(m.r[0], m.r[1]))) continue;
         const Sturm sturm(gap_of(m, sigma));
         const double time = accelerated_contact_time(m, sigma, 0.0);
         if (time == never<double>) {
@@ -128,9 +128,9 @@ TEST_CASE("the first contact of a falling point is found, and none that is not t
         ++contacts;
         // Positions are rounded to 1e-16 or so, by which a point has moved in `slack`.
         const auto there = m.at(time);
-        const double speed = std::hypot(there.vx, there.vy);
-        const double approach = std::abs(there.x * there.vx + there.y * there.vy) / sigma;
-        const double size = std::hypot(m.x, m.y) + time * speed;
+        const double speed = std::hypot(there.v[0], there.v[1]);
+        const double approach = std::abs(there.r[0] * there.v[0] + there.r[1] * there.v[1]) / sigma;
+        const double size = std::hypot(m.r[0], m.r[1]) + time * speed;
         const double slack = 16e-16 * (size / std::max(approach, 1e-9 * speed) + time);
         CHECK(sturm.roots(precise(0.0), precise(std::max(0.0, time - slack))) == 0);
         CHECK(sturm.roots(precise(0.0), precise(time + slack)) > 0);
@@ -145,7 +145,7 @@ TEST_CASE("many bits give the same contact to the last of them") {
                                     precise(-0.4), precise(0.0), precise(-1.0)};
     const Real time = accelerated_contact_time(m, precise(0.5), precise(0.0), bits);
     const auto there = m.at(time);
-    const Real gap = there.x * there.x + there.y * there.y - precise(0.25);
+    const Real gap = there.r[0] * there.r[0] + there.r[1] * there.r[1] - precise(0.25);
     CHECK(std::abs(static_cast<double>(gap)) < 1e-118);  // 2^-400 is 4e-121
     CHECK(static_cast<double>(time) ==
           relative(accelerated_contact_time<double>({0.3, 2.5, 0.1, -0.4, 0.0, -1.0}, 0.5, 0.0),

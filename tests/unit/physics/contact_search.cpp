@@ -14,19 +14,23 @@ using namespace carom;
 
 namespace {
 
-constexpr double size = 20.0;
+// So that about as many of them meet in the plane and in space.
+template <int Dimension>
+constexpr double size = Dimension == 2 ? 20.0 : 7.0;
 
-struct Disks {
-    DiskStates flying;
-    DiskProperties properties;
-    Pairing pairing;  ///< as drawn below
+/// Bodies in the plane, or spheres in space.
+template <int Dimension>
+struct Bodies {
+    BodyStates<Dimension> flying;
+    BodyProperties properties;
+    Pairing<Dimension> pairing;  ///< as drawn below
     double shift;
     bool nearest;
     double now;
 };
 
 // Some are without mass's inverse and some are points, or all are alike.
-DiskProperties draw_properties(Random& random, std::size_t count, bool alike) {
+BodyProperties draw_properties(Random& random, std::size_t count, bool alike) {
     Particles particles;
     particles.radius = Eigen::ArrayXd::Constant(static_cast<Eigen::Index>(count), 0.6);
     particles.inverse_mass = Eigen::ArrayXd::Ones(static_cast<Eigen::Index>(count));
@@ -34,65 +38,71 @@ DiskProperties draw_properties(Random& random, std::size_t count, bool alike) {
         particles.radius[k] = random.uniform() < 0.1 ? 0.0 : random.uniform(0.1, 1.0);
         if (random.uniform() < 0.3) particles.inverse_mass[k] = 0.0;
     }
-    return DiskProperties(particles);
+    return BodyProperties(particles);
 }
 
-// Disks at times of their own, some alike in place and motion, so that times are equal. Some have a
-// contact before, and are left to look again themselves.
-Disks draw_disks(Random& random, std::size_t count) {
+// Bodies at times of their own, some alike in place and motion, so that times are equal. Some have
+// a contact before, and are left to look again themselves.
+template <int Dimension>
+Bodies<Dimension> draw_bodies(Random& random, std::size_t count) {
     const bool alike = random.uniform() < 0.5;
-    Disks disks{DiskStates(count),
-                draw_properties(random, count, alike),
-                {},
-                0.0,
-                false,
-                random.uniform() < 0.5 ? 1.0 : 4096.7};
+    Bodies<Dimension> bodies{
+        BodyStates<Dimension>(count),         draw_properties(random, count, alike), {}, 0.0, false,
+        random.uniform() < 0.5 ? 1.0 : 4096.7};
     for (std::size_t k = 0; k < count; ++k) {
-        DiskState& d = disks.flying[k];
+        BodyState<Dimension>& d = bodies.flying[k];
         if (k > 1 && random.uniform() < 0.2) {
-            d = disks.flying[k - 1];
+            d = bodies.flying[k - 1];
         } else {
-            d.x = {random.uniform(0.0, size), random.uniform(0.0, size)};
-            d.v = {random.normal(), random.normal()};
-            d.time = disks.now - random.uniform();
+            for (double& x : d.x) x = random.uniform(0.0, size<Dimension>);
+            for (double& v : d.v) v = random.normal();
+            d.time = bodies.now - random.uniform();
             d.collisions = static_cast<std::uint32_t>(random.below(1000));
         }
         d.prediction = {};
         if (random.uniform() < 0.5)
-            d.prediction.contact_time = disks.now + random.uniform(-1.0, 8.0);
+            d.prediction.contact_time = bodies.now + random.uniform(-1.0, 8.0);
     }
-    disks.nearest = random.uniform() < 0.5;
-    disks.shift = disks.nearest ? 0.0 : -size + size * static_cast<double>(random.below(3));
+    bodies.nearest = random.uniform() < 0.5;
+    bodies.shift = bodies.nearest
+                       ? 0.0
+                       : -size<Dimension> + size<Dimension> * static_cast<double>(random.below(3));
     Box box;
-    box.size = {size, size};
-    box.walls = {Wall::periodic, Wall::periodic};
-    disks.pairing = disks.nearest ? Pairing::nearest(box) : Pairing::shifted(disks.shift, 0.0);
-    if (disks.properties.alike()) disks.pairing.sigma = 1.2;
-    return disks;
+    box.dimension = Dimension;
+    box.size = {size<Dimension>, size<Dimension>, size<Dimension>};
+    box.walls.fill(Wall::periodic);
+    bodies.pairing = bodies.nearest ? Pairing<Dimension>::nearest(box)
+                                    : Pairing<Dimension>::shifted({bodies.shift});
+    if (bodies.properties.alike()) bodies.pairing.sigma = 1.2;
+    return bodies;
 }
 
-double nearest_image(double x) {
+double nearest_image(double x, double size) {
     return x > 0.5 * size ? x - size : x < -0.5 * size ? x + size : x;
 }
 
 // One after the other, as the header has it.
-FirstContact slow_search(const Disks& disks, std::int32_t i, const std::vector<std::int32_t>& near,
-                         FirstContact first) {
-    const DiskState& a = disks.flying[std::size_t(i)];
-    const double now = disks.now;
+template <int Dimension>
+FirstContact slow_search(const Bodies<Dimension>& bodies, std::int32_t i,
+                         const std::vector<std::int32_t>& near, FirstContact first) {
+    const BodyState<Dimension>& a = bodies.flying[std::size_t(i)];
+    const double now = bodies.now;
     for (const std::int32_t other : near) {
-        const DiskState& b = disks.flying[std::size_t(other)];
+        const BodyState<Dimension>& b = bodies.flying[std::size_t(other)];
         const auto apart = [&](std::size_t axis) {
             const double here = a.x[axis] + a.v[axis] * (now - a.time);
             const double there = b.x[axis] + b.v[axis] * (now - b.time);
-            return disks.nearest ? nearest_image(there - here)
-                                 : there - (here - (axis == 0 ? disks.shift : 0.0));
+            return bodies.nearest ? nearest_image(there - here, size<Dimension>)
+                                  : there - (here - (axis == 0 ? bodies.shift : 0.0));
         };
-        const RelativeMotion<double> m{apart(0), apart(1), b.v[0] - a.v[0], b.v[1] - a.v[1]};
-        const Properties &one = disks.properties[i], &two = disks.properties[other];
+        RelativeMotion<double, std::size_t(Dimension)> m;
+        for (std::size_t axis = 0; axis < m.r.size(); ++axis) {
+            m.r[axis] = apart(axis);
+            m.v[axis] = b.v[axis] - a.v[axis];
+        }
+        const Properties &one = bodies.properties[i], &two = bodies.properties[other];
         const double time =
-            now + contact_time(m, one.radius + two.radius,
-                               approach_round_off(m, a.v[0], a.v[1], b.v[0], b.v[1]));
+            now + contact_time(m, one.radius + two.radius, approach_round_off(m, a.v, b.v));
         if (other == i || !std::isfinite(time) || one.inverse_mass + two.inverse_mass == 0.0 ||
             one.radius + two.radius == 0.0 || time > b.prediction.contact_time)
             continue;
@@ -114,12 +124,13 @@ std::vector<std::int32_t> all_but(std::int32_t one, Random& random, std::size_t 
 }
 
 // Sometimes the first to be touched, or another, has a contact just then or just before.
-void let_contacts_coincide(Random& random, Disks& disks, std::int32_t i,
+template <int Dimension>
+void let_contacts_coincide(Random& random, Bodies<Dimension>& bodies, std::int32_t i,
                            const std::vector<std::int32_t>& near) {
     for (const double chance : {0.5, 0.2}) {
-        const FirstContact first = slow_search(disks, i, near, {});
+        const FirstContact first = slow_search(bodies, i, near, FirstContact());
         if (!std::isfinite(first.time) || random.uniform() > chance) continue;
-        DiskState& other = disks.flying[std::size_t(first.partner())];
+        BodyState<Dimension>& other = bodies.flying[std::size_t(first.partner())];
         other.prediction.contact_time =
             random.uniform() < 0.5 ? first.time : std::nextafter(first.time, 0.0);
     }
@@ -127,55 +138,59 @@ void let_contacts_coincide(Random& random, Disks& disks, std::int32_t i,
 
 }  // namespace
 
-TEST_CASE("the search among many finds what looking at one after the other finds") {
+TEST_CASE_TEMPLATE("the search among many finds what looking at one after the other finds", Space,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     Random random(5, "search");
     int found = 0, equal = 0;
     for (int round = 0; round < 20'000; ++round) {
         const auto count = static_cast<std::size_t>(1 + random.below(most_searched));
-        Disks disks = draw_disks(random, count);
-        const double now = disks.now;
+        auto bodies = draw_bodies<Space::value>(random, count);
+        const double now = bodies.now;
         FirstContact known;
         if (random.uniform() < 0.3) known = FirstContact(now + random.uniform(0.0, 8.0), 3, 5);
         const auto i = static_cast<std::int32_t>(random.below(count));
         const std::vector<std::int32_t> near = all_but(-1, random, count, i);
-        let_contacts_coincide(random, disks, i, near);
-        if (random.uniform() < 0.1) known = slow_search(disks, i, near, {});
+        let_contacts_coincide(random, bodies, i, near);
+        if (random.uniform() < 0.1) known = slow_search(bodies, i, near, FirstContact());
 
-        const FirstContact slow = slow_search(disks, i, near, known);
+        const FirstContact slow = slow_search(bodies, i, near, known);
         FirstContact fast = known;
-        search_contact(disks.flying, disks.properties, i, now, near.data(), near.size(),
-                       disks.pairing, fast);
+        search_contact(bodies.flying, bodies.properties, i, now, near.data(), near.size(),
+                       bodies.pairing, fast);
         REQUIRE(fast.time == slow.time);
         REQUIRE(fast.who == slow.who);
         if (!std::isfinite(slow.time) || slow.time == known.time) continue;
         ++found;
         const auto partner = std::size_t(slow.partner());
-        if (partner + 1 < count && disks.flying[partner + 1].x == disks.flying[partner].x) ++equal;
+        if (partner + 1 < count && bodies.flying[partner + 1].x == bodies.flying[partner].x)
+            ++equal;
     }
     // Otherwise the comparison would say little.
     CHECK(found > 5'000);
     CHECK(equal > 500);
 }
 
-TEST_CASE("the search for two at once finds what two searches find") {
+TEST_CASE_TEMPLATE("the search for two at once finds what two searches find", Space,
+                   std::integral_constant<int, 2>, std::integral_constant<int, 3>) {
     Random random(8, "search");
     int found = 0;
     for (int round = 0; round < 20'000; ++round) {
         const auto count = static_cast<std::size_t>(2 + random.below(most_searched / 2 - 1));
-        Disks disks = draw_disks(random, count);
+        auto bodies = draw_bodies<Space::value>(random, count);
         const auto i = static_cast<std::int32_t>(random.below(count));
         const auto j = static_cast<std::int32_t>((i + 1 + random.below(count - 1)) % count);
         const std::vector<std::int32_t> near_i = all_but(j, random, count, i);
         const std::vector<std::int32_t> near_j = all_but(i, random, count, j);
-        let_contacts_coincide(random, disks, i, near_i);
-        let_contacts_coincide(random, disks, j, near_j);
+        let_contacts_coincide(random, bodies, i, near_i);
+        let_contacts_coincide(random, bodies, j, near_j);
         std::vector<std::int32_t> near = near_i;
         near.insert(near.end(), near_j.begin(), near_j.end());
 
-        const std::array slow{slow_search(disks, i, near_i, {}), slow_search(disks, j, near_j, {})};
+        const std::array slow{slow_search(bodies, i, near_i, FirstContact()),
+                              slow_search(bodies, j, near_j, FirstContact())};
         std::array<FirstContact, 2> fast;
-        search_two_contacts(disks.flying, disks.properties, {i, j}, disks.now, near.data(),
-                            near_i.size(), near.size(), disks.pairing, fast);
+        search_two_contacts(bodies.flying, bodies.properties, {i, j}, bodies.now, near.data(),
+                            near_i.size(), near.size(), bodies.pairing, fast);
         for (std::size_t k = 0; k < 2; ++k) {
             REQUIRE(fast[k].time == slow[k].time);
             REQUIRE(fast[k].who == slow[k].who);
@@ -189,39 +204,39 @@ TEST_CASE("a disk so fast that it touches before the clock moves is found") {
     // The other's own contact is now, as the clock has it; this one comes 0.4 of its steps later.
     const double now = 4096.0, step = now * 0x1p-52, v = 1e12;
     Random random(6, "fast");
-    Disks disks{DiskStates(2), draw_properties(random, 2, true), {}, 0.0, false, now};
-    disks.pairing = Pairing::shifted(0.0, 0.0);
-    disks.pairing.sigma = 1.2;
-    disks.flying[0] = {
+    Bodies<2> bodies{BodyStates<2>(2), draw_properties(random, 2, true), {}, 0.0, false, now};
+    bodies.pairing = Pairing<2>::shifted({});
+    bodies.pairing.sigma = 1.2;
+    bodies.flying[0] = {
         .x = {0.0, 0.0}, .v = {v, 0.0}, .time = now, .collisions = 0, .cell = {}, .prediction = {}};
-    disks.flying[1] = {.x = {1.2 + 0.4 * step * v, 0.0},
-                       .v = {0.0, 0.0},
-                       .time = now,
-                       .collisions = 7,
-                       .cell = {},
-                       .prediction = {.contact_time = now}};
+    bodies.flying[1] = {.x = {1.2 + 0.4 * step * v, 0.0},
+                        .v = {0.0, 0.0},
+                        .time = now,
+                        .collisions = 7,
+                        .cell = {},
+                        .prediction = {.contact_time = now}};
     const std::vector<std::int32_t> near{1, 0, 0, 0};
     FirstContact first;
-    search_contact(disks.flying, disks.properties, 0, now, near.data(), near.size(), disks.pairing,
-                   first);
+    search_contact(bodies.flying, bodies.properties, 0, now, near.data(), near.size(),
+                   bodies.pairing, first);
     CHECK(first.time == now);
     CHECK(first.partner() == 1);
     CHECK(first.collisions() == 7);
 }
 
-TEST_CASE("properties of disks are known once where all are alike, and follow a new order") {
+TEST_CASE("properties of bodies are known once where all are alike, and follow a new order") {
     Particles particles;
     particles.radius = Eigen::ArrayXd::Constant(3, 0.5);
     particles.inverse_mass = Eigen::ArrayXd::Constant(3, 2.0);
-    DiskProperties same(particles);
+    BodyProperties same(particles);
     CHECK(same.alike());
     same.renumber({2, 0, 1});
     CHECK(same[2].inverse_mass == 2.0);
     particles.inverse_mass.setZero();  // fixed: none of them ever meets another
-    CHECK(!DiskProperties(particles).alike());
-    CHECK(DiskProperties(particles)[1].inverse_mass == 0.0);
+    CHECK(!BodyProperties(particles).alike());
+    CHECK(BodyProperties(particles)[1].inverse_mass == 0.0);
     particles.inverse_mass << 1.0, 2.0, 3.0;
-    DiskProperties mixed(particles);
+    BodyProperties mixed(particles);
     CHECK(!mixed.alike());
     mixed.renumber({2, 0, 1});
     CHECK(mixed[0].inverse_mass == 3.0);

@@ -208,7 +208,7 @@ TEST_CASE("seven packed disks have twelve contacts of rank eleven") {
         // all rush inwards, with different speeds
         balls.push_back({x, y, -(1.0 + 0.1 * k) * x, -(1.0 + 0.1 * k) * y});
     }
-    using Rounds = ContactRounds<double>;
+    using Rounds = ContactRounds<double, 2>;
     std::vector<Rounds::Participant> all;
     std::vector<Rounds::Contact> contacts;
     for (const Ball& ball : balls) all.push_back({{ball.vx, ball.vy}, {1.0, 1.0}});

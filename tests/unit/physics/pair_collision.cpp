@@ -20,12 +20,12 @@ namespace {
 using Motion = RelativeMotion<double>;
 
 double time_of(const Motion& m, double sigma) {
-    return contact_time(m, sigma, approach_round_off(m, 0.0, 0.0, m.vx, m.vy));
+    return contact_time(m, sigma, approach_round_off(m, {0.0, 0.0}, m.v));
 }
 
 // The contact time in long double, from the same doubles; good to 1e-15 unless the pair grazes.
 long double reference_time(const Motion& m, double sigma) {
-    const long double x = m.x, y = m.y, vx = m.vx, vy = m.vy, s = sigma;
+    const long double x = m.r[0], y = m.r[1], vx = m.v[0], vy = m.v[1], s = sigma;
     const long double b = x * vx + y * vy, v2 = vx * vx + vy * vy;
     const long double c = x * x + y * y - s * s, miss = x * vy - y * vx;
     return c / (-b + std::sqrt(s * s * v2 - miss * miss));
@@ -45,9 +45,9 @@ TEST_CASE("along the line of centres a collision is the exact one of one dimensi
             const Motion m{1.25 * nx, 1.25 * ny, v2x - v1x, v2y - v1y};
             const Unrounded<double> factor = ContactRule::impulse(m, w1, w2);
             const double first = product_of(w1, factor), second = product_of(w2, factor);
-            const double after1 = (v1x + first * m.x) * nx + (v1y + first * m.y) * ny;
-            const double after2 = (v2x - second * m.x) * nx + (v2y - second * m.y) * ny;
-            const double across1 = -(v1x + first * m.x) * ny + (v1y + first * m.y) * nx;
+            const double after1 = (v1x + first * m.r[0]) * nx + (v1y + first * m.r[1]) * ny;
+            const double after2 = (v2x - second * m.r[0]) * nx + (v2y - second * m.r[1]) * ny;
+            const double across1 = -(v1x + first * m.r[0]) * ny + (v1y + first * m.r[1]) * nx;
             const double size = std::abs(u1) + std::abs(u2) + 0.5;
             CHECK(std::abs(after1 - std::stod(row[6])) <= 8e-16 * size);  // a few roundings
             CHECK(std::abs(after2 - std::stod(row[7])) <= 8e-16 * size);
@@ -73,10 +73,10 @@ TEST_CASE("a tangential approach is none") {
     // Touching along x and sliding along y, with the velocities' round-off along x.
     const double v = 1e-17;
     const Motion sliding{1.0, 0.0, -v, 1.0};
-    CHECK(contact_time(sliding, 1.0, approach_round_off(sliding, 0.5, 0.0, 0.5, 1.0)) ==
+    CHECK(contact_time(sliding, 1.0, approach_round_off(sliding, {0.5, 0.0}, {0.5, 1.0})) ==
           never<double>);
     // The same approach without large velocities behind it is real.
-    CHECK(contact_time(sliding, 1.0, approach_round_off(sliding, 0.0, 0.0, -v, 0.001)) == 0.0);
+    CHECK(contact_time(sliding, 1.0, approach_round_off(sliding, {0.0, 0.0}, {-v, 0.001})) == 0.0);
 }
 
 TEST_CASE("a pair that nearly touches meets at a time that is right to the last digits") {
@@ -86,7 +86,7 @@ TEST_CASE("a pair that nearly touches meets at a time that is right to the last 
         const double across = random.uniform(-0.9, 0.9);
         const double nx = std::cos(angle), ny = std::sin(angle);
         const Motion m{(1.0 + gap) * nx, (1.0 + gap) * ny, -nx - across * ny, -ny + across * nx};
-        if (m.x * m.x + m.y * m.y <= 1.0) continue;
+        if (m.r[0] * m.r[0] + m.r[1] * m.r[1] <= 1.0) continue;
         const auto exact = reference_time(m, 1.0);
         if (!(exact > 1e-12L)) continue;  // there long double itself cancels
         // long double cancels too: its error is 1e-19 of the squares
@@ -102,7 +102,7 @@ TEST_CASE("whether distant pairs graze is told rightly") {
         const Motion miss{1024.0, 1.0 + offset, -1.0, 0.0};
         CHECK(std::isfinite(time_of(hit, 1.0)));
         CHECK(time_of(miss, 1.0) == never<double>);
-        const double depth = std::sqrt((1.0 - hit.y) * (1.0 + hit.y));
+        const double depth = std::sqrt((1.0 - hit.r[1]) * (1.0 + hit.r[1]));
         CHECK(time_of(hit, 1.0) == relative(1024.0 - depth, 4e-16));
     }
 }
@@ -177,12 +177,16 @@ TEST_CASE("contact times of two at once have the bits of those one by one") {
     for (int i = 0; i < 100'000; ++i) {
         const Motion a = draw(), b = draw();
         const double sigma = random.uniform(0.5, 1.0), v = random.uniform(-1.0, 1.0);
-        const RelativeMotion<TwoLanes> both{{a.x, b.x}, {a.y, b.y}, {a.vx, b.vx}, {a.vy, b.vy}};
-        const TwoLanes drift = TwoLanes{} + v;
-        const TwoLanes round_off = approach_round_off(both, drift, drift, drift, drift);
+        RelativeMotion<TwoLanes> both;
+        for (std::size_t k = 0; k < 2; ++k) {
+            both.r[k] = TwoLanes{a.r[k], b.r[k]};
+            both.v[k] = TwoLanes{a.v[k], b.v[k]};
+        }
+        const std::array<TwoLanes, 2> drift{TwoLanes{} + v, TwoLanes{} + v};
+        const TwoLanes round_off = approach_round_off(both, drift, drift);
         const TwoLanes times = contact_time(both, TwoLanes{1.0, sigma}, round_off);
-        REQUIRE(times[0] == contact_time(a, 1.0, approach_round_off(a, v, v, v, v)));
-        REQUIRE(times[1] == contact_time(b, sigma, approach_round_off(b, v, v, v, v)));
+        REQUIRE(times[0] == contact_time(a, 1.0, approach_round_off(a, {v, v}, {v, v})));
+        REQUIRE(times[1] == contact_time(b, sigma, approach_round_off(b, {v, v}, {v, v})));
     }
 }
 
@@ -202,7 +206,7 @@ TEST_CASE("the rounding errors of impulses have no mean") {
         for (int k = 0; k < pairs;) {
             const double angle = random.uniform(0, 2 * pi);  // the disks touch at a distance of 1
             const Motion m{std::cos(angle), std::sin(angle), random.normal(), random.normal()};
-            const long double x = m.x, y = m.y, vx = m.vx, vy = m.vy;
+            const long double x = m.r[0], y = m.r[1], vx = m.v[0], vy = m.v[1];
             const long double approach = x * vx + y * vy;
             if (std::abs(approach) < 0.3L * std::hypot(vx, vy)) continue;  // few bits are left
             const long double exact =
@@ -243,8 +247,8 @@ TEST_CASE("each arithmetic of the contact rule gives the same elastic contact") 
         const auto close = [&](double found, double expected) {
             return std::abs(found - expected) < 1e-12 * (1.0 + std::abs(exact));
         };
-        const auto in_doubles =
-            ContactRule::impulse<double>({r[0], r[1], v2[0] - v1[0], v2[1] - v1[1]}, w1, w2);
+        const RelativeMotion<double> motion{r, {v2[0] - v1[0], v2[1] - v1[1]}};
+        const auto in_doubles = ContactRule::impulse(motion, w1, w2);
         CHECK(close(in_doubles.value, exact));
 
         const auto real = [](double value) { return Real(value, 200); };

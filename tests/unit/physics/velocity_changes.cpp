@@ -15,8 +15,7 @@ using namespace carom;
 
 namespace {
 
-using Pair = std::array<double, 2>;
-using Change = std::pair<Pair, Pair>;
+using Change = std::pair<Vec, Vec>;
 
 std::map<std::int32_t, Change> changes_in(const VelocityLog& log) {
     std::map<std::int32_t, Change> all;
@@ -29,7 +28,7 @@ std::map<std::int32_t, Change> changes_in(const VelocityLog& log) {
     return all;
 }
 
-Pair velocity_in(const Sample& sample, Eigen::Index i) {
+Vec velocity_in(const Sample& sample, Eigen::Index i) {
     return {sample.velocity(i, 0), sample.velocity.cols() > 1 ? sample.velocity(i, 1) : 0.0};
 }
 
@@ -42,7 +41,7 @@ std::optional<std::size_t> changed_in_advance(Simulation& simulation, double to)
     for (const VelocityChange& its : *advanced.velocities) {
         CHECK(velocity_in(before, its.particle) == its.before);
         for (Eigen::Index axis = 0; axis < before.velocity.cols(); ++axis)
-            expected.velocity(its.particle, axis) = its.after[static_cast<std::size_t>(axis)];
+            expected.velocity(its.particle, axis) = its.after[axis];
     }
     CHECK((expected.velocity == simulation.sample().velocity).all());
     return advanced.velocities->size();
@@ -59,7 +58,7 @@ TEST_CASE("a log of velocities has the first and the last of each particle, agai
         std::map<std::int32_t, Change> expected;
         for (int k = 0; k < count; ++k) {
             const auto particle = static_cast<std::int32_t>(random.uniform(0.0, 4'000.0)) * 1'024;
-            const Pair after{random.uniform(), random.uniform()};
+            const Vec after{random.uniform(), random.uniform()};
             const auto [its, is_new] = expected.try_emplace(particle);
             if (is_new) its->second.first = {random.uniform(), 0.0};
             log.note(particle, is_new ? its->second.first : its->second.second, after);

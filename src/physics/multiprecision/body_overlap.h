@@ -1,4 +1,4 @@
-// Brute-force overlap test of one disk against all others, used for a disk that an event has
+// Brute-force overlap test of one disk or sphere against all others, used for one that an event has
 // displaced.
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace carom {
 
-/// The first disk whose nearest image `moved` overlaps by more than `slack` times the contact
-/// distance, when all disks are at the same time; nothing if there is none. For planes of doubles
-/// and of multiprecision.
+/// The first body whose nearest image `moved` overlaps by more than `slack` times the contact
+/// distance, when all bodies are at the same time; nothing if there is none. For doubles and for
+/// multiprecision.
 template <typename Geometry>
-std::optional<std::size_t> disk_overlapped(const Geometry& geometry,
+std::optional<std::size_t> body_overlapped(const Geometry& geometry,
                                            const typename Geometry::Bodies& bodies,
                                            std::size_t moved, const Box& box, double slack) {
     const auto& x = bodies[moved].x;
@@ -23,7 +23,7 @@ std::optional<std::size_t> disk_overlapped(const Geometry& geometry,
         if (k == moved) continue;
         const double sigma = radius + geometry.properties(bodies, k).radius;
         auto square = as_precise_as(x[0], 0.0);
-        for (std::size_t a = 0; a < 2; ++a) {
+        for (std::size_t a = 0; a < x.size(); ++a) {
             auto apart = bodies[k].x[a] - x[a];
             const double size = box.length(a);
             apart -= as_precise_as(apart, size) * box.turns(a, static_cast<double>(apart));

@@ -12,14 +12,17 @@
 
 namespace carom {
 
-struct alignas(64) MpDisk {
-    /// The values rounded to doubles, in one cache line: most pairs are tested with these only.
+template <int Dimension>
+struct alignas(64) MpBody {
+    static constexpr std::size_t axes = static_cast<std::size_t>(Dimension);
+    /// The values rounded to doubles, in one cache line in the plane: most pairs are tested with
+    /// these only.
     struct Shadow {
-        std::array<double, 2> x{}, v{};
+        std::array<double, axes> x{}, v{};
         double time = 0.0;
         double radius = 0.0;
-        double distance = 0.0;  ///< |x| + |y| and
-        double speed = 0.0;     ///< |vx| + |vy|: scales for error bounds
+        double distance = 0.0;  ///< |x| + |y| + ... and
+        double speed = 0.0;     ///< |vx| + |vy| + ...: scales for error bounds
 
         template <class Archive>
         void archive(Archive& archive) {
@@ -32,10 +35,10 @@ struct alignas(64) MpDisk {
     Prediction prediction;    ///< a contact only if it is the next event
     double event_late = 0.0;  ///< upper bound of event_time, a double
     std::uint32_t collisions = 0;
-    Cell cell{};
-    Real event_time;        ///< exact time of the next event
-    std::array<Real, 2> x;  ///< at the disk's own time; may lie a little outside a periodic box
-    std::array<Real, 2> v;
+    CellOf<Dimension> cell{};
+    Real event_time;           ///< exact time of the next event
+    std::array<Real, axes> x;  ///< at the body's own time; may lie a little outside a periodic box
+    std::array<Real, axes> v;
     Real time;
 
     template <class Archive>
@@ -44,28 +47,31 @@ struct alignas(64) MpDisk {
                 x, v, time);
     }
 };
-static_assert(sizeof(MpDisk::Shadow) == 64);
+static_assert(sizeof(MpBody<2>::Shadow) == 64);
 
-inline void advance_body(MpDisk& d, const Real& now) {
+template <int Dimension>
+inline void advance_body(MpBody<Dimension>& d, const Real& now) {
     const Real age = now - d.time;
     Real way = age;
-    for (std::size_t a = 0; a < 2; ++a) {
+    for (std::size_t a = 0; a < d.x.size(); ++a) {
         way.set_product(d.v[a], age);
         d.x[a].set_sum(d.x[a], way);
     }
     d.time = now;
 }
 
-inline void body_has_changed(MpDisk& d) {
-    MpDisk::Shadow& s = d.shadow;
-    for (std::size_t a = 0; a < 2; ++a) {
+template <int Dimension>
+inline void body_has_changed(MpBody<Dimension>& d) {
+    auto& s = d.shadow;
+    s.distance = s.speed = 0.0;
+    for (std::size_t a = 0; a < d.x.size(); ++a) {
         s.x[a] = static_cast<double>(d.x[a]);
         s.v[a] = static_cast<double>(d.v[a]);
+        s.distance += std::abs(s.x[a]);
+        s.speed += std::abs(s.v[a]);
     }
     s.time = static_cast<double>(d.time);
     s.radius = d.radius;
-    s.distance = std::abs(s.x[0]) + std::abs(s.x[1]);
-    s.speed = std::abs(s.v[0]) + std::abs(s.v[1]);
 }
 
 }  // namespace carom

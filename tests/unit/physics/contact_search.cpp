@@ -16,7 +16,7 @@ namespace {
 
 // So that about as many of them meet in the plane and in space.
 template <int Dimension>
-constexpr double size = Dimension == 2 ? 20.0 : 7.0;
+constexpr double size = Dimension == 2 ? 20.0 : 6.5;
 
 /// Bodies in the plane, or spheres in space.
 template <int Dimension>

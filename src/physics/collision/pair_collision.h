@@ -190,8 +190,16 @@ struct QuickLook {
 template <typename Scalar, std::size_t Dimension>
 [[gnu::always_inline]] inline QuickLook<Scalar> quick_look(
     const RelativeMotion<Scalar, Dimension>& m, const Scalar& sigma) {
-    return {-scalar_product(m.r, m.v),
-            1.0001 * (sigma * sigma * scalar_product(m.v, m.v)) - sum_of_squares(cross_product(m))};
+    const Scalar approach = -scalar_product(m.r, m.v);
+    if constexpr (Dimension == 2) {
+        return {approach, 1.0001 * (sigma * sigma * scalar_product(m.v, m.v)) -
+                              sum_of_squares(cross_product(m))};
+    } else {
+        // With |r x v|^2 = r^2 v^2 - (r . v)^2, which takes less arithmetic in space; the first
+        // factor is for the rounding errors of the products.
+        const Scalar gap = (1.0 - 1e-14) * scalar_product(m.r, m.r) - 1.0001 * (sigma * sigma);
+        return {approach, approach * approach - scalar_product(m.v, m.v) * gap};
+    }
 }
 
 /// Whether two approaching bodies, with `approach` = -r . v > 0, might touch within `time`; for

@@ -82,19 +82,62 @@ struct Pairs {
     alignas(sizeof(FourLanes)) Each<double> sigma;
 };
 
-// One vector of each of four bodies, transposed: the four x, the four y, ... Two components of a
-// body are adjacent in memory.
+// What a test needs of four bodies, a lane for each.
 template <std::size_t axes>
-[[gnu::always_inline]] inline std::array<FourLanes, axes> transposed(
-    const std::array<double, axes>& a, const std::array<double, axes>& b,
-    const std::array<double, axes>& c, const std::array<double, axes>& d) {
-    const FourLanes ac = load_two_and_two(a.data(), c.data());
-    const FourLanes bd = load_two_and_two(b.data(), d.data());
-    std::array<FourLanes, axes> all;
-    all[0] = __builtin_shufflevector(ac, bd, 0, 4, 2, 6);
-    all[1] = __builtin_shufflevector(ac, bd, 1, 5, 3, 7);
-    if constexpr (axes == 3) all[2] = FourLanes{a[2], b[2], c[2], d[2]};
+struct FourBodies {
+    RelativeMotion<FourLanes, axes> motion;  ///< their places and velocities
+    FourLanes time, latest;                  ///< their times, and those of their next contacts
+};
+
+// Of a disk x and y are adjacent in memory, and so are vx and vy: they are transposed, two pairs at
+// a time.
+[[gnu::always_inline]] inline FourBodies<2> load_four(const BodyState<2>& b0,
+                                                      const BodyState<2>& b1,
+                                                      const BodyState<2>& b2,
+                                                      const BodyState<2>& b3) {
+    const FourLanes x02 = load_two_and_two(b0.x.data(), b2.x.data());
+    const FourLanes x13 = load_two_and_two(b1.x.data(), b3.x.data());
+    const FourLanes v02 = load_two_and_two(b0.v.data(), b2.v.data());
+    const FourLanes v13 = load_two_and_two(b1.v.data(), b3.v.data());
+    FourBodies<2> all;
+    all.motion.r[0] = __builtin_shufflevector(x02, x13, 0, 4, 2, 6);
+    all.motion.r[1] = __builtin_shufflevector(x02, x13, 1, 5, 3, 7);
+    all.motion.v[0] = __builtin_shufflevector(v02, v13, 0, 4, 2, 6);
+    all.motion.v[1] = __builtin_shufflevector(v02, v13, 1, 5, 3, 7);
+    all.time = FourLanes{b0.time, b1.time, b2.time, b3.time};
+    all.latest = FourLanes{b0.prediction.contact_time, b1.prediction.contact_time,
+                           b2.prediction.contact_time, b3.prediction.contact_time};
     return all;
+}
+
+// Transposes four vectors of four numbers.
+[[gnu::always_inline]] inline void transpose(FourLanes& a, FourLanes& b, FourLanes& c,
+                                             FourLanes& d) {
+    const FourLanes ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const FourLanes ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const FourLanes cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const FourLanes cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+    b = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+    c = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+    d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
+
+// The first cache line of a sphere holds x, y, z, vx, and vy, vz, its time and that of its contact.
+[[gnu::always_inline]] inline FourBodies<3> load_four(const BodyState<3>& b0,
+                                                      const BodyState<3>& b1,
+                                                      const BodyState<3>& b2,
+                                                      const BodyState<3>& b3) {
+    const std::array<const double*, 4> from{
+        reinterpret_cast<const double*>(&b0), reinterpret_cast<const double*>(&b1),
+        reinterpret_cast<const double*>(&b2), reinterpret_cast<const double*>(&b3)};
+    FourLanes x = load_lanes(from[0]), y = load_lanes(from[1]), z = load_lanes(from[2]),
+              vx = load_lanes(from[3]);
+    transpose(x, y, z, vx);
+    FourLanes vy = load_lanes(from[0] + 4), vz = load_lanes(from[1] + 4),
+              time = load_lanes(from[2] + 4), latest = load_lanes(from[3] + 4);
+    transpose(vy, vz, time, latest);
+    return {{{{x, y, z}}, {{vx, vy, vz}}}, time, latest};
 }
 
 // Which of four other bodies might be touched: a mask, one lane for each.
@@ -106,9 +149,8 @@ template <bool several_images, bool alike, typename Scope>
     constexpr std::size_t axes = Scope::axes;
     const Body &b0 = scope.body(k), &b1 = scope.body(k + 1), &b2 = scope.body(k + 2),
                &b3 = scope.body(k + 3);
-    RelativeMotion<FourLanes, axes> motion{transposed(b0.x, b1.x, b2.x, b3.x),
-                                           transposed(b0.v, b1.v, b2.v, b3.v)};
-    const FourLanes age = scope.now - FourLanes{b0.time, b1.time, b2.time, b3.time};
+    auto [motion, times, others_latest] = load_four(b0, b1, b2, b3);
+    const FourLanes age = scope.now - times;
     for (std::size_t axis = 0; axis < axes; ++axis) {
         scope.move(motion.r[axis], motion.v[axis], age, axis);
         motion.r[axis] -= a.x[axis];
@@ -127,8 +169,6 @@ template <bool several_images, bool alike, typename Scope>
         store_lanes(motion.v[axis], &pairs.v[axis][k]);
     }
     const auto look = quick_look(motion, sigma);
-    const FourLanes others_latest{b0.prediction.contact_time, b1.prediction.contact_time,
-                                  b2.prediction.contact_time, b3.prediction.contact_time};
     const FourLanes latest =
         select(others_latest < a.latest, others_latest, FourLanes{} + a.latest);
     return (look.approach > 0.0) & (look.slack >= 0.0) &

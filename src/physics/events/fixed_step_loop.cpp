@@ -63,10 +63,10 @@ void FixedStepLoop::count_collisions(std::int64_t in_step) {
         {.most = most_, .begin = now_.time - step_, .end = now_.time, .count = in_step});
 }
 
-// Reflects the disks that are beyond a wall and move outward.
+// Reflects the particles that are beyond a wall and move outward.
 void FixedStepLoop::reflect(std::vector<Collision>* record) {
     for (std::int32_t i = 0; i < particles_.count(); ++i)
-        for (const int axis : {0, 1}) {
+        for (int axis = 0; axis < box_.dimension; ++axis) {
             if (box_.is_periodic(axis)) continue;
             const double x = now_.position(i, axis), radius = particles_.radius[i];
             double& v = now_.velocity(i, axis);
@@ -86,7 +86,7 @@ void FixedStepLoop::reflect(std::vector<Collision>* record) {
         }
 }
 
-// Sweep along x: only disks that are near each other in x are compared, across a periodic side too.
+// Sweep along x: only particles that are near each other in x are compared, across a periodic side too.
 void FixedStepLoop::collide_overlapping(std::vector<Collision>* record) {
     const auto along = [&](std::int32_t i) { return box_.wrapped(0, now_.position(i, 0)); };
     std::ranges::sort(order_, {}, [&](std::int32_t i) { return std::pair(along(i), i); });
@@ -110,7 +110,8 @@ void FixedStepLoop::collide(std::int32_t first, std::int32_t second,
     if (distance >= sigma || distance == 0.0) return;
     const Vec first_before = velocity(first), second_before = velocity(second);
     const Vec relative = second_before - first_before;
-    const RelativeMotion<double> motion{{apart[0], apart[1]}, {relative[0], relative[1]}};
+    const RelativeMotion<double, 3> motion{{apart[0], apart[1], apart[2]},
+                                           {relative[0], relative[1], relative[2]}};
     const double first_w = particles_.inverse_mass[first],
                  second_w = particles_.inverse_mass[second];
     if (dot(apart, relative) >= 0.0 || first_w + second_w == 0.0) return;
@@ -139,7 +140,7 @@ std::optional<Partner> FixedStepLoop::displace(std::int64_t particle, const Disp
     move_to(time);
     first_ = time;
     steps_ = 0;
-    for (const int axis : {0, 1})
+    for (int axis = 0; axis < box_.dimension; ++axis)
         now_.position(particle, axis) +=
             std::strtod(by[static_cast<std::size_t>(axis)].c_str(), nullptr);
     return std::nullopt;
@@ -149,7 +150,7 @@ void FixedStepLoop::sample(double time, Sample& state) const {
     state = now_;
     state.time = time;
     state.position += (time - now_.time) * now_.velocity;
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
+    for (Eigen::Index axis = 0; axis < box_.dimension; ++axis)
         for (double& x : state.position.col(axis)) x = box_.wrapped(axis, x);
 }
 
@@ -163,7 +164,7 @@ Sample FixedStepLoop::sample_of_positions(double time) const {
 std::vector<double> FixedStepLoop::positions(double time) const {
     std::vector<double> all;
     for (Eigen::Index i = 0; i < particles_.count(); ++i)
-        for (const int axis : {0, 1})
+        for (int axis = 0; axis < box_.dimension; ++axis)
             all.push_back(now_.position(i, axis) + (time - now_.time) * now_.velocity(i, axis));
     return all;
 }

@@ -18,23 +18,24 @@ namespace carom {
 
 struct Infinite {};
 struct Density {
-    ValueRule value;  ///< mass = density * pi r^2 in 2-D, density * 2 r in 1-D
+    ValueRule value;  ///< mass = density * 4/3 pi r^3 in 3-D, pi r^2 in 2-D, 2 r in 1-D
 };
 using MassRule = std::variant<ValueRule, Density, Infinite>;
 
 struct AtRest {};
 struct Speed {
-    ValueRule value;  ///< in random directions
+    ValueRule value;  ///< in random directions, uniform on the circle or on the sphere
 };
 struct Velocity {
-    std::vector<Vec> values;  ///< one for all, or one for each particle; y is 0 in 1-D
+    std::vector<Vec> values;  ///< one for all, or one for each particle
 };
 using VelocityRule = std::variant<AtRest, Speed, Velocity, Temperature>;
 
 struct RandomPlaces {};
+/// On a hexagonal lattice in 2-D, on a face-centred cubic one in 3-D, evenly spread in 1-D.
 struct LatticePlaces {};
 struct WithinRegion {
-    Region region;  ///< random positions with the disks entirely inside the region
+    Region region;  ///< random positions with the particles entirely inside the region
 };
 struct Places {
     std::vector<Vec> values;  ///< one for each particle

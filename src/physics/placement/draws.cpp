@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 #include <optional>
 #include <string_view>
@@ -69,24 +68,35 @@ void remove_momentum(const Box& box, const Eigen::ArrayXd& inverse_masses,
                 sum_in_order(masses * velocities.col(axis)) / sum_in_order(masses);
 }
 
-// The speeds of the particles of a species and, in a plane, the angles of their directions.
-std::pair<Eigen::ArrayXd, Eigen::ArrayXd> draw_speeds(const Gas& gas, std::size_t species,
-                                                      const ValueRule& speed, Eigen::Index count) {
+// A speed and the direction that was drawn with it: an angle in the plane, a unit vector in space,
+// none on a line.
+struct DrawnSpeed {
+    double speed = 0.0, angle = 0.0;
+    Vec direction = {};
+
+    Vec in_plane() const { return {speed * std::cos(angle), speed * std::sin(angle)}; }
+    Vec in_space() const { return speed * direction; }
+};
+
+std::vector<DrawnSpeed> draw_speeds(const Gas& gas, std::size_t species, const ValueRule& speed,
+                                    Eigen::Index count) {
     Random random = stream(gas, species, "velocity");
-    Eigen::ArrayXd speeds(count), angles = Eigen::ArrayXd::Zero(count);
+    std::vector<DrawnSpeed> drawn(static_cast<std::size_t>(count));
     for (Eigen::Index i = 0; i < count; ++i) {
-        speeds[i] = draw_one(speed, i, random);
-        if (gas.box.dimension == 2) angles[i] = random.uniform(0.0, 2.0 * std::numbers::pi);
+        DrawnSpeed& its = drawn[static_cast<std::size_t>(i)];
+        its.speed = draw_one(speed, i, random);
+        if (gas.box.dimension == 2) its.angle = random_angle(random);
+        if (gas.box.dimension == 3) its.direction = random_direction(random);
     }
-    return {std::move(speeds), std::move(angles)};
+    return drawn;
 }
 
 Eigen::ArrayXXd in_random_directions(const Gas& gas, std::size_t species, const ValueRule& speed,
                                      Eigen::Index count) {
-    const auto [speeds, angles] = draw_speeds(gas, species, speed, count);
-    Eigen::ArrayXXd velocities(count, 2);
-    for (Eigen::Index i = 0; i < count; ++i)
-        velocities.row(i) << speeds[i] * std::cos(angles[i]), speeds[i] * std::sin(angles[i]);
+    Eigen::ArrayXXd velocities(count, gas.box.dimension);
+    Eigen::Index i = 0;
+    for (const DrawnSpeed& drawn : draw_speeds(gas, species, speed, count))
+        put(gas.box.dimension == 2 ? drawn.in_plane() : drawn.in_space(), velocities, i++);
     return velocities;
 }
 
@@ -126,8 +136,10 @@ Eigen::ArrayXd draw_inverse_masses(const Gas& gas, std::size_t species,
         const Eigen::ArrayXd value = draw_positive(gas, species, density->value, "density", false);
         if (!(radii > 0.0).all())
             throw PlacementError({.kind = Problem::Kind::no_mass, .species = species}, gas);
-        if (gas.box.dimension == 1) return (value * 2.0 * radii).inverse();
-        return (value * std::numbers::pi * radii.square()).inverse();
+        const int dimension = gas.box.dimension;
+        Eigen::ArrayXd powers = radii;
+        for (int k = 1; k < dimension; ++k) powers *= radii;
+        return (value * size_of_unit_radius(dimension) * powers).inverse();
     }
     return draw_positive(gas, species, std::get<ValueRule>(rule), "mass", false).inverse();
 }
@@ -155,25 +167,26 @@ Eigen::ArrayXXd draw_velocities(const Gas& gas, std::size_t species,
     return velocities;
 }
 
+constexpr std::string_view balance_stream = "directions that sum to zero";
+
 // The particles of a gas that have a `speed`.
 struct SpeedDraws {
     std::vector<Eigen::Index> particles;
-    std::vector<double> speed, angle;
+    std::vector<DrawnSpeed> drawn;
     Eigen::ArrayXd momentum;
 
-    SpeedDraws(const Gas& gas, const Particles& drawn) {
+    SpeedDraws(const Gas& gas, const Particles& all) {
         for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
             const auto* rule = std::get_if<Speed>(&gas.species[s].velocity);
             if (rule == nullptr) return;
-            const auto [speeds, angles] = draw_speeds(gas, s, rule->value, count);
-            speed.insert(speed.end(), speeds.begin(), speeds.end());
-            angle.insert(angle.end(), angles.begin(), angles.end());
+            const std::vector<DrawnSpeed> its = draw_speeds(gas, s, rule->value, count);
+            drawn.insert(drawn.end(), its.begin(), its.end());
             for (Eigen::Index i = 0; i < count; ++i) particles.push_back(first + i);
         });
         momentum.resize(std::ssize(particles));
-        for (Eigen::Index k = 0; k < momentum.size(); ++k)
-            momentum[k] = std::abs(speed[static_cast<std::size_t>(k)]) /
-                          drawn.inverse_mass[particles[static_cast<std::size_t>(k)]];
+        for (std::size_t k = 0; k < drawn.size(); ++k)
+            momentum[static_cast<Eigen::Index>(k)] =
+                std::abs(drawn[k].speed) / all.inverse_mass[particles[k]];
     }
     bool are_at_rest() const { return !(momentum > 0.0).any(); }
 };
@@ -191,16 +204,29 @@ Problem unbalanced(const SpeedDraws& draws, const Particles& particles) {
             .bound = draws.momentum.sum() - most};
 }
 
-bool balance_in_plane(const Gas& gas, const std::array<bool, 2>& axes, const SpeedDraws& draws,
+bool balance_in_plane(const Gas& gas, const std::array<bool, 3>& axes, SpeedDraws& draws,
                       Sample& start) {
-    Random random(gas.seed, "directions that sum to zero");
-    Eigen::ArrayXd angles =
-        Eigen::Map<const Eigen::ArrayXd>(draws.angle.data(), std::ssize(draws.angle));
-    if (!balance_angles(draws.momentum, axes, random, angles)) return false;
-    for (std::size_t k = 0; k < draws.particles.size(); ++k) {
-        const double angle = angles[static_cast<Eigen::Index>(k)];
-        start.velocity.row(draws.particles[k]) << draws.speed[k] * std::cos(angle),
-            draws.speed[k] * std::sin(angle);
+    Random random(gas.seed, balance_stream);
+    Eigen::ArrayXd angles(std::ssize(draws.drawn));
+    for (std::size_t k = 0; k < draws.drawn.size(); ++k)
+        angles[static_cast<Eigen::Index>(k)] = draws.drawn[k].angle;
+    if (!balance_angles(draws.momentum, {axes[0], axes[1]}, random, angles)) return false;
+    for (std::size_t k = 0; k < draws.drawn.size(); ++k) {
+        draws.drawn[k].angle = angles[static_cast<Eigen::Index>(k)];
+        put(draws.drawn[k].in_plane(), start.velocity, draws.particles[k]);
+    }
+    return true;
+}
+
+bool balance_in_space(const Gas& gas, const std::array<bool, 3>& axes, SpeedDraws& draws,
+                      Sample& start) {
+    Random random(gas.seed, balance_stream);
+    std::vector<Vec> directions;
+    for (const DrawnSpeed& drawn : draws.drawn) directions.push_back(drawn.direction);
+    if (!balance_directions(draws.momentum, axes, random, directions)) return false;
+    for (std::size_t k = 0; k < draws.drawn.size(); ++k) {
+        draws.drawn[k].direction = directions[k];
+        put(draws.drawn[k].in_space(), start.velocity, draws.particles[k]);
     }
     return true;
 }
@@ -225,7 +251,7 @@ std::pair<std::vector<EqualMomenta>, std::vector<std::size_t>> equal_momenta(
 
 // Of the beads with the same momentum, all choices of those to the right are equally probable.
 bool balance_on_ring(const Gas& gas, const SpeedDraws& draws, Sample& start) {
-    Random balance(gas.seed, "directions that sum to zero");
+    Random balance(gas.seed, balance_stream);
     auto [groups, group] = equal_momenta(draws.momentum);
     if (!balance_signs(groups, balance)) return false;
     std::vector<Random> random;
@@ -241,7 +267,7 @@ bool balance_on_ring(const Gas& gas, const SpeedDraws& draws, Sample& start) {
             const bool right = random[s].below(static_cast<std::uint64_t>(its.count--)) <
                                static_cast<std::uint64_t>(its.to_the_right);
             if (right) --its.to_the_right;
-            start.velocity(i, 0) = right ? draws.speed[k] : -draws.speed[k];
+            start.velocity(i, 0) = right ? draws.drawn[k].speed : -draws.drawn[k].speed;
         }
     });
     return true;
@@ -250,14 +276,15 @@ bool balance_on_ring(const Gas& gas, const SpeedDraws& draws, Sample& start) {
 // Turns the velocities of all particles with a `speed`, of whatever species, so that their momenta
 // sum to zero where momentum is conserved. Throws PlacementError if no directions do that.
 void balance_speeds(const Gas& gas, const Particles& particles, Sample& start) {
-    std::array<bool, 2> axes{};
+    std::array<bool, 3> axes{};
     for (int axis = 0; axis < gas.box.dimension; ++axis)
         axes[static_cast<std::size_t>(axis)] = conserves_momentum(gas.box, particles, axis);
-    if (!axes[0] && !axes[1]) return;
-    const SpeedDraws draws(gas, particles);
+    if (std::ranges::count(axes, true) == 0) return;
+    SpeedDraws draws(gas, particles);
     if (draws.are_at_rest()) return;
-    const bool is_balanced = gas.box.dimension == 1 ? balance_on_ring(gas, draws, start)
-                                                    : balance_in_plane(gas, axes, draws, start);
+    const bool is_balanced = gas.box.dimension == 1   ? balance_on_ring(gas, draws, start)
+                             : gas.box.dimension == 2 ? balance_in_plane(gas, axes, draws, start)
+                                                      : balance_in_space(gas, axes, draws, start);
     if (!is_balanced) throw PlacementError(unbalanced(draws, particles), gas);
 }
 

@@ -16,11 +16,11 @@ namespace carom {
 
 struct Gas;
 
-/// The reasons why the particles of `gas`, with the radii drawn for them, cannot be placed: disks
-/// too large for the box; too many for its area, for a region or for a lattice; listed positions
-/// outside the box or overlapping. A particle that overlaps several others is reported once. An
-/// empty result is no guarantee, because random positions are found by trial. The search for
-/// overlaps ends after `most_compared` pairs of disks.
+/// The reasons why the particles of `gas`, with the radii drawn for them, cannot be placed:
+/// particles too large for the box; too many for its size, for a region or for a lattice; listed
+/// positions outside the box or overlapping. A particle that overlaps several others is reported
+/// once. An empty result is no guarantee, because random positions are found by trial. The search
+/// for overlaps ends after `most_compared` pairs of particles.
 std::vector<Problem> placement_problems(
     const Gas& gas, const Particles& particles,
     std::int64_t most_compared = std::numeric_limits<std::int64_t>::max());
@@ -33,7 +33,7 @@ std::optional<Problem> motion_problem(const Box& box, const Particles& particles
 
 /// All problems that are known before placement: what cannot be drawn or placed and, if there is a
 /// `run` and no other problem, what could not move. The latter is checked as far as positions are
-/// known in advance: those that are listed, those on a line that is full, disks as wide as the box,
+/// known in advance: those that are listed, those on a line that is full, those as wide as the box,
 /// and a species on a lattice.
 std::vector<Problem> problems_of(const Gas& gas, const Run* run, std::int64_t most_compared);
 

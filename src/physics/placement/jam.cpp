@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "physics/placement/members.h"
-#include "physics/placement/placed_disks.h"
+#include "physics/placement/placed_particles.h"
 
 namespace carom {
 namespace {
@@ -69,22 +69,38 @@ std::optional<Jam> jam_on_line(const std::vector<Link>& links, double length, bo
     return std::nullopt;
 }
 
+// Those of some particles that lie on one line along an axis: divided by their coordinates along
+// all other axes, from `across` on.
+void divide_into_lines(const Box& box, const Sample& start, int axis, int across,
+                       std::vector<Eigen::Index> particles,
+                       std::vector<std::vector<Eigen::Index>>& lines) {
+    if (across == axis) ++across;
+    if (across >= box.dimension) {
+        lines.push_back(std::move(particles));
+        return;
+    }
+    const auto level = [&](Eigen::Index i) { return start.position(i, across); };
+    std::ranges::stable_sort(particles, {}, level);
+    const double same_level = touching_tolerance * box.size[across];
+    for (auto begin = particles.begin(), end = begin; begin != particles.end(); begin = end) {
+        while (end != particles.end() && level(*end) <= level(*begin) + same_level) ++end;
+        divide_into_lines(box, start, axis, across + 1, {begin, end}, lines);
+    }
+}
+
 std::optional<Jam> jam_along(int axis, const Box& box, const Particles& particles,
                              const Sample& start) {
-    const bool is_line = box.dimension == 1;
-    const int across = is_line ? 0 : 1 - axis;
-    const Beads by_level = beads_along(start, across);
-    const double same_level =
-        is_line ? std::numeric_limits<double>::infinity() : touching_tolerance * box.size[across];
+    std::vector<Eigen::Index> all(static_cast<std::size_t>(particles.count()));
+    std::iota(all.begin(), all.end(), Eigen::Index{0});
+    std::vector<std::vector<Eigen::Index>> lines;
+    divide_into_lines(box, start, axis, 0, std::move(all), lines);
     const double length = box.size[axis];
     const bool periodic = box.is_periodic(axis);
-    for (auto begin = by_level.begin(), end = begin; begin != by_level.end(); begin = end) {
+    for (const std::vector<Eigen::Index>& line : lines) {
         std::vector<Link> links;
-        for (; end != by_level.end() && end->first <= begin->first + same_level; ++end) {
-            const Eigen::Index i = end->second;
+        for (const Eigen::Index i : line)
             links.push_back({start.position(i, axis), particles.radius[i], start.velocity(i, axis),
                              !(particles.inverse_mass[i] > 0.0), i});
-        }
         std::ranges::stable_sort(links, {}, &Link::x);
         if (const auto jam = jam_on_line(links, length, periodic)) return jam;
         // In a complete row without room, particles of infinite mass cannot move either.

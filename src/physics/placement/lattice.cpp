@@ -3,80 +3,128 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
-#include "physics/placement/placed_disks.h"
+#include "physics/placement/placed_particles.h"
 
 namespace carom {
 namespace {
 
-// Spacing between `count` rows (or sites in a row, `shift` more for the shifted rows).
-double spacing_along(const Box& box, int axis, double count, double shift, double radius) {
+double step_between(const Box& box, int axis, std::int64_t lines, double radius) {
+    const auto count = static_cast<double>(lines);
     if (box.is_periodic(axis)) return box.size[axis] / count;
-    const double gaps = count - 1.0 + shift;
     const double room = box.size[axis] - 2.0 * radius;
-    return gaps > 0.0 ? room / gaps : box.size[axis];
+    return lines > 1 ? room / (count - 1.0) : box.size[axis];
 }
 
-HexagonalLattice make(const Box& box, int rows, int columns, bool equal_rows, double radius) {
-    HexagonalLattice lattice{.rows = rows,
-                             .columns = columns,
-                             .shifted_columns = equal_rows ? columns : columns - 1,
-                             .spacing = {0.0, 0.0}};
-    const double shift = equal_rows && rows > 1 ? 0.5 : 0.0;
-    lattice.spacing = {spacing_along(box, 0, columns, shift, radius),
-                       spacing_along(box, 1, rows, 0.0, radius)};
-    const double along =
-        columns > 1 || box.is_periodic(0) ? lattice.spacing[0] : box.size[0] + box.size[1];
-    const double diagonal = std::hypot(0.5 * lattice.spacing[0], lattice.spacing[1]);
-    const double two_rows = rows > 2 ? 2.0 * lattice.spacing[1] : box.size[0] + box.size[1];
-    lattice.nearest = std::min({along, rows > 1 ? diagonal : along, two_rows});
-    if (rows == 1 && box.is_periodic(1)) lattice.nearest = std::min(along, box.size[1]);
-    return lattice;
+// Sites are nearest diagonally, or two lines apart along an axis. Across a periodic side a site
+// that is alone on its line is nearest to itself.
+double nearest_in(const Box& box, const Lattice& lattice) {
+    double nearest = std::numeric_limits<double>::infinity();
+    const auto lines = [&](int axis) { return lattice.lines[static_cast<std::size_t>(axis)]; };
+    for (int axis = 0; axis < lattice.dimension; ++axis) {
+        const double step = lattice.step[axis];
+        const bool is_periodic = box.is_periodic(axis);
+        if (lines(axis) > 2 || (is_periodic && axis == 0))
+            nearest = std::min(nearest, 2.0 * step);
+        else if (lines(axis) == 1 && is_periodic)
+            nearest = std::min(nearest, step);
+        for (int other = 0; other < axis; ++other)
+            if (lines(axis) > 1 && lines(other) > 1)
+                nearest = std::min(nearest, std::hypot(lattice.step[other], step));
+    }
+    return nearest;
 }
+
+// For each number of lines across all axes but one, the least numbers across that one which give
+// enough sites.
+class LatticeSearch {
+  public:
+    LatticeSearch(const Box& box, std::int64_t count, double radius)
+        : box_(box),
+          count_(count),
+          radius_(radius),
+          apart_(2.0 * radius * (1.0 - touching_tolerance)),
+          tried_{.dimension = box.dimension} {
+        // In space that one is the longest: there are few lines across the others to be tried.
+        if (box.dimension == 3)
+            for (const std::size_t k : {1U, 2U})
+                if (box.size[axes_[k]] > box.size[axes_[0]]) std::swap(axes_[0], axes_[k]);
+    }
+
+    std::optional<Lattice> run() {
+        try_all(static_cast<std::size_t>(box_.dimension) - 1, 1);
+        return best_;
+    }
+
+  private:
+    void set_lines(int axis, std::int64_t lines) {
+        tried_.lines[static_cast<std::size_t>(axis)] = lines;
+        tried_.step[axis] = step_between(box_, axis, lines, radius_);
+    }
+
+    // Across the axes up to the k-th; `rows`: the product of the lines across those after it.
+    void try_all(std::size_t k, std::int64_t rows) {
+        if (k == 0) return try_least(rows);
+        const int axis = axes_[k];
+        for (std::int64_t lines = 1; lines <= count_ + 1; ++lines) {
+            if (box_.is_periodic(axis) && lines > 1 && lines % 2 == 1) continue;
+            set_lines(axis, lines);
+            const double two = 2.0 * tried_.step[axis];
+            if (lines > 2 && (two < apart_ || (best_ && two <= best_->nearest))) return;
+            try_all(k - 1, rows * lines);
+        }
+    }
+
+    // With all rows equally long, and with every other one shorter by a site, but not without any.
+    void try_least(std::int64_t rows) {
+        const int axis = axes_[0];
+        const bool is_periodic = box_.is_periodic(axis);
+        if (is_periodic || rows > 1) try_lines(2 * ((count_ + rows - 1) / rows));
+        const std::int64_t shorter = 2 * ((count_ + rows / 2 + rows - 1) / rows) - 1;
+        if (!is_periodic && (rows == 1 || shorter > 1)) try_lines(shorter);
+    }
+
+    void try_lines(std::int64_t lines) {
+        set_lines(axes_[0], lines);
+        tried_.nearest = nearest_in(box_, tried_);
+        const bool fits = tried_.nearest >= apart_ && on_each_axis(tried_.dimension, [&](int axis) {
+                              return !(tried_.step[axis] < 0.0);
+                          });
+        if (fits && (!best_ || tried_.nearest > best_->nearest)) best_ = tried_;
+    }
+
+    const Box& box_;
+    std::int64_t count_;
+    double radius_, apart_;
+    std::array<int, 3> axes_{0, 1, 2};  ///< that for which the least numbers are found comes first
+    Lattice tried_;
+    std::optional<Lattice> best_;
+};
 
 }  // namespace
 
-std::vector<HexagonalLattice> fitting_lattices(const Box& box, int count, double radius) {
-    std::vector<HexagonalLattice> lattices;
-    const double least_between_rows = std::max(std::sqrt(3.0) * radius * 0.5, 1e-300);
-    const int most_rows =
-        static_cast<int>(std::min(box.size[1] / least_between_rows + 1.0, count + 1.0));
-    for (int rows = 1; rows <= most_rows; ++rows) {
-        if (box.is_periodic(1) && rows > 1 && rows % 2 == 1) continue;
-        const int columns = (count + rows - 1) / rows;
-        lattices.push_back(make(box, rows, columns, true, radius));
-        if (!box.is_periodic(0) && rows > 1) {
-            const int shorter = rows / 2;
-            lattices.push_back(make(box, rows, (count + shorter + rows - 1) / rows, false, radius));
-        }
-    }
-    const double apart = 2.0 * radius * (1.0 - touching_tolerance);
-    std::erase_if(lattices, [&](const HexagonalLattice& l) {
-        return l.nearest < apart || l.sites() < count || std::min(l.spacing[0], l.spacing[1]) < 0.0;
-    });
-    std::stable_sort(lattices.begin(), lattices.end(),
-                     [](const auto& a, const auto& b) { return a.nearest > b.nearest; });
-    return lattices;
+std::optional<Lattice> fitting_lattice(const Box& box, std::int64_t count, double radius) {
+    return LatticeSearch(box, count, radius).run();
 }
 
-std::vector<Vec> lattice_sites(const Box& box, const HexagonalLattice& lattice, double radius) {
-    // Against a wall the outermost disks touch it; a single row or column stands in the middle.
-    const auto start = [&](int axis, int count) {
-        const double spacing = lattice.spacing[axis];
-        if (box.is_periodic(axis)) return (axis == 0 ? 0.25 : 0.5) * spacing;
-        return count > 1 ? radius : 0.5 * box.size[axis];
-    };
-    const bool one_column = lattice.columns == 1 && lattice.rows == 1;
-    const Vec origin(start(0, one_column ? 1 : 2), start(1, lattice.rows));
+std::vector<Vec> lattice_sites(const Box& box, const Lattice& lattice, double radius) {
+    // Against a wall the outermost particles touch it; those on a single line are in the middle.
+    Vec origin;
+    for (int axis = 0; axis < lattice.dimension; ++axis)
+        origin[axis] = box.is_periodic(axis) ? 0.5 * lattice.step[axis]
+                       : lattice.lines[static_cast<std::size_t>(axis)] > 1 ? radius
+                                                                           : 0.5 * box.size[axis];
     std::vector<Vec> sites;
     sites.reserve(static_cast<std::size_t>(lattice.sites()));
-    for (int row = 0; row < lattice.rows; ++row) {
-        const bool shifted = row % 2 == 1;
-        const int columns = shifted ? lattice.shifted_columns : lattice.columns;
-        for (int column = 0; column < columns; ++column)
-            sites.push_back({origin[0] + lattice.spacing[0] * (column + (shifted ? 0.5 : 0.0)),
-                             origin[1] + lattice.spacing[1] * row});
-    }
+    const auto along = [&](int axis, std::int64_t line) {
+        return origin[axis] + lattice.step[axis] * static_cast<double>(line);
+    };
+    for (std::int64_t z = 0; z < lattice.lines[2]; ++z)
+        for (std::int64_t y = 0; y < lattice.lines[1]; ++y)
+            for (std::int64_t x = (y + z) % 2; x < lattice.lines[0]; x += 2)
+                sites.push_back({along(0, x), along(1, y), along(2, z)});
     return sites;
 }
 

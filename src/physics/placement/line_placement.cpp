@@ -9,7 +9,7 @@
 
 #include "physics/placement/line_room.h"
 #include "physics/placement/members.h"
-#include "physics/placement/placed_disks.h"
+#include "physics/placement/placed_particles.h"
 #include "physics/placement/problem.h"
 #include "util/random.h"
 

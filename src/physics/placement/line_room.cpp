@@ -7,7 +7,7 @@
 #include <queue>
 #include <utility>
 
-#include "physics/placement/placed_disks.h"
+#include "physics/placement/placed_particles.h"
 
 namespace carom {
 namespace {

@@ -22,10 +22,20 @@ bool has_position(const Species& species) {
     return std::holds_alternative<Rule>(species.position);
 }
 
-/// The size covered by particles of these radii: the areas of disks, or the lengths of beads.
+/// The size of a particle of radius 1: the length of a bead, the area of a disk or the volume of a
+/// sphere.
+inline double size_of_unit_radius(int dimension) {
+    return dimension == 1 ? 2.0 : dimension == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
+}
+
+/// The size covered by particles of these radii: the lengths of beads, the areas of disks or the
+/// volumes of spheres.
 template <typename Radii>
 double sum_of_sizes(const Box& box, const Radii& radii) {
-    return box.dimension == 1 ? 2.0 * radii.sum() : std::numbers::pi * radii.square().sum();
+    const double sum = box.dimension == 1   ? radii.sum()
+                       : box.dimension == 2 ? radii.square().sum()
+                                            : radii.cube().sum();
+    return size_of_unit_radius(box.dimension) * sum;
 }
 
 /// Calls f(species, its first particle, how many it has) for each species.
@@ -48,22 +58,23 @@ void for_each_listed(const Gas& gas, Function&& f) {
     });
 }
 
-/// The disks of all species that are placed on the lattice, and their largest and smallest radii.
-struct DisksOnLattice {
+/// The particles of all species that are placed on the lattice, and their largest and smallest
+/// radii.
+struct OnLattice {
     std::vector<Eigen::Index> numbers;
     double largest = 0.0, smallest = 0.0;
 };
 
-inline DisksOnLattice disks_on_lattice(const Gas& gas, const Particles& particles) {
-    DisksOnLattice disks;
+inline OnLattice particles_on_lattice(const Gas& gas, const Particles& particles) {
+    OnLattice found;
     for_each_species(gas, [&](std::size_t s, Eigen::Index first, Eigen::Index count) {
         if (!has_position<LatticePlaces>(gas.species[s])) return;
-        for (Eigen::Index i = first; i < first + count; ++i) disks.numbers.push_back(i);
+        for (Eigen::Index i = first; i < first + count; ++i) found.numbers.push_back(i);
     });
-    if (disks.numbers.empty()) return disks;
-    disks.largest = particles.radius(disks.numbers).maxCoeff();
-    disks.smallest = particles.radius(disks.numbers).minCoeff();
-    return disks;
+    if (found.numbers.empty()) return found;
+    found.largest = particles.radius(found.numbers).maxCoeff();
+    found.smallest = particles.radius(found.numbers).minCoeff();
+    return found;
 }
 
 /// Beads, or other particles along an axis: coordinate and number.

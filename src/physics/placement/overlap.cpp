@@ -11,42 +11,50 @@
 #include <vector>
 
 #include "physics/placement/members.h"
-#include "physics/placement/placed_disks.h"
+#include "physics/placement/placed_particles.h"
 
 namespace carom {
 namespace {
 
+template <int dimension>
 double overlap_of_two(const Box& box, const Particles& particles, const Sample& sample,
                       Eigen::Index i, Eigen::Index j) {
-    const double x = sample.position(j, 0) - sample.position(i, 0),
-                 y = sample.position(j, 1) - sample.position(i, 1);
+    Vec apart;
+    bool is_nearest = true;
+    for (int axis = 0; axis < dimension; ++axis) {
+        apart[axis] = sample.position(j, axis) - sample.position(i, axis);
+        is_nearest = is_nearest && std::abs(apart[axis]) < 0.25 * box.size[axis];
+    }
     const double contact = particles.radius[i] + particles.radius[j];
-    const bool is_nearest = std::abs(x) < 0.25 * box.size[0] && std::abs(y) < 0.25 * box.size[1];
-    const double squared = is_nearest ? x * x + y * y : square(box.nearest({x, y}));
+    const double squared = square(is_nearest ? apart : box.nearest(apart));
     return squared < contact * contact ? 1.0 - std::sqrt(squared) / contact : 0.0;
 }
 
-// A grid with cells at least as wide as the largest disk, for gases in which no cell has to hold
-// many disks: each disk is compared with those in the cells around its centre. Cells are processed
-// in order, so that disks close to each other in the box are also close in the processor's caches.
-class DisksInCells {
+// A grid with cells at least as wide as the largest particle, for gases in which no cell has to
+// hold many: each particle is compared with those in the cells around its centre. Cells are
+// processed in order, so that particles close to each other in the box are also close in the
+// processor's caches.
+template <int dimension>
+class ParticlesInCells {
+    using Cell = std::array<int, dimension>;
+
   public:
-    /// Whether the grid suits these disks, that is, none is much larger than the others.
+    /// Whether the grid suits these particles, that is, none is much larger than the others.
     static bool suits(const Box& box, const Particles& particles) {
         const double across = 2.0 * particles.radius.maxCoeff();
-        const double room = box.size[0] * box.size[1];
+        double taken = static_cast<double>(particles.count());
+        for (int axis = 0; axis < dimension; ++axis) taken *= across;
         constexpr double most_in_cell = 4.0;
-        return across > 0.0 &&
-               across * across * static_cast<double>(particles.count()) < most_in_cell * room;
+        return across > 0.0 && taken < most_in_cell * box.content();
     }
 
-    DisksInCells(const Box& box, const Particles& particles, const Sample& sample)
+    ParticlesInCells(const Box& box, const Particles& particles, const Sample& sample)
         : box_(box), particles_(particles), sample_(sample) {
         constexpr double beyond_rounding = 1.0 + 1e-9;  // margin for rounding to cells
         const double across = 2.0 * particles.radius.maxCoeff() * beyond_rounding;
-        const double one_each =
-            std::sqrt(box.size[0] * box.size[1] / static_cast<double>(particles.count()));
-        for (Eigen::Index axis = 0; axis < 2; ++axis) {
+        const double room = box.content() / static_cast<double>(particles.count());
+        const double one_each = dimension == 2 ? std::sqrt(room) : std::cbrt(room);
+        for (std::size_t axis = 0; axis < dimension; ++axis) {
             cells_[axis] = std::max(
                 1, static_cast<int>(std::floor(box.size[axis] / std::max(across, one_each))));
             per_length_[axis] = cells_[axis] / box.size[axis];
@@ -56,39 +64,49 @@ class DisksInCells {
 
     double deepest_overlap() const {
         double deepest = 0.0;
-        for (int y = 0; y < cells_[1]; ++y)
-            for (int x = 0; x < cells_[0]; ++x) deepest = std::max(deepest, deepest_at(x, y));
-        return deepest;
+        for (Cell cell{};;) {
+            deepest = std::max(deepest, deepest_at(cell));
+            std::size_t axis = 0;
+            while (axis < dimension && ++cell[axis] == cells_[axis]) cell[axis++] = 0;
+            if (axis == dimension) return deepest;
+        }
     }
 
   private:
     std::size_t cell_of(Eigen::Index i) const {
-        const auto along = [&](Eigen::Index axis) {
-            const double place = sample_.position(i, axis) * per_length_[axis];
-            return static_cast<std::size_t>(std::clamp(place, 0.0, cells_[axis] - 1.0));
-        };
-        return number_of(along(0), along(1));
+        Cell cell{};
+        for (std::size_t axis = 0; axis < dimension; ++axis) {
+            const double place =
+                sample_.position(i, static_cast<Eigen::Index>(axis)) * per_length_[axis];
+            cell[axis] = static_cast<int>(std::clamp(place, 0.0, cells_[axis] - 1.0));
+        }
+        return number_of(cell);
     }
-    std::size_t number_of(std::size_t x, std::size_t y) const {
-        return y * static_cast<std::size_t>(cells_[0]) + x;
+    std::size_t number_of(const Cell& cell) const {
+        std::size_t number = 0;
+        for (std::size_t axis = dimension; axis-- > 0;)
+            number = number * static_cast<std::size_t>(cells_[axis]) +
+                     static_cast<std::size_t>(cell[axis]);
+        return number;
     }
 
     // Counting sort by cell.
     void sort() {
-        const auto all = static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]);
+        std::size_t all = 1;
+        for (const int cells : cells_) all *= static_cast<std::size_t>(cells);
         begins_.assign(all + 1, 0);
-        disks_.resize(static_cast<std::size_t>(particles_.count()));
+        sorted_.resize(static_cast<std::size_t>(particles_.count()));
         for (Eigen::Index i = 0; i < particles_.count(); ++i) ++begins_[cell_of(i)];
         std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
         for (Eigen::Index i = particles_.count(); i-- > 0;)
-            disks_[static_cast<std::size_t>(--begins_[cell_of(i)])] = static_cast<std::int32_t>(i);
+            sorted_[static_cast<std::size_t>(--begins_[cell_of(i)])] = static_cast<std::int32_t>(i);
     }
 
-    // The disks in consecutive cells of a row.
+    // The particles in consecutive cells of a row.
     std::span<const std::int32_t> in_cells(std::size_t first, std::size_t last) const {
         const auto begin = static_cast<std::size_t>(begins_[first]),
                    end = static_cast<std::size_t>(begins_[last + 1]);
-        return {disks_.data() + begin, end - begin};
+        return {sorted_.data() + begin, end - begin};
     }
 
     double deepest_between(std::span<const std::int32_t> some,
@@ -97,54 +115,78 @@ class DisksInCells {
         for (const std::int32_t i : some)
             for (const std::int32_t j : others)
                 if (i != j)
-                    deepest = std::max(deepest, overlap_of_two(box_, particles_, sample_, i, j));
+                    deepest = std::max(deepest,
+                                       overlap_of_two<dimension>(box_, particles_, sample_, i, j));
         return deepest;
     }
 
     // Of two adjacent cells only one is compared with the other; inside the box three cells of a
     // row are examined at once.
-    double deepest_at(int x, int y) const {
-        const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-        const std::size_t cell = number_of(column, row);
-        const auto here = in_cells(cell, cell);
-        if (x > 0 && x + 1 < cells_[0] && y + 1 < cells_[1]) {
-            const std::size_t above = number_of(column, row + 1);
-            return std::max(deepest_between(here, in_cells(cell, cell + 1)),
-                            deepest_between(here, in_cells(above - 1, above + 1)));
-        }
-        constexpr std::array<std::array<int, 2>, 5> around{
-            {{0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
+    double deepest_at(const Cell& cell) const {
+        const std::size_t number = number_of(cell);
+        const auto here = in_cells(number, number);
+        if (here.empty()) return 0.0;
+        bool is_inside = true;
+        for (std::size_t axis = 0; axis < dimension; ++axis)
+            is_inside = is_inside && cell[axis] > 0 && cell[axis] + 1 < cells_[axis];
         double deepest = 0.0;
-        for (const auto& [right, up] : around) {
-            const auto its_column = other(0, x + right), its_row = other(1, y + up);
-            if (!its_column || !its_row) continue;
-            const std::size_t near = number_of(*its_column, *its_row);
-            deepest = std::max(deepest, deepest_between(here, in_cells(near, near)));
+        for (const Cell& row : rows_after()) {
+            const bool own = row == Cell{};
+            if (is_inside) {
+                Cell its = cell;
+                for (std::size_t axis = 1; axis < dimension; ++axis) its[axis] += row[axis];
+                const std::size_t near = number_of(its);
+                deepest = std::max(
+                    deepest, deepest_between(here, in_cells(own ? near : near - 1, near + 1)));
+                continue;
+            }
+            for (int right = own ? 0 : -1; right <= 1; ++right) {
+                Cell offset = row;
+                offset[0] = right;
+                const auto near = other(cell, offset);
+                if (!near) continue;
+                deepest = std::max(deepest, deepest_between(here, in_cells(*near, *near)));
+            }
         }
         return deepest;
     }
 
-    // Wraps the index of a column or row on a periodic axis; nothing beyond a wall.
-    std::optional<std::size_t> other(Eigen::Index axis, int at) const {
-        if (at >= 0 && at < cells_[axis]) return static_cast<std::size_t>(at);
-        if (!box_.is_periodic(axis)) return std::nullopt;
-        return static_cast<std::size_t>(at < 0 ? at + cells_[axis] : at - cells_[axis]);
+    // The rows along x that are the same as that of a cell, or come after it: those of a plane
+    // above it, those of space in the same layer and in the next.
+    static constexpr auto rows_after() {
+        if constexpr (dimension == 2)
+            return std::array<Cell, 2>{{{0, 0}, {0, 1}}};
+        else
+            return std::array<Cell, 5>{{{0, 0, 0}, {0, 1, 0}, {0, -1, 1}, {0, 0, 1}, {0, 1, 1}}};
+    }
+
+    // A cell next to another, across a periodic side too; nothing beyond a wall.
+    std::optional<std::size_t> other(Cell cell, const Cell& offset) const {
+        for (std::size_t axis = 0; axis < dimension; ++axis) {
+            int& at = cell[axis];
+            at += offset[axis];
+            if (at >= 0 && at < cells_[axis]) continue;
+            if (!box_.is_periodic(axis)) return std::nullopt;
+            at += at < 0 ? cells_[axis] : -cells_[axis];
+        }
+        return number_of(cell);
     }
 
     const Box& box_;
     const Particles& particles_;
     const Sample& sample_;
-    Eigen::Array2i cells_;
+    Cell cells_{};
     Vec per_length_;
-    std::vector<std::int32_t> begins_;  ///< first index in disks_ for each cell, and the end of the
-                                        ///< last cell
-    std::vector<std::int32_t> disks_;   ///< sorted by cell
+    std::vector<std::int32_t> begins_;  ///< first index in sorted_ for each cell, and the end of
+                                        ///< the last cell
+    std::vector<std::int32_t> sorted_;  ///< by cell
 };
 
-double overlap_of_disks(const Box& box, const Particles& particles, const Sample& sample) {
-    if (DisksInCells::suits(box, particles))
-        return DisksInCells(box, particles, sample).deepest_overlap();
-    PlacedDisks placed(box, particles.radius);
+template <int dimension>
+double overlap_beyond_a_line(const Box& box, const Particles& particles, const Sample& sample) {
+    if (ParticlesInCells<dimension>::suits(box, particles))
+        return ParticlesInCells<dimension>(box, particles, sample).deepest_overlap();
+    PlacedParticles<dimension> placed(box, particles.radius);
     double deepest = 0.0;
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         const Vec centre = vec_in(sample.position, i);
@@ -168,8 +210,9 @@ double overlap_of_beads(const Box& box, const Particles& particles, const Sample
 
 double largest_relative_overlap(const Box& box, const Particles& particles, const Sample& sample) {
     if (particles.count() < 2) return 0.0;
-    return box.dimension == 1 ? overlap_of_beads(box, particles, sample)
-                              : overlap_of_disks(box, particles, sample);
+    return box.dimension == 1   ? overlap_of_beads(box, particles, sample)
+           : box.dimension == 2 ? overlap_beyond_a_line<2>(box, particles, sample)
+                                : overlap_beyond_a_line<3>(box, particles, sample);
 }
 
 }  // namespace carom

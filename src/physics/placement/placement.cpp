@@ -12,16 +12,19 @@
 #include "physics/placement/lattice.h"
 #include "physics/placement/line_placement.h"
 #include "physics/placement/members.h"
-#include "physics/placement/placed_disks.h"
+#include "physics/placement/placed_particles.h"
 #include "util/interrupt.h"
 #include "util/random.h"
 
 namespace carom {
 namespace {
 
-// At packing 0.5 the last disks need a few hundred; random placement jams at 0.547.
-constexpr int most_tries = 20'000;
+// In the plane random placement ends at packing 0.547, and at 0.5 the last disks need a few hundred
+// tries. In space it ends at 0.384 (problem.h), and the last spheres need 300 tries at 0.3, 3,000
+// at 0.33 and 100,000 at 0.36.
+constexpr int most_tries_in(int dimension) { return dimension == 2 ? 20'000 : 2'000'000; }
 
+template <int dimension>
 class Placement {
   public:
     Placement(const Gas& gas, const Particles& particles, Sample& start)
@@ -44,32 +47,34 @@ class Placement {
         placed_.add(static_cast<std::int32_t>(i), centre, particles_.radius[i]);
     }
 
-    // All species on the lattice share one; which disk has which site is random where they differ.
+    // All species on the lattice share one; which particle has which site is random where they
+    // differ.
     void place_on_lattice() {
-        auto [disks, radius, smallest] = disks_on_lattice(gas_, particles_);
-        if (disks.empty()) return;
-        const std::vector<Vec> sites = free_sites(disks, radius);
-        if (species_of(disks.front()) != species_of(disks.back()))
-            Random(gas_.seed, "sites of the lattice").shuffle(disks);
-        for (std::size_t k = 0; k < disks.size(); ++k)  // sites left over are spread evenly
-            place_at(disks[k], sites[k * sites.size() / disks.size()]);
+        auto [numbers, radius, smallest] = particles_on_lattice(gas_, particles_);
+        if (numbers.empty()) return;
+        const std::vector<Vec> sites = free_sites(numbers, radius);
+        if (species_of(numbers.front()) != species_of(numbers.back()))
+            Random(gas_.seed, "sites of the lattice").shuffle(numbers);
+        for (std::size_t k = 0; k < numbers.size(); ++k)  // sites left over are spread evenly
+            place_at(numbers[k], sites[k * sites.size() / numbers.size()]);
     }
 
     // The free sites of the most widely spaced fitting lattice that has enough sites clear of the
-    // disks placed before.
-    std::vector<Vec> free_sites(const std::vector<Eigen::Index>& disks, double radius) const {
+    // particles placed before.
+    std::vector<Vec> free_sites(const std::vector<Eigen::Index>& numbers, double radius) const {
         std::size_t most = 0;
-        const int wanted = static_cast<int>(disks.size());
-        for (int count = wanted; count <= 4 * wanted + 64; count += std::max(1, count / 50)) {
-            const auto lattices = fitting_lattices(gas_.box, count, radius);
-            if (lattices.empty()) break;
-            std::vector<Vec> sites = lattice_sites(gas_.box, lattices.front(), radius);
+        const std::int64_t wanted = std::ssize(numbers);
+        for (std::int64_t count = wanted; count <= 4 * wanted + 64;
+             count += std::max<std::int64_t>(1, count / 50)) {
+            const auto lattice = fitting_lattice(gas_.box, count, radius);
+            if (!lattice) break;
+            std::vector<Vec> sites = lattice_sites(gas_.box, *lattice, radius);
             std::erase_if(sites, [&](const Vec& site) { return !placed_.is_free(site, radius); });
-            if (sites.size() >= disks.size()) return sites;
+            if (sites.size() >= numbers.size()) return sites;
             most = std::max(most, sites.size());
         }
         throw PlacementError({.kind = Problem::Kind::lattice_taken,
-                              .species = species_of(disks.front()),
+                              .species = species_of(numbers.front()),
                               .count = wanted,
                               .fitting = static_cast<std::int64_t>(most),
                               .value = radius},
@@ -77,20 +82,20 @@ class Placement {
     }
 
     void place_at_random() {
-        std::vector<Eigen::Index> disks;
+        std::vector<Eigen::Index> numbers;
         std::vector<Random> random;
         for (std::size_t s = 0; s < gas_.species.size(); ++s)
             random.emplace_back(gas_.seed, fmt::format("position of species {}", s));
         for (Eigen::Index i = 0; i < particles_.count(); ++i) {
             const Species& species = gas_.species[species_of(i)];
             if (has_position<RandomPlaces>(species) || has_position<WithinRegion>(species))
-                disks.push_back(i);
+                numbers.push_back(i);
         }
-        std::stable_sort(disks.begin(), disks.end(), [&](Eigen::Index a, Eigen::Index b) {
+        std::stable_sort(numbers.begin(), numbers.end(), [&](Eigen::Index a, Eigen::Index b) {
             return particles_.radius[a] > particles_.radius[b];
         });
         std::vector<std::int64_t> found(gas_.species.size(), 0);
-        for (const Eigen::Index i : disks) {
+        for (const Eigen::Index i : numbers) {
             const std::size_t s = species_of(i);
             if (!place_somewhere(i, random[s])) throw PlacementError(no_place(s, found[s]), gas_);
             ++found[s];
@@ -106,23 +111,23 @@ class Placement {
             low = within->region.low;
             high = within->region.high;
         }
-        for (int a = 0; a < 2; ++a) {
+        for (int a = 0; a < dimension; ++a) {
             if (!within && gas_.box.is_periodic(a)) continue;
             low[a] += radius;
             high[a] -= radius;
             if (low[a] > high[a]) return false;
         }
-        for (int tries = 0; tries < most_tries; ++tries) {
-            const double x = random.uniform(low[0], high[0]);
-            const double y = random.uniform(low[1], high[1]);
-            if (!placed_.is_free({x, y}, radius)) continue;
-            place_at(i, {x, y});
+        for (int tries = 0; tries < most_tries_in(dimension); ++tries) {
+            Vec centre;
+            for (int a = 0; a < dimension; ++a) centre[a] = random.uniform(low[a], high[a]);
+            if (!placed_.is_free(centre, radius)) continue;
+            place_at(i, centre);
             return true;
         }
         return false;
     }
 
-    // The packing fraction is that of all disks in the box, or of the species in its region.
+    // The packing fraction is that of all particles in the box, or of the species in its region.
     Problem no_place(std::size_t s, std::int64_t found) const {
         const auto* within = std::get_if<WithinRegion>(&gas_.species[s].position);
         const auto own = particles_.species == static_cast<int>(s);
@@ -138,7 +143,7 @@ class Placement {
     const Gas& gas_;
     const Particles& particles_;
     Sample& start_;
-    PlacedDisks placed_;
+    PlacedParticles<dimension> placed_;
 };
 
 }  // namespace
@@ -150,8 +155,10 @@ std::pair<Particles, Sample> place(const Gas& gas) {
         throw PlacementError(problems.front(), gas);
     if (gas.box.dimension == 1)
         place_on_line(gas, particles, start);
+    else if (gas.box.dimension == 2)
+        Placement<2>(gas, particles, start).run();
     else
-        Placement(gas, particles, start).run();
+        Placement<3>(gas, particles, start).run();
     return {std::move(particles), std::move(start)};
 }
 

@@ -21,9 +21,10 @@ struct Nouns {
     std::string_view particle, room, smaller, larger;
 };
 const Nouns& nouns(const Gas& gas) {
-    static constexpr Nouns in_plane{"disk", "box", "smaller", "larger"};
     static constexpr Nouns along_line{"bead", "wire", "shorter", "longer"};
-    return on_line(gas) ? along_line : in_plane;
+    static constexpr Nouns in_plane{"disk", "box", "smaller", "larger"};
+    static constexpr Nouns in_space{"sphere", "box", "smaller", "larger"};
+    return on_line(gas) ? along_line : gas.box.dimension == 2 ? in_plane : in_space;
 }
 
 // Disks of species "cold".
@@ -45,12 +46,15 @@ std::string called(const Gas& gas, Eigen::Index particle) {
     return fmt::format("particle {}", particle);
 }
 
-std::string size_of(const Vec& size) { return fmt::format("{} by {}", size[0], size[1]); }
+std::string size_of(const Vec& size, const Gas& gas) {
+    return gas.box.dimension == 2 ? fmt::format("{} by {}", size[0], size[1])
+                                  : fmt::format("{} by {} by {}", size[0], size[1], size[2]);
+}
 
 // As particles are inside it, or reach outside.
 std::string whole_box(const Gas& gas) {
     return on_line(gas) ? fmt::format("the wire from 0 to {}", gas.box.size[0])
-                        : "the box of " + size_of(gas.box.size);
+                        : "the box of " + size_of(gas.box.size, gas);
 }
 
 Vec size_of_region(const Species& species) {
@@ -83,7 +87,7 @@ ProblemText too_large(const Problem& p, const Gas& gas) {
     const auto& [particle, room, smaller, larger] = nouns(gas);
     return {fmt::format("a {} of radius {:.6g} does not fit {}", particle, p.value,
                         on_line(gas) ? fmt::format("on a wire of length {}", gas.box.size[0])
-                                     : "into a box of " + size_of(gas.box.size)),
+                                     : "into a box of " + size_of(gas.box.size, gas)),
             fmt::format("a {} {} or a {} {}", smaller, particle, larger, room)};
 }
 
@@ -95,12 +99,31 @@ ProblemText too_dense(const Problem& p, const Gas& gas) {
                             length, size[0]),
                 fmt::format("fewer or shorter beads, or a wire of about {:.3g}", 2.0 * length)};
     }
-    const double scale = std::sqrt(p.value / 0.5);
-    return {fmt::format("the disks cover {:.4g} of the box's area {:.6g} (packing fraction "
-                        "{:.4g}), more than the {:.4f} of the densest packing",
-                        p.value * gas.box.content(), gas.box.content(), p.value, densest_packing),
-            fmt::format("fewer or smaller disks, or a box of about {:.3g} by {:.3g}",
-                        size[0] * scale, size[1] * scale)};
+    // In a box of the size that the hint gives, particles find random places quickly.
+    const bool in_plane = gas.box.dimension == 2;
+    const double scale = in_plane ? std::sqrt(p.value / 0.5) : std::cbrt(p.value / 0.3);
+    const std::string_view particle = nouns(gas).particle;
+    const std::string larger =
+        in_plane ? fmt::format("{:.3g} by {:.3g}", size[0] * scale, size[1] * scale)
+                 : fmt::format("{:.3g} by {:.3g} by {:.3g}", size[0] * scale, size[1] * scale,
+                               size[2] * scale);
+    return {fmt::format("the {}s {} {:.4g} of the box's {} {:.6g} (packing fraction {:.4g}), more "
+                        "than the {:.4f} of the densest packing",
+                        particle, in_plane ? "cover" : "fill", p.value * gas.box.content(),
+                        in_plane ? "area" : "volume", gas.box.content(), p.value,
+                        densest_packing(gas.box.dimension)),
+            fmt::format("fewer or smaller {}s, or a box of about {}", particle, larger)};
+}
+
+ProblemText saturated(const Problem& p, const Gas& gas, std::string_view region) {
+    const Species& species = gas.species[p.species];
+    const bool within = std::holds_alternative<WithinRegion>(species.position);
+    return {fmt::format("{} spheres at random places{} have packing fraction {:.4g}, and random "
+                        "placement ends at {:.3f}",
+                        p.count, within ? fmt::format(" in {}", region) : "", p.value,
+                        saturated_packing),
+            fmt::format("fewer spheres ({} have packing fraction 0.3), smaller ones, {}", p.fitting,
+                        within ? "or more room" : "a larger box, or places on a lattice")};
 }
 
 ProblemText in_region(const Problem& p, const Gas& gas, std::string_view region) {
@@ -109,32 +132,37 @@ ProblemText in_region(const Problem& p, const Gas& gas, std::string_view region)
         return {fmt::format("{} reaches outside {}", region, whole_box(gas)),
                 "make it smaller, or the box larger"};
     const Vec size = size_of_region(species);
+    const std::string_view particle = nouns(gas).particle;
     if (p.kind == Kind::region_too_narrow)
-        return {fmt::format("a disk of radius {:.6g} does not fit into {}, {}", p.value, region,
-                            size_of(size)),
-                "smaller disks or more room"};
+        return {fmt::format("a {} of radius {:.6g} does not fit into {}, {}", particle, p.value,
+                            region, size_of(size, gas)),
+                fmt::format("smaller {}s or more room", particle)};
     if (on_line(gas))
         return {fmt::format("{} beads, {:.6g} long together, do not fit into {}, {:.6g} long",
                             species.count, p.value * size[0], region, size[0]),
                 "fewer or shorter beads or more room"};
-    return {fmt::format("{} disks in {} have packing fraction {:.4g}, more than the {:.4f} of "
-                        "the densest packing",
-                        species.count, region, p.value, densest_packing),
-            "fewer or smaller disks or more room"};
+    return {
+        fmt::format("{} {}s in {} have packing fraction {:.4g}, more than the {:.4f} of "
+                    "the densest packing",
+                    species.count, particle, region, p.value, densest_packing(gas.box.dimension)),
+        fmt::format("fewer or smaller {}s or more room", particle)};
 }
 
 ProblemText on_lattice(const Problem& p, const Gas& gas) {
+    const std::string_view particle = nouns(gas).particle;
+    const std::string_view lattice =
+        gas.box.dimension == 2 ? "hexagonal lattice" : "face-centred cubic lattice";
     if (p.kind == Kind::lattice_taken)
-        return {fmt::format("other disks leave {} sites of a hexagonal lattice free for {} disks "
-                            "of radius up to {:.6g}",
-                            p.fitting, p.count, p.value),
-                "fewer or smaller disks, or a larger box"};
-    return {
-        fmt::format("no hexagonal lattice holds {} disks of radius {}{:.6g} in a box of {}",
-                    p.count, p.bound < p.value ? "up to " : "", p.value, size_of(gas.box.size)),
-        fmt::format("use fewer disks ({} fit, with room to move or without), smaller ones, or a "
-                    "larger box",
-                    p.fitting)};
+        return {fmt::format("other {0}s leave {1} sites of a {2} free for {3} {0}s of radius up to "
+                            "{4:.6g}",
+                            particle, p.fitting, lattice, p.count, p.value),
+                fmt::format("fewer or smaller {}s, or a larger box", particle)};
+    return {fmt::format("no {} holds {} {}s of radius {}{:.6g} in a box of {}", lattice, p.count,
+                        particle, p.bound < p.value ? "up to " : "", p.value,
+                        size_of(gas.box.size, gas)),
+            fmt::format("use fewer {}s ({} fit, with room to move or without), smaller ones, or a "
+                        "larger box",
+                        particle, p.fitting)};
 }
 
 ProblemText outside(const Problem& p, const Gas& gas) {
@@ -148,18 +176,23 @@ ProblemText outside(const Problem& p, const Gas& gas) {
         fmt::format("{}{} is not inside {}", called(gas, p.particle),
                     p.value > 0.0 ? fmt::format(" of radius {:.6g}", p.value) : "", whole_box(gas)),
         on_line(gas) ? fmt::format("its centre must lie between {} and {}", low[0], high[0])
-                     : fmt::format("its centre must have x from {} to {} and y from {} to {}",
-                                   low[0], high[0], low[1], high[1])};
+        : gas.box.dimension == 2
+            ? fmt::format("its centre must have x from {} to {} and y from {} to {}", low[0],
+                          high[0], low[1], high[1])
+            : fmt::format("its centre must have x from {} to {}, y from {} to {} and z from {} to "
+                          "{}",
+                          low[0], high[0], low[1], high[1], low[2], high[2])};
 }
 
 ProblemText no_place(const Problem& p, const Gas& gas) {
     const Species& species = gas.species[p.species];
     const bool within = std::holds_alternative<WithinRegion>(species.position);
+    const std::string_view particle = nouns(gas).particle;
     return {fmt::format("only {} of {} {} could be placed at packing fraction {:.3g}{}", p.fitting,
                         species.count, members(gas, p.species), p.value,
                         within ? " of their region" : ""),
-            within ? "fewer or smaller disks, or a larger region"
-                   : "fewer or smaller disks, a larger box, or places on a lattice"};
+            fmt::format("fewer or smaller {}s, {}", particle,
+                        within ? "or a larger region" : "a larger box, or places on a lattice")};
 }
 
 ProblemText no_stretch(const Problem& p, const Gas& gas) {
@@ -205,7 +238,11 @@ ProblemText squeeze(const Problem& p) {
 
 }  // namespace
 
-const double densest_packing = std::numbers::pi / std::sqrt(12.0);
+double densest_packing(int dimension) {
+    return dimension == 1   ? 1.0
+           : dimension == 2 ? std::numbers::pi / std::sqrt(12.0)
+                            : std::numbers::pi / std::sqrt(18.0);
+}
 
 ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
     switch (p.kind) {
@@ -231,6 +268,8 @@ ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
             return too_large(p, gas);
         case Kind::too_dense:
             return too_dense(p, gas);
+        case Kind::saturated:
+            return saturated(p, gas, region);
         case Kind::region_outside:
         case Kind::region_too_narrow:
         case Kind::region_too_dense:
@@ -247,7 +286,8 @@ ProblemText to_text(const Problem& p, const Gas& gas, std::string_view region) {
         case Kind::in_surface:
             return {fmt::format("{} overlaps `{}`", called(gas, p.particle),
                                 gas.box.surfaces.names().at(static_cast<std::size_t>(p.other))),
-                    "its disk must lie clear of all partitions and obstacles"};
+                    fmt::format("its {} must lie clear of all partitions and obstacles",
+                                nouns(gas).particle)};
         case Kind::same_place:
             return {fmt::format("{} is at the place of {}", called(gas, p.particle),
                                 called(gas, p.other)),

@@ -18,26 +18,29 @@ struct Gas;
 /// all species; -1 means none.
 struct Problem {
     enum class Kind {
-        too_many,           ///< `count` particles up to this species, more than `bound`
-        not_positive,       ///< the distribution of its `quantity` gives `value`
-        no_mass,            ///< a point particle whose mass would follow from a density
-        no_temperature,     ///< no particle moves that could be scaled to temperature `value`
-        momentum,           ///< the momenta of the `count` particles with a speed cannot sum to
-                            ///< zero: the largest, of `particle`, is `value`, all others together
-                            ///< have `bound`
-        too_large,          ///< radius `value` is too large for the box
-        too_dense,          ///< all particles cover the fraction `value` of the box
-        region_outside,     ///< the region of the species extends outside the box
-        region_too_narrow,  ///< the region is too narrow for a disk of radius `value`
+        too_many,        ///< `count` particles up to this species, more than `bound`
+        not_positive,    ///< the distribution of its `quantity` gives `value`
+        no_mass,         ///< a point particle whose mass would follow from a density
+        no_temperature,  ///< no particle moves that could be scaled to temperature `value`
+        momentum,        ///< the momenta of the `count` particles with a speed cannot sum to
+                         ///< zero: the largest, of `particle`, is `value`, all others together
+                         ///< have `bound`
+        too_large,       ///< radius `value` is too large for the box
+        too_dense,       ///< all particles cover the fraction `value` of the box
+        saturated,       ///< spheres at random places fill the fraction `value` of the box, or of
+                         ///< the region of the species: more than random placement reaches
+        region_outside,  ///< the region of the species extends outside the box
+        region_too_narrow,  ///< the region is too narrow for a particle of radius `value`
         region_too_dense,   ///< the species covers the fraction `value` of its region
-        no_lattice,     ///< no lattice holds `count` disks of radius up to `value`, only `fitting`
-        lattice_taken,  ///< disks placed before leave only `fitting` sites for `count` disks
-        outside,        ///< `particle` of radius `value` lies outside the box
-        overlap,        ///< `particle` and `other` are `value` apart but need at least `bound`
-        in_surface,     ///< `particle` overlaps surface `other` (physics/surface.h)
-        same_place,     ///< `particle` and `other` are two points at the same place on a line
-        no_place,       ///< random placement found room for only `fitting`; they cover the fraction
-                        ///< `value`
+        no_lattice,         ///< no lattice holds `count` particles of radius up to `value`, only
+                            ///< `fitting`
+        lattice_taken,      ///< particles placed before leave only `fitting` sites for `count`
+        outside,            ///< `particle` of radius `value` lies outside the box
+        overlap,            ///< `particle` and `other` are `value` apart but need at least `bound`
+        in_surface,         ///< `particle` overlaps surface `other` (physics/surface.h)
+        same_place,         ///< `particle` and `other` are two points at the same place on a line
+        no_place,    ///< random placement found room for only `fitting`; they cover the fraction
+                     ///< `value`
         no_stretch,  ///< no stretch of a line fits `count` beads of total length `value`; `bound`
                      ///< is free, at most `widest` in one piece; `particle` is set if all are of
                      ///< one species
@@ -69,8 +72,14 @@ class PlacementError : public std::runtime_error {
     Problem problem_;
 };
 
-/// The densest packing of equal disks in a plane, hexagonal: pi / sqrt(12) (Thue 1892, Fejes Toth
-/// 1940). Mixtures can be denser with small ones in the gaps, but not when placed at random.
-extern const double densest_packing;
+/// The densest packing of equal particles: 1 on a line; in the plane that of a hexagonal lattice,
+/// pi / sqrt(12) (Thue 1892, Fejes Toth 1940); in space that of a face-centred cubic lattice, pi /
+/// sqrt(18) (Hales, Annals of Mathematics 162, 1065, 2005). Mixtures can be denser with small ones
+/// in the gaps, but not when placed at random.
+double densest_packing(int dimension);
+
+/// The packing at which the random placement of equal spheres ends in a large box (Zhang and
+/// Torquato, Phys. Rev. E 88, 053312, 2013: 0.3841307(21)).
+inline constexpr double saturated_packing = 0.3841;
 
 }  // namespace carom

@@ -44,6 +44,7 @@ const Node& node_of(const Problem& problem, const Gas& gas,
     switch (problem.kind) {
         case Kind::too_many:
         case Kind::too_dense:
+        case Kind::saturated:
             return at_key(draft, "count");
         case Kind::not_positive:
             return at_key(draft, problem.quantity);

@@ -3,12 +3,17 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <set>
+#include <vector>
 
+#include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/placement/draws.h"
 #include "physics/placement/problem.h"
+#include "support/goodness_of_fit.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -16,12 +21,15 @@ using namespace carom;
 namespace {
 
 Gas gas_with(std::vector<Species> species, Walls walls, int dimension = 2, std::uint64_t seed = 1) {
-    return {.box = {dimension, {20.0, dimension == 2 ? 20.0 : 0.0}, walls},
-            .species = std::move(species),
-            .seed = seed};
+    Gas gas{
+        .box = {dimension, {20.0, dimension > 1 ? 20.0 : 0.0, dimension > 2 ? 20.0 : 0.0}, walls},
+        .species = std::move(species),
+        .seed = seed};
+    if (dimension == 3) gas.box.surfaces.side_count = 6;
+    return gas;
 }
 
-constexpr Walls all_periodic{Wall::periodic, Wall::periodic};
+constexpr Walls all_periodic{Wall::periodic, Wall::periodic, Wall::periodic};
 
 // The largest component of the momentum, relative to the sum of all momenta.
 double imbalance(const Particles& particles, const Sample& start, Eigen::Index axis) {
@@ -169,5 +177,126 @@ TEST_CASE("a gas of many particles keeps its drawn directions but for small turn
     // The drawn momenta sum to some sqrt(N) of the N, and each turn takes up a share of the sum:
     // turns are of order 1/sqrt(N), the largest here 0.47 of it.
     CHECK(turned.maxCoeff() < 2.0 / std::sqrt(double(count)));
+    CHECK(turned.maxCoeff() > 0.0);
+}
+
+// Each component of a uniform direction is uniform in [-1, 1], and so is the azimuth in its range
+// (Archimedes). 13 tests: a p-value below 1e-7 is a failure, as are 6 standard deviations.
+TEST_CASE("in space speeds have directions that are uniform on the sphere") {
+    const Eigen::Index count = 40'000;
+    const Sample start =
+        draw_gas(gas_with({{.name = "", .count = count, .velocity = Speed{1.0}}}, {}, 3)).second;
+    CHECK((speeds(start) - 1.0).abs().maxCoeff() < 4e-16);
+    const double error = 6.0 / std::sqrt(double(count));
+    for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::ArrayXd u = start.velocity.col(axis);
+        const Eigen::ArrayXd v = start.velocity.col((axis + 1) % 3);
+        // the variances of u, u^2, u^4 and u v are 1/3, 1/5 - 1/9, 1/9 - 1/25 and 1/15
+        CHECK(std::abs(u.mean()) < error * std::sqrt(1.0 / 3.0));
+        CHECK(std::abs(u.square().mean() - 1.0 / 3.0) < error * std::sqrt(4.0 / 45.0));
+        CHECK(std::abs(u.square().square().mean() - 1.0 / 5.0) < error * std::sqrt(16.0 / 225.0));
+        CHECK(std::abs((u * v).mean()) < error * std::sqrt(1.0 / 15.0));
+        CHECK(test::chance({u.begin(), u.end()}, [](double x) { return 0.5 * (x + 1.0); }) > 1e-7);
+        std::vector<double> azimuths;
+        for (Eigen::Index i = 0; i < count; ++i) azimuths.push_back(std::atan2(v[i], u[i]));
+        CHECK(test::chance(azimuths, [](double x) { return 0.5 + 0.5 * x / std::numbers::pi; }) >
+              1e-7);
+    }
+}
+
+TEST_CASE("in space the momenta sum to zero along each axis that conserves them") {
+    for (int periodic = 1; periodic < 8; ++periodic) {
+        Walls walls{};
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            walls[axis] = (periodic >> axis & 1) != 0 ? Wall::periodic : Wall::solid;
+        CAPTURE(periodic);
+        for (std::uint64_t seed = 1; seed <= 20; ++seed)
+            for (const std::int64_t count : {1, 2, 3, 4, 5, 7, 300}) {
+                if (count == 1 && periodic == 7) continue;
+                CAPTURE(count);
+                const auto [particles, start] = draw_gas(gas_with(
+                    {{.name = "", .count = count, .velocity = Speed{1.0}}}, walls, 3, seed));
+                CHECK((speeds(start) - 1.0).abs().maxCoeff() < 4e-16);
+                for (int axis = 0; axis < 3; ++axis)
+                    if (walls[static_cast<std::size_t>(axis)] == Wall::periodic)
+                        CHECK(imbalance(particles, start, axis) < 1e-15);
+                    else if (count == 300)
+                        CHECK(imbalance(particles, start, axis) > 1e-5);
+            }
+        // several species share one sum of zero
+        const auto [particles, start] = draw_gas(
+            gas_with({{.name = "", .count = 1, .mass = ValueRule{10.0}, .velocity = Speed{0.5}},
+                      {.name = "", .count = 4, .velocity = Speed{UniformDistribution{2.0, 4.0}}},
+                      {.name = "", .count = 5, .velocity = Temperature{1.0}}},
+                     walls, 3));
+        for (int axis = 0; axis < 3; ++axis)
+            if (walls[static_cast<std::size_t>(axis)] == Wall::periodic)
+                CHECK(imbalance(particles, start, axis) < 1e-15);
+        CHECK(speeds(start)[0] == doctest::Approx(0.5).epsilon(1e-15));
+    }
+}
+
+// The normal of their plane is uniform on the sphere. 3 tests: a p-value below 1e-6 is a failure.
+TEST_CASE("three equal momenta in space make angles of 120 degrees in a plane that is turned") {
+    std::array<std::vector<double>, 3> normals;
+    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+        const Sample start = draw_gas(gas_with({{.name = "", .count = 3, .velocity = Speed{2.0}}},
+                                               all_periodic, 3, seed))
+                                 .second;
+        const auto v = [&](int i) { return vec_in(start.velocity, i); };
+        for (int i = 0; i < 3; ++i)
+            CHECK(dot(v(i), v((i + 1) % 3)) == doctest::Approx(-2.0).epsilon(1e-14));
+        const Vec a = v(0), b = v(1);
+        const double area = 2.0 * std::sqrt(3.0);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+            normals[axis].push_back((a[next] * b[last] - a[last] * b[next]) / area);
+        }
+    }
+    for (const std::vector<double>& along : normals)
+        CHECK(test::chance(along, [](double x) { return 0.5 * (x + 1.0); }) > 1e-6);
+}
+
+TEST_CASE("in space too, momenta at the limit are parallel, and beyond it they are refused") {
+    Random random(1, "limit");
+    Eigen::ArrayXd momenta(4);
+    momenta << 6.0, 1.0, 2.0, 3.0;
+    std::vector<Vec> directions{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.6, 0.0, 0.8}, {0.0, 0.0, 1.0}};
+    const auto sum = [&] {
+        Vec total;
+        for (std::size_t i = 0; i < 4; ++i)
+            total += momenta[static_cast<Eigen::Index>(i)] * directions[i];
+        return abs(total);
+    };
+    REQUIRE(balance_directions(momenta, {true, true, true}, random, directions));
+    CHECK(length(sum()) < 3e-14);
+    for (std::size_t i = 1; i < 4; ++i)
+        CHECK(dot(directions[0], directions[i]) == doctest::Approx(-1.0).epsilon(1e-7));
+    const std::vector<Vec> before = directions;
+    momenta[0] = 6.001;
+    CHECK(!balance_directions(momenta, {true, true, true}, random, directions));
+    CHECK(directions == before);
+    CHECK(balance_directions(momenta, {true, false, true}, random, directions));
+    CHECK(sum()[0] < 3e-14);
+    CHECK(sum()[2] < 3e-14);
+    for (const Vec& unit : directions) CHECK(length(unit) == doctest::Approx(1.0).epsilon(1e-15));
+    CHECK_THROWS_AS(
+        draw_gas(gas_with({{.name = "", .count = 1, .velocity = Speed{1.0}}}, all_periodic, 3)),
+        PlacementError);
+}
+
+TEST_CASE("a gas of many spheres keeps its drawn directions but for small turns") {
+    const std::int64_t count = 10'000;
+    const auto drawn_with = [&](const Walls& walls) {
+        return draw_gas(gas_with({{.name = "", .count = count, .velocity = Speed{1.0}}}, walls, 3))
+            .second;
+    };
+    const Eigen::ArrayXd turned = (drawn_with(all_periodic).velocity - drawn_with({}).velocity)
+                                      .square()
+                                      .rowwise()
+                                      .sum()
+                                      .sqrt();
+    // as in the plane, of order 1/sqrt(N): a sum of sqrt(N) is shared by 2/3 N
+    CHECK(turned.maxCoeff() < 4.0 / std::sqrt(double(count)));
     CHECK(turned.maxCoeff() > 0.0);
 }

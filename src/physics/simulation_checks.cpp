@@ -12,7 +12,7 @@
 #include "physics/placement/feasibility.h"
 #include "physics/placement/members.h"
 #include "physics/placement/overlap.h"
-#include "physics/placement/placed_disks.h"
+#include "physics/placement/placed_particles.h"
 #include "physics/surfaces/barrier.h"
 #include "physics/surfaces/surface_problem.h"
 
@@ -58,6 +58,8 @@ bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Samp
 
 void check_box(const Box& box) {
     require(box.dimension >= 1 && box.dimension <= 3, "the dimension of a box is 1, 2 or 3");
+    require(box.surfaces.side_count == (box.dimension == 3 ? 6 : 4),
+            "the sides that have numbers are 6 in space and 4 otherwise");
     for (Eigen::Index axis = 0; axis < box.dimension; ++axis)
         require(box.size[axis] > 0.0 && std::isfinite(box.size[axis]),
                 "the size of a box is positive and finite");

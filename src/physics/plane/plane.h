@@ -9,6 +9,7 @@
 
 #include "physics/collision/lanes.h"
 #include "physics/collision/loop_types.h"
+#include "physics/plane/axis_lanes.h"
 #include "physics/plane/disk_state.h"
 #include "physics/plane/pair_search.h"
 
@@ -47,9 +48,8 @@ class PlainSpace : public PairSearch<BodyState<Dimension>> {
 
   private:
     using Base::at, Base::box_, Base::grid_, Base::coincidences_, Base::properties_;
-    // One lane for each axis; in space the fourth is not used.
-    using Lanes = std::conditional_t<Dimension == 2, TwoLanes, FourLanes>;
-    using Masks = std::conditional_t<Dimension == 2, TwoMasks, FourMasks>;
+    using Lanes = AxisLanes<Dimension>;
+    using Masks = AxisMasks<Dimension>;
 
     double next_event(Body& b, double radius, double now, const FirstContact& contact);
 

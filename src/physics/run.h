@@ -42,7 +42,7 @@ struct SetOpen {
 /// From now on a side or a partition moves at a prescribed velocity, unaffected by collisions.
 struct MoveSurface {
     std::int32_t surface = 0;
-    double velocity = 0.0;  ///< along x or y
+    double velocity = 0.0;  ///< along its normal
 };
 
 /// Stops a piston and holds it in place.

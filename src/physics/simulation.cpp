@@ -30,7 +30,8 @@ namespace {
 using Loop =
     std::variant<EventLoop<1>, EventLoop<2>, EventLoop<1, Real>, EventLoop<2, Real>,
                  EventLoop<1, double, true>, EventLoop<2, double, true>, EventLoop<1, Real, true>,
-                 EventLoop<2, Real, true>, FixedStepLoop, EventLoop<3>, EventLoop<3, Real>>;
+                 EventLoop<2, Real, true>, FixedStepLoop, EventLoop<3>, EventLoop<3, Real>,
+                 EventLoop<3, double, true>, EventLoop<3, Real, true>>;
 
 // With fewer particles per change than this, looking at all particles takes less time.
 constexpr std::size_t particles_a_change = 2;
@@ -84,18 +85,10 @@ struct Simulation::Implementation {
             return Loop(std::in_place_type<EventLoop<1, Scalar, has_surfaces>>, box, particles,
                         arithmetic, most);
         if (box.dimension == 3)
-            return loop_in_space<Scalar, has_surfaces>(box, particles, arithmetic, most);
+            return Loop(std::in_place_type<EventLoop<3, Scalar, has_surfaces>>, box, particles,
+                        arithmetic, most);
         return Loop(std::in_place_type<EventLoop<2, Scalar, has_surfaces>>, box, particles,
                     arithmetic, most);
-    }
-
-    template <typename Scalar, bool has_surfaces>
-    static Loop loop_in_space(const Box& box, const Particles& particles,
-                              const Arithmetic& arithmetic, std::int64_t most) {
-        if constexpr (has_surfaces)
-            throw std::invalid_argument("in space walls only reflect, and nothing falls");
-        else
-            return Loop(std::in_place_type<EventLoop<3, Scalar>>, box, particles, arithmetic, most);
     }
 
     static Loop loop_for(const Box& box, const Particles& particles, const Run& run, int bits) {

@@ -46,10 +46,10 @@ bool is_number(const std::string& text) {
 }
 
 bool is_clear_of_surfaces(const Box& box, const Particles& particles, const Sample& start) {
-    const std::vector<Barrier> barriers = barriers_of(box, box.longest_side());
+    const InitialBarriers barriers(box);
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         const Vec center = vec_in(start.position, i);
-        if (surface_in_the_way(box, barriers, center, particles.radius[i])) return false;
+        if (barriers.surface_in_the_way(box, center, particles.radius[i])) return false;
     }
     return true;
 }

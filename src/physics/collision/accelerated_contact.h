@@ -77,13 +77,24 @@ struct PositiveRoots {
     }
 };
 
+/// What accepts each contact: it counts at any time.
+struct AcceptsAll {
+    template <typename Scalar>
+    bool operator()(const Scalar&) const {
+        return true;
+    }
+};
+
 /// The first time at which the distance falls to `sigma`. Returns 0 if the distance is already no
 /// larger than `sigma` and r . v is below -`round_off`, and `never` if it does not fall to `sigma`.
 /// `bits`: precision of the scalar. The acceleration must not be 0. With `is_inside` the distance
 /// is at present no larger than `sigma`, except for round-off, and must first rise above `sigma`.
-template <typename Scalar, std::size_t Dimension = 2>
+/// A contact counts only if accepts(t) holds at its time; otherwise the distance must rise above
+/// `sigma` and fall again.
+template <typename Scalar, std::size_t Dimension = 2, typename Accepts = AcceptsAll>
 Scalar accelerated_contact_time(const AcceleratedMotion<Scalar, Dimension>& m, const Scalar& sigma,
-                                const Scalar& round_off, int bits = 53, bool is_inside = false) {
+                                const Scalar& round_off, int bits = 53, bool is_inside = false,
+                                const Accepts& accepts = {}) {
     const int steps = bits + 64;
     const auto gap = [&](const Scalar& t) { return contact_gap(m.at(t), sigma); };
     const auto approach = [&](const Scalar& t) {
@@ -103,7 +114,10 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar, Dimension>& m, c
     const Scalar zero = m.r[0] - m.r[0];
     const Scalar now = scalar_product(m.r, m.v);
     const bool touches = is_inside || !(gap(zero) > 0);
-    if (!is_inside && touches && (now < -round_off || (!(now > 0) && bend < 0))) return zero;
+    if (!is_inside && touches && (now < -round_off || (!(now > 0) && bend < 0))) {
+        if (accepts(zero)) return zero;
+        is_inside = true;
+    }
     const PositiveRoots<Scalar> turns(bend, 3 * va, 1.5 * aa);
     const bool falls_at_first = now < 0 || (!(now > 0) && bend < 0);  // also if it starts from rest
     bool falls = falls_at_first && !touches;  // from `start` to the next root of h
@@ -125,8 +139,12 @@ Scalar accelerated_contact_time(const AcceleratedMotion<Scalar, Dimension>& m, c
             const bool falls_at_low = piece == 0 ? falls_at_first : approach(low) < 0;
             const bool turns_here = falls != falls_at_low;
             Scalar turn = turns_here ? low : bracketed_root(low, high, steps, approach_and_slope);
-            if (falls && !(gap(turn) > 0) && !(is_inside && (start == zero || !(gap(start) > 0))))
-                return gap(start) > 0 ? bracketed_root(start, turn, steps, gap_and_slope) : start;
+            if (falls && !(gap(turn) > 0) && !(is_inside && (start == zero || !(gap(start) > 0)))) {
+                Scalar contact =
+                    gap(start) > 0 ? bracketed_root(start, turn, steps, gap_and_slope) : start;
+                if (accepts(contact)) return contact;
+                is_inside = true;
+            }
             start = std::move(turn);
             falls = falls_at_end;
         }

@@ -95,10 +95,10 @@ template <typename Mask, typename Number>
 
 /// The same for a mask combined from several masks, in which each lane is 0 or ~0: the compiler
 /// would otherwise generate branches.
-template <typename Two>
-[[gnu::always_inline]] inline Two select_bits(const TwoMasks& mask, const Two& a, const Two& b) {
-    return reinterpret_cast<Two>((mask & reinterpret_cast<TwoMasks>(a)) |
-                                 (~mask & reinterpret_cast<TwoMasks>(b)));
+template <typename Masks, typename Lanes>
+[[gnu::always_inline]] inline Lanes select_bits(const Masks& mask, const Lanes& a, const Lanes& b) {
+    return reinterpret_cast<Lanes>((mask & reinterpret_cast<Masks>(a)) |
+                                   (~mask & reinterpret_cast<Masks>(b)));
 }
 
 }  // namespace carom

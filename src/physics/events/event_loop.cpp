@@ -9,5 +9,6 @@ template class EventLoop<2>;
 template class EventLoop<3>;
 template class EventLoop<1, double, true>;
 template class EventLoop<2, double, true>;
+template class EventLoop<3, double, true>;
 
 }  // namespace carom

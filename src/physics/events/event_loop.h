@@ -37,7 +37,7 @@
 #include "physics/run.h"
 #include "physics/surfaces/change_history.h"
 #include "physics/surfaces/open_line.h"
-#include "physics/surfaces/open_plane.h"
+#include "physics/surfaces/open_space.h"
 #include "physics/surfaces/surface_error.h"
 #include "physics/surfaces/surface_events.h"
 
@@ -154,7 +154,8 @@ class EventLoop {
     using Space =
         std::conditional_t<of_doubles, PlainSpace<cells_dimension>, MpSpace<cells_dimension>>;
     using PlainGeometry = std::conditional_t<Dimension == 1, Line<Scalar>, Space>;
-    using OpenGeometry = std::conditional_t<Dimension == 1, OpenLine<Scalar>, OpenPlane<Scalar>>;
+    using OpenGeometry =
+        std::conditional_t<Dimension == 1, OpenLine<Scalar>, OpenSpace<Scalar, cells_dimension>>;
     using Geometry = std::conditional_t<has_surfaces, OpenGeometry, PlainGeometry>;
     using Queue = std::conditional_t<of_doubles, EventQueue, MpEventQueue>;
     using Clock = std::conditional_t<of_doubles, LocalClock, MpClock>;
@@ -199,8 +200,8 @@ class EventLoop {
     void look_for_hits(std::size_t k);
     std::int32_t events_of_surfaces() const;
     Scalar surface_event(std::size_t k) const;
-    void carry_out(const Change<Scalar>& change);
-    void scale(const Scaling<Scalar>& scaling);
+    void carry_out(const Change<Scalar, axes>& change);
+    void scale(const Scaling<Scalar, axes>& scaling);
     std::optional<std::int32_t> first_in(std::int32_t surface) const;
     bool counts_for(const Body& body, const std::optional<std::int32_t>& species) const;
     void stop_later(std::int32_t surface);
@@ -276,7 +277,7 @@ class EventLoop {
     Clock clock_;
     Scalar now_ = 0.0;  ///< local
     int bits_;
-    ChangeHistory<Scalar> changes_;
+    ChangeHistory<Scalar, axes> changes_;
     double heat_of_events_ = 0.0;
     int cycles_since_sorted_ = 0;
     FetchAhead<Geometry> fetch_ahead_;   ///< used only if `is_large`
@@ -300,6 +301,8 @@ extern template class EventLoop<3>;
 extern template class EventLoop<1, Real>;
 extern template class EventLoop<2, Real>;
 extern template class EventLoop<3, Real>;
+extern template class EventLoop<3, double, true>;
+extern template class EventLoop<3, Real, true>;
 extern template class EventLoop<1, double, true>;
 extern template class EventLoop<2, double, true>;
 extern template class EventLoop<1, Real, true>;

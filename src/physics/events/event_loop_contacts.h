@@ -110,7 +110,7 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::closed_barrier(std::int32_t i, 
         const Body& b = body(i);
         const auto& surfaces = geometry_.surfaces();
         const auto touch = surfaces.touch(b, k, now_);
-        const Barrier& barrier = surfaces.barrier(k);
+        const auto& barrier = surfaces.barrier(k);
         if (!touch || (b.inverse_mass == 0.0 && !surfaces.can_be_pushed(barrier))) return {};
         const auto velocity = surfaces.velocity_of(barrier, now_);
         Scalar speed = with_bits(0.0);

@@ -40,7 +40,7 @@ void EventLoop<Dimension, Scalar, has_surfaces>::process_surface_event(std::size
         move_on_to(time, std::nullopt);
         if (k == geometry_.surfaces().mover_count()) {
             move_epoch_to(now_);
-            Change<Scalar> change = changes_.take_next();
+            Change<Scalar, axes> change = changes_.take_next();
             carry_out(change);
             if (auto* its = std::get_if<SurfaceChange<Scalar>>(&change.what))
                 its->is_pending = false;
@@ -91,7 +91,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::hit(std::int32_t i, const Predi
     if constexpr (has_surfaces) {
         auto& surfaces = geometry_.surfaces();
         const std::int32_t which = -1 - event.partner;
-        const Barrier& barrier = surfaces.barrier(which);
+        const auto& barrier = surfaces.barrier(which);
         Body& b = body(i);
         if (surfaces.changes_of(barrier) == event.partner_collisions) {
             const auto time = static_cast<double>(now_);
@@ -138,7 +138,7 @@ SurfaceError EventLoop<Dimension, Scalar, has_surfaces>::at_present(
         return {error.surface(),
                 fmt::format("`{}` {} at time {:.6g}, where it is at {} = {:.6g}{}",
                             box_.surfaces.names()[k], error.what(), clock_.absolute(now_),
-                            mover.axis == 0 ? "x" : "y", static_cast<double>(mover.place_at(now_)),
+                            "xyz"[mover.axis], static_cast<double>(mover.place_at(now_)),
                             error.reason()),
                 "", error.hint()};
     }
@@ -151,7 +151,7 @@ SurfaceError EventLoop<Dimension, Scalar, has_surfaces>::at_present(
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::stop_later(std::int32_t surface) {
     if constexpr (has_surfaces) {
-        changes_.erase_if([&](const ChangeAction<Scalar>& action) {
+        changes_.erase_if([&](const ChangeAction<Scalar, axes>& action) {
             const auto* change = std::get_if<SurfaceChange<Scalar>>(&action);
             return change != nullptr && change->is_pending && change->surface == surface;
         });
@@ -199,9 +199,9 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(const Change<Scalar>& change) {
+void EventLoop<Dimension, Scalar, has_surfaces>::carry_out(const Change<Scalar, axes>& change) {
     if constexpr (has_surfaces) {
-        if (const auto* scaling = std::get_if<Scaling<Scalar>>(&change.what)) {
+        if (const auto* scaling = std::get_if<Scaling<Scalar, axes>>(&change.what)) {
             scale(*scaling);
             return;
         }
@@ -239,7 +239,7 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::counts_for(
 }
 
 template <int Dimension, typename Scalar, bool has_surfaces>
-void EventLoop<Dimension, Scalar, has_surfaces>::scale(const Scaling<Scalar>& scaling) {
+void EventLoop<Dimension, Scalar, has_surfaces>::scale(const Scaling<Scalar, axes>& scaling) {
     if constexpr (has_surfaces)
         for (Body& b : bodies_) {
             if (!counts_for(b, scaling.species)) continue;
@@ -305,8 +305,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::heat(const Heat& heat, bool is_
         const Scalar wanted = to != nullptr ? Scalar(0.5 * freedom * to->value - energy_of_mean)
                                             : Scalar(energy + std::get<double>(heat.amount));
         if (!(energy > 0.0) || !(wanted > 0.0)) return false;
-        const Change<Scalar> change{now_,
-                                    Scaling<Scalar>{heat.species, sqrt(wanted / energy), mean}};
+        const Change<Scalar, axes> change{
+            now_, Scaling<Scalar, axes>{heat.species, sqrt(wanted / energy), mean}};
         carry_out(change);
         if (is_mirrored) changes_.add_behind(change);
         geometry_.resettle(bodies_);

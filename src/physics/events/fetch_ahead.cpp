@@ -56,6 +56,7 @@ void FetchAhead<Geometry>::fetch(const Bodies& bodies, Geometry& plane, EventQue
 
 template class FetchAhead<PlainSpace<2>>;
 template class FetchAhead<PlainSpace<3>>;
-template class FetchAhead<OpenPlane<double>>;
+template class FetchAhead<OpenSpace<double, 2>>;
+template class FetchAhead<OpenSpace<double, 3>>;
 
 }  // namespace carom

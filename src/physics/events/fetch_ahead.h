@@ -9,7 +9,7 @@
 
 #include "physics/events/event_queue.h"
 #include "physics/plane/plane.h"
-#include "physics/surfaces/open_plane.h"
+#include "physics/surfaces/open_space.h"
 
 namespace carom {
 
@@ -40,6 +40,7 @@ class FetchAhead {
 
 extern template class FetchAhead<PlainSpace<2>>;
 extern template class FetchAhead<PlainSpace<3>>;
-extern template class FetchAhead<OpenPlane<double>>;
+extern template class FetchAhead<OpenSpace<double, 2>>;
+extern template class FetchAhead<OpenSpace<double, 3>>;
 
 }  // namespace carom

@@ -10,5 +10,6 @@ template class EventLoop<2, Real>;
 template class EventLoop<3, Real>;
 template class EventLoop<1, Real, true>;
 template class EventLoop<2, Real, true>;
+template class EventLoop<3, Real, true>;
 
 }  // namespace carom

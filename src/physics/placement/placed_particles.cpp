@@ -47,7 +47,7 @@ PlacedParticles<dimension>::PlacedParticles(const Box& box, const Eigen::ArrayXd
     heads_.assign(static_cast<std::size_t>(std::min(all, lists)), -1);
     is_shared_ = static_cast<double>(heads_.size()) < all;
     entries_.reserve(static_cast<std::size_t>(radii.size()));
-    if (!box.surfaces.are_plain()) barriers_ = barriers_of(box, box.longest_side());
+    if (!box.surfaces.are_plain()) barriers_ = InitialBarriers(box);
 }
 
 template <int dimension>

@@ -30,7 +30,7 @@ class PlacedParticles {
 
     /// The surface of the box that a particle at `centre` overlaps, or lies in, if any.
     std::optional<std::int32_t> overlapped_surface(const Vec& centre, double radius) const {
-        return surface_in_the_way(box_, barriers_, centre, radius);
+        return barriers_.surface_in_the_way(box_, centre, radius);
     }
 
     /// Whether a particle at `centre` overlaps neither another one nor a surface of the box.
@@ -71,7 +71,7 @@ class PlacedParticles {
     LargeVector<std::int32_t> heads_;  ///< of lists of entries
     bool is_shared_ = false;           ///< whether several cells have one list
     LargeVector<Entry> entries_;
-    std::vector<Barrier> barriers_;  ///< none in a box with plain walls, which have nothing beyond
+    InitialBarriers barriers_;  ///< none in a box with plain walls, which have nothing beyond
     mutable std::int64_t compared_ = 0;
 };
 

@@ -100,7 +100,8 @@ inline void accelerate(FallingBody<Scalar, Dimension>& b, const Scalar& factor,
 /// A body in doubles, advanced to the present.
 template <int Dimension>
 struct BodyView {
-    std::array<double, static_cast<std::size_t>(Dimension)> x, v, a;
+    using Point = std::array<double, static_cast<std::size_t>(Dimension)>;
+    Point x, v, a;
 
     template <typename Scalar>
     BodyView(const FallingBody<Scalar, Dimension>& b, const Scalar& time) {
@@ -111,9 +112,7 @@ struct BodyView {
         }
     }
     /// With a known acceleration, as for advance_body().
-    BodyView(const BodyState<Dimension>& b, double time,
-             const std::array<double, static_cast<std::size_t>(Dimension)>& gravity)
-        : a(gravity) {
+    BodyView(const BodyState<Dimension>& b, double time, const Point& gravity) : a(gravity) {
         fall(b, time, gravity, x, v);
     }
 };

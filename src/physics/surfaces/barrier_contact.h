@@ -1,4 +1,4 @@
-// The time at which a disk reaches a barrier. Free functions on numbers, for doubles and for
+// The time at which a particle reaches a barrier. Free functions on numbers, for doubles and for
 // multiprecision. Times are counted from the present.
 #pragma once
 
@@ -14,44 +14,67 @@
 
 namespace carom {
 
-/// The motion of a disk relative to a barrier, with the barrier's place as the origin.
-template <typename Scalar>
+/// The motion of a particle relative to a barrier, with the barrier's place as the origin.
+template <typename Scalar, int Dimension>
 struct BarrierMotion {
-    std::array<Scalar, 2> x, v, a;
+    static constexpr std::size_t axes = Dimension;
+    std::array<Scalar, axes> x, v, a;
     double radius;
+
+    Scalar place_at(const Scalar& t, std::size_t axis) const {
+        return x[axis] + t * (v[axis] + 0.5 * t * a[axis]);
+    }
+    std::array<Scalar, axes> place_at(const Scalar& t) const {
+        std::array<Scalar, axes> place = x;
+        for (std::size_t k = 0; k < axes; ++k) place[k] = place_at(t, k);
+        return place;
+    }
 };
 
-template <typename Scalar>
-Scalar dot(const std::array<double, 2>& a, const std::array<Scalar, 2>& b) {
-    return a[0] * b[0] + a[1] * b[1];
+/// Calls see(axis) for the axes along which the distance from an edge, a circle or a sphere counts:
+/// not the one that an edge runs along.
+template <int Dimension, typename See>
+void for_each_axis_across(const Barrier<Dimension>& barrier, const See& see) {
+    for (std::size_t k = 0; k < barrier.axes; ++k)
+        if (Dimension == 2 || barrier.kind != Barrier<Dimension>::Kind::edge || k != barrier.axis)
+            see(k);
 }
 
-/// Whether a disk may touch a barrier within `time`; false only if it certainly does not. Uses a
-/// bound on the distance flown that needs no roots. `size` of the box bounds the rounding errors.
-inline bool may_touch_within(const Barrier& barrier, const BarrierMotion<double>& m, double time,
-                             double size) {
+/// Whether a particle may touch a barrier within `time`; false only if it certainly does not. Uses
+/// a bound on the distance flown that needs no roots. `size` of the box bounds the rounding errors.
+template <int Dimension>
+inline bool may_touch_within(const Barrier<Dimension>& barrier,
+                             const BarrierMotion<double, Dimension>& m, double time, double size) {
     const auto way = [&](double v, double a) {
         return time * (std::abs(v) + 0.5 * time * std::abs(a));
     };
     const double touching = barrier.radius + m.radius + 1e-9 * size;
-    if (barrier.kind == Barrier::Kind::circle) {
-        const double reach = touching + way(m.v[0], m.a[0]) + way(m.v[1], m.a[1]);
-        return !(m.x[0] * m.x[0] + m.x[1] * m.x[1] > reach * reach);
+    if (barrier.kind != Barrier<Dimension>::Kind::flat) {
+        double reach = touching, square = 0.0;
+        for_each_axis_across(barrier, [&](std::size_t k) {
+            reach += way(m.v[k], m.a[k]);
+            square += m.x[k] * m.x[k];
+        });
+        return !(square > reach * reach);
     }
-    const std::array<double, 2>& n = barrier.normal;
-    const double reach = touching + way(dot(n, m.v), dot(n, m.a));
-    return !(std::abs(dot(n, m.x)) > reach);
+    const double reach = touching + way(barrier.across(m.v), barrier.across(m.a));
+    return !(std::abs(barrier.across(m.x)) > reach);
 }
 
 /// Bound on the rounding error of r . (v2 - v1) for numbers with this precision, as
 /// approach_round_off() gives it for doubles; `fast`: |v1| + |v2| along each axis.
-inline double approach_error(double x, double y, double fast_x, double fast_y, int bits) {
-    return std::ldexp(8.0 * (std::abs(x) * fast_x + std::abs(y) * fast_y), -bits);
+template <std::size_t Count>
+double approach_error(const std::array<double, Count>& r, const std::array<double, Count>& fast,
+                      int bits) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < Count; ++k) sum += std::abs(r[k]) * fast[k];
+    return std::ldexp(8.0 * sum, -bits);
 }
 
 /// As contact_time(), for any scalar with sqrt.
-template <typename Scalar>
-Scalar plain_contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, double round_off) {
+template <typename Scalar, std::size_t Count>
+Scalar plain_contact_time(const RelativeMotion<Scalar, Count>& m, const Scalar& sigma,
+                          double round_off) {
     if constexpr (HasLimits<Scalar>) {
         return contact_time(m, sigma, round_off);
     } else {
@@ -66,59 +89,111 @@ Scalar plain_contact_time(const RelativeMotion<Scalar>& m, const Scalar& sigma, 
     }
 }
 
-/// Time until two disks touch, or `never`. `a` is the acceleration of the second relative to the
-/// first. With `is_let_in` the second is inside the first, and can touch it only after leaving it.
-template <typename Scalar>
-Scalar falling_contact_time(const RelativeMotion<Scalar>& m, const std::array<Scalar, 2>& a,
-                            const Scalar& sigma, double round_off, int bits,
-                            bool is_let_in = false) {
-    if (a[0] == 0.0 && a[1] == 0.0)
-        return is_let_in ? Scalar(never<double>) : plain_contact_time(m, sigma, round_off);
-    return accelerated_contact_time<Scalar>({m.r, m.v, a}, sigma, Scalar(round_off), bits,
-                                            is_let_in);
+/// Time until two particles touch, or `never`. `a` is the acceleration of the second relative to
+/// the first. With `is_let_in` the second is inside the first, and can touch it only after leaving
+/// it. A contact counts only if accepts(t) holds at its time.
+template <typename Scalar, std::size_t Count, typename Accepts = AcceptsAll>
+Scalar falling_contact_time(const RelativeMotion<Scalar, Count>& m,
+                            const std::array<Scalar, Count>& a, const Scalar& sigma,
+                            double round_off, int bits, bool is_let_in = false,
+                            const Accepts& accepts = {}) {
+    bool falls = false;
+    for (const Scalar& along : a) falls = falls || along != 0.0;
+    if (falls)
+        return accelerated_contact_time<Scalar, Count>({m.r, m.v, a}, sigma, Scalar(round_off),
+                                                       bits, is_let_in, accepts);
+    if (is_let_in) return Scalar(never<double>);
+    Scalar time = plain_contact_time(m, sigma, round_off);
+    return time < never<double> && !accepts(time) ? Scalar(never<double>) : time;
 }
 
-/// Time until a disk touches a line from either side, or `never`. A disk whose center is nearer to
-/// the line than `let_in` is being let through: it can touch the line only after leaving it and
-/// returning.
-template <typename Scalar>
-Scalar line_time(const Barrier& line, const BarrierMotion<Scalar>& m, double let_in) {
+/// Time until a particle touches a line or a face from either side, or `never`. A particle whose
+/// center is nearer to it than `let_in` is being let through: it can touch it only after leaving it
+/// and returning.
+template <typename Scalar, int Dimension>
+Scalar flat_time(const Barrier<Dimension>& flat, const BarrierMotion<Scalar, Dimension>& m,
+                 double let_in) {
     const auto reaches_it = [&](const Scalar& t) {
-        if (!(t < never<double>)) return false;
-        if (line.is_endless()) return true;
-        const Scalar x = m.x[0] + t * (m.v[0] + 0.5 * t * m.a[0]);
-        const Scalar y = m.x[1] + t * (m.v[1] + 0.5 * t * m.a[1]);
-        const Scalar share = x * line.normal[1] - y * line.normal[0];
-        return share >= 0.0 && share <= line.length;
+        return t < never<double> && (flat.is_endless() || flat.extends_to(m.place_at(t)));
     };
-    const Scalar x = dot(line.normal, m.x), v = dot(line.normal, m.v), a = dot(line.normal, m.a);
-    const double side = line.side_of(x);
+    const Scalar x = flat.across(m.x), v = flat.across(m.v), a = flat.across(m.a);
+    const double side = flat.side_of(x);
     const bool is_let_in = let_in > 0.0 && side * x < let_in;
     Scalar first = never<double>;
     if (!is_let_in || side * v > 0.0) {
         const Scalar t = fall_time<Scalar>(side * x - m.radius, side * v, side * a);
         if (reaches_it(t)) first = t;
     }
-    // From the other side, after passing around an end of the line or through it.
-    if (!line.is_wall && (side * a > 0.0 || is_let_in)) {
+    // From the other side, after passing around an end of it or through it.
+    if (!flat.is_wall && (side * a > 0.0 || is_let_in)) {
         const Scalar t = fall_time<Scalar>(-side * x - m.radius, -side * v, -side * a);
         if (t > 0.0 && t < first && reaches_it(t)) first = t;
     }
     return first;
 }
 
-/// Time until a disk touches a circle, or `never`. A disk whose center is nearer to the rim than
-/// `let_in` is being let through, as in line_time().
-template <typename Scalar>
-Scalar circle_time(const Barrier& circle, const BarrierMotion<Scalar>& m, double let_in, int bits) {
-    const Scalar sigma = as_precise_as(m.x[0], circle.radius) + m.radius;
+/// Time until a particle is at the contact distance from a barrier, as far as only these axes
+/// count, or `never`. A particle nearer to the rim than `let_in` is being let through, as in
+/// flat_time().
+template <typename Scalar, int Dimension, std::size_t Count, typename Accepts = AcceptsAll>
+Scalar time_across(const Barrier<Dimension>& barrier, const BarrierMotion<Scalar, Dimension>& m,
+                   const std::array<std::size_t, Count>& axes, double let_in, int bits,
+                   const Accepts& accepts = {}) {
+    const Scalar sigma = as_precise_as(m.x[0], barrier.radius) + m.radius;
     if (!(sigma > 0.0)) return Scalar(never<double>);
     const auto size = [](const Scalar& number) { return std::abs(static_cast<double>(number)); };
-    const double round_off =
-        approach_error(size(m.x[0]), size(m.x[1]), size(m.v[0]), size(m.v[1]), bits);
-    const bool is_let_in =
-        let_in > 0.0 && std::hypot(size(m.x[0]), size(m.x[1])) < circle.radius + let_in;
-    return falling_contact_time<Scalar>({m.x, m.v}, m.a, sigma, round_off, bits, is_let_in);
+    RelativeMotion<Scalar, Count> across;
+    std::array<Scalar, Count> a;
+    std::array<double, Count> far, fast;
+    for (std::size_t k = 0; k < Count; ++k) {
+        across.r[k] = m.x[axes[k]];
+        across.v[k] = m.v[axes[k]];
+        a[k] = m.a[axes[k]];
+        far[k] = size(across.r[k]);
+        fast[k] = size(across.v[k]);
+    }
+    bool is_let_in = false;
+    if (let_in > 0.0) {
+        if constexpr (Count == 2)
+            is_let_in = std::hypot(far[0], far[1]) < barrier.radius + let_in;
+        else
+            is_let_in = std::hypot(far[0], far[1], far[2]) < barrier.radius + let_in;
+    }
+    return falling_contact_time(across, a, sigma, approach_error(far, fast, bits), bits, is_let_in,
+                                accepts);
+}
+
+/// Time until a particle touches a circle or a sphere, or `never`; `let_in` as above.
+template <typename Scalar, int Dimension>
+Scalar round_time(const Barrier<Dimension>& round, const BarrierMotion<Scalar, Dimension>& m,
+                  double let_in, int bits) {
+    if constexpr (Dimension == 2)
+        return time_across(round, m, std::array<std::size_t, 2>{0, 1}, let_in, bits);
+    else
+        return time_across(round, m, std::array<std::size_t, 3>{0, 1, 2}, let_in, bits);
+}
+
+/// Time until a sphere touches an edge between its ends, or `never`; `let_in` as above. It may come
+/// near the line of the edge beyond an end first, and fall back to the edge.
+template <typename Scalar>
+Scalar edge_time(const Barrier<3>& edge, const BarrierMotion<Scalar, 3>& m, double let_in,
+                 int bits) {
+    const auto is_between_ends = [&](const Scalar& t) {
+        const Scalar along = m.place_at(t, edge.axis);
+        return along >= edge.from[0] && along <= edge.to[0];
+    };
+    return time_across(edge, m, other_axes(edge.axis), let_in, bits, is_between_ends);
+}
+
+/// Time until a particle touches a barrier, or `never`; `let_in` as above.
+template <typename Scalar, int Dimension>
+Scalar time_to_barrier(const Barrier<Dimension>& barrier, const BarrierMotion<Scalar, Dimension>& m,
+                       double let_in, int bits) {
+    using Kind = typename Barrier<Dimension>::Kind;
+    if (barrier.kind == Kind::flat) return flat_time(barrier, m, let_in);
+    if constexpr (Dimension == 3)
+        if (barrier.kind == Kind::edge) return edge_time(barrier, m, let_in, bits);
+    return round_time(barrier, m, let_in, bits);
 }
 
 }  // namespace carom

@@ -18,8 +18,8 @@ namespace carom {
 struct Reflecting {};
 
 /// A heat bath. A particle leaves it as if it came from a gas of this temperature: the normal
-/// velocity v has the distribution of the flux, (v m / T) exp(-m v^2 / 2T); the tangential velocity
-/// is normally distributed.
+/// velocity v has the distribution of the flux, (v m / T) exp(-m v^2 / 2T); each component
+/// along the wall is normally distributed.
 struct Bath {
     double temperature = 1.0;
 };
@@ -36,7 +36,7 @@ struct Driven {
 /// Moves freely along its normal, driven by particle impacts and a constant force.
 struct Piston {
     double mass = 1.0;
-    double force = 0.0;     ///< signed, along x or y
+    double force = 0.0;     ///< signed, along its normal
     double velocity = 0.0;  ///< at the start
 
     /// The total constant force on the piston, if gravity has the component `gravity` along its
@@ -61,7 +61,7 @@ struct Membrane {
         bool admits_some() const { return faster_than < slower_than; }
     };
     std::vector<std::int32_t> species = {};  ///< indices into Gas::species
-    Speeds upward = {};                      ///< for particles that move towards larger x or y
+    Speeds upward = {};                      ///< for particles that move towards larger x, y or z
     Speeds downward = {};
 
     /// Whether it selects particles by speed, like Maxwell's demon.
@@ -69,7 +69,8 @@ struct Membrane {
 };
 
 /// Reflects diffusely: a particle keeps its speed and leaves in a random direction by the cosine
-/// law: its angle to the normal has the density cos(angle) / 2. Stands still; only in a plane.
+/// law: its angle to the normal has the density cos(angle) / 2 in the plane, and 2 sin(angle)
+/// cos(angle) in space. Stands still; not on a line.
 struct Diffuse {};
 
 using Behaviour = std::variant<Reflecting, Bath, Driven, Piston, Membrane, Diffuse>;

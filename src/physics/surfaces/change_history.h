@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -15,11 +16,11 @@
 namespace carom {
 
 /// Velocities, relative to `mean`, are multiplied by `factor`; of one species or of all particles.
-template <typename Scalar>
+template <typename Scalar, std::size_t Axes>
 struct Scaling {
     std::optional<std::int32_t> species;
     Scalar factor;
-    std::array<Scalar, 2> mean;
+    std::array<Scalar, Axes> mean;
 
     template <class Archive>
     void archive(Archive& archive) {
@@ -61,27 +62,27 @@ struct SurfaceChange {
     }
 };
 
-template <typename Scalar>
-using ChangeAction = std::variant<SurfaceChange<Scalar>, Scaling<Scalar>>;
+template <typename Scalar, std::size_t Axes>
+using ChangeAction = std::variant<SurfaceChange<Scalar>, Scaling<Scalar, Axes>>;
 
-template <typename Scalar>
-void invert(ChangeAction<Scalar>& action) {
+template <typename Scalar, std::size_t Axes>
+void invert(std::variant<SurfaceChange<Scalar>, Scaling<Scalar, Axes>>& action) {
     if (auto* change = std::get_if<SurfaceChange<Scalar>>(&action)) {
         std::swap(change->before, change->after);
         for (auto* control : {&change->before, &change->after})
             control->velocity = -control->velocity;
     } else {
-        auto& scaling = std::get<Scaling<Scalar>>(action);
+        auto& scaling = std::get<Scaling<Scalar, Axes>>(action);
         scaling.factor = 1.0 / scaling.factor;
         for (Scalar& v : scaling.mean) v = -v;
     }
 }
 
 /// Times in the history are local.
-template <typename Scalar>
-using ChangeHistory = MirroredSchedule<Scalar, ChangeAction<Scalar>>;
+template <typename Scalar, std::size_t Axes>
+using ChangeHistory = MirroredSchedule<Scalar, ChangeAction<Scalar, Axes>>;
 
-template <typename Scalar>
-using Change = typename ChangeHistory<Scalar>::Entry;
+template <typename Scalar, std::size_t Axes>
+using Change = typename ChangeHistory<Scalar, Axes>::Entry;
 
 }  // namespace carom

@@ -11,9 +11,13 @@
 namespace carom {
 namespace {
 
-// Packing fraction of the hexagonal packing, the densest of equal disks (problem.h); with small
-// disks between large ones it may be higher.
-constexpr double most_that_disks_cover = std::numbers::pi / (2.0 * std::numbers::sqrt3);
+// Packing fractions of the densest packings of equal disks, the hexagonal one, and of equal
+// spheres, the face-centred cubic one (Hales 2005); with small particles between large ones they
+// may be higher.
+double densest_packing(int dimension) {
+    return dimension == 3 ? std::numbers::pi / (3.0 * std::numbers::sqrt2)
+                          : std::numbers::pi / (2.0 * std::numbers::sqrt3);
+}
 
 struct Path {
     std::int32_t surface;
@@ -45,7 +49,7 @@ struct Path {
 
 class Paths {
   public:
-    Paths(const Box& box, double area) : box_(box), area_(area) {
+    Paths(const Box& box, double content) : box_(box), content_(content) {
         const std::vector<Behaviour> behaviours = behaviours_of(box);
         for (std::int32_t k = 0; k < box.surfaces.first_obstacle(); ++k) {
             const Partition* line = box.surfaces.partition(k);
@@ -102,14 +106,16 @@ class Paths {
                 const auto &mover = first_moves ? low : high, &other = first_moves ? high : low;
                 keep({now_ + room / closing, 0.0, mover.surface, other.surface});
                 if (!low.is_side || !high.is_side || box_.dimension == 1) continue;
-                const double least = area_ / most_that_disks_cover / height_at(1 - low.axis);
+                double least = content_ / densest_packing(box_.dimension);
+                for (int axis = 0; axis < box_.dimension; ++axis)
+                    if (axis != low.axis) least /= extent_at(axis);
                 keep({now_ + (room - least) / closing, least, mover.surface, std::nullopt});
             }
         return first;
     }
 
     // Distance of the outer walls along an axis; infinite if one of them is a piston or is moving.
-    double height_at(int axis) const {
+    double extent_at(int axis) const {
         double size = box_.length(axis);
         for (const Path& path : paths_) {
             if (path.axis != axis || !path.is_side) continue;
@@ -121,14 +127,14 @@ class Paths {
     }
 
     const Box& box_;
-    double area_, now_ = 0.0;
+    double content_, now_ = 0.0;
     std::vector<Path> paths_;
 };
 
 }  // namespace
 
-std::optional<DrivenEnd> driven_end(const Box& box, const Run& run, double area) {
-    Paths paths(box, area);
+std::optional<DrivenEnd> driven_end(const Box& box, const Run& run, double content) {
+    Paths paths(box, content);
     for (const RunEvent& event : run.events) {
         if (const auto end = paths.advance(std::min(event.at, run.until))) return end;
         if (reverses(event)) return std::nullopt;

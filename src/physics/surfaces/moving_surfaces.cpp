@@ -15,22 +15,23 @@ constexpr double round_off_of_places = 1e-13;
 
 // The end of a barrier along an axis that a mover coming from `place` meets; infinite if `place`
 // lies within the barrier.
-double end_towards(const Barrier& barrier, std::size_t axis, double place) {
+template <int Dimension>
+double end_towards(const Barrier<Dimension>& barrier, std::size_t axis, double place) {
     const double low = barrier.low(axis), high = barrier.high(axis);
     return place <= low ? low : place >= high ? high : never<double>;
 }
 
 }  // namespace
 
-template <typename Scalar>
-MovingSurfaces<Scalar>::MovingSurfaces(const Box& box, double reach,
-                                       const std::array<double, 2>& registered)
+template <typename Scalar, int Dimension>
+MovingSurfaces<Scalar, Dimension>::MovingSurfaces(const Box& box, double reach,
+                                                  const Lengths& registered)
     : box_(box),
       slack_(round_off_of_places * box.longest_side()),
       behaviours_(behaviours_of(box)),
       is_open_(behaviours_.size()),
       is_held_(behaviours_.size()),
-      barriers_(barriers_of(box, reach, true)),
+      barriers_(barriers_of<Dimension>(box, reach, true)),
       movers_(static_cast<std::size_t>(box.surfaces.first_obstacle())),
       registered_(registered) {
     const Surfaces& surfaces = box.surfaces;
@@ -45,57 +46,60 @@ MovingSurfaces<Scalar>::MovingSurfaces(const Box& box, double reach,
     }
 }
 
-template <typename Scalar>
-const Mover<Scalar>* MovingSurfaces<Scalar>::mover_of(const Barrier& barrier) const {
+template <typename Scalar, int Dimension>
+const Mover<Scalar>* MovingSurfaces<Scalar, Dimension>::mover_of(const Barrier& barrier) const {
     if (static_cast<std::size_t>(barrier.surface) >= movers_.size()) return nullptr;
     const Mover<Scalar>& mover = at(movers_, barrier.surface);
     return mover.is_mobile ? &mover : nullptr;
 }
 
-template <typename Scalar>
-bool MovingSurfaces<Scalar>::is_there(const Barrier& barrier) const {
+template <typename Scalar, int Dimension>
+bool MovingSurfaces<Scalar, Dimension>::is_there(const Barrier& barrier) const {
     return !is_open_[static_cast<std::size_t>(barrier.surface)];
 }
 
-template <typename Scalar>
-bool MovingSurfaces<Scalar>::lets_pass(const Barrier& barrier, std::int32_t species) const {
+template <typename Scalar, int Dimension>
+bool MovingSurfaces<Scalar, Dimension>::lets_pass(const Barrier& barrier,
+                                                  std::int32_t species) const {
     const auto* membrane = membrane_of(at(behaviours_, barrier.surface));
     return membrane != nullptr &&
            std::ranges::find(membrane->species, species) != membrane->species.end();
 }
 
-template <typename Scalar>
-std::uint32_t MovingSurfaces<Scalar>::changes_of(const Barrier& barrier) const {
+template <typename Scalar, int Dimension>
+std::uint32_t MovingSurfaces<Scalar, Dimension>::changes_of(const Barrier& barrier) const {
     const auto* mover = mover_of(barrier);
     return mover != nullptr ? mover->changes & most_collisions : 0;
 }
 
-template <typename Scalar>
-auto MovingSurfaces<Scalar>::place_of(const Barrier& barrier, const Scalar& now) const -> Vector {
-    Vector place{barrier.place[0], barrier.place[1]};
+template <typename Scalar, int Dimension>
+auto MovingSurfaces<Scalar, Dimension>::place_of(const Barrier& barrier, const Scalar& now) const
+    -> Vector {
+    Vector place{};
+    for (std::size_t a = 0; a < axes; ++a) place[a] = barrier.place[a];
     if (const auto* mover = mover_of(barrier)) place[mover->axis] = mover->place_at(now);
     return place;
 }
 
-template <typename Scalar>
-auto MovingSurfaces<Scalar>::velocity_of(const Barrier& barrier, const Scalar& now) const
+template <typename Scalar, int Dimension>
+auto MovingSurfaces<Scalar, Dimension>::velocity_of(const Barrier& barrier, const Scalar& now) const
     -> Vector {
     Vector velocity{};
     if (const auto* mover = mover_of(barrier)) velocity[mover->axis] = mover->velocity_at(now);
     return velocity;
 }
 
-template <typename Scalar>
-void MovingSurfaces<Scalar>::register_mover(Mover<Scalar>& mover) const {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::register_mover(Mover<Scalar>& mover) const {
     mover.low = mover.place - registered_[mover.axis];
     mover.high = mover.place + registered_[mover.axis];
 }
 
 // The time at which a mover reaches the next barrier at rest or another mover. `other` becomes -1 -
 // the number of the barrier, or the number of the other mover.
-template <typename Scalar>
-Scalar MovingSurfaces<Scalar>::next_obstacle(const Mover<Scalar>& mover,
-                                             std::int32_t& other) const {
+template <typename Scalar, int Dimension>
+Scalar MovingSurfaces<Scalar, Dimension>::next_obstacle(const Mover<Scalar>& mover,
+                                                        std::int32_t& other) const {
     Scalar first = never<double>;
     const auto consider = [&](const Scalar& from, const Scalar& apart, const Scalar& v,
                               const Scalar& a, std::int32_t which) {
@@ -126,8 +130,8 @@ Scalar MovingSurfaces<Scalar>::next_obstacle(const Mover<Scalar>& mover,
     return first;
 }
 
-template <typename Scalar>
-Scalar MovingSurfaces<Scalar>::mover_event(std::size_t k) const {
+template <typename Scalar, int Dimension>
+Scalar MovingSurfaces<Scalar, Dimension>::mover_event(std::size_t k) const {
     const Mover<Scalar>& mover = movers_[k];
     if (!mover.is_mobile || is_open_[k]) return never<double>;
     std::int32_t other = 0;
@@ -136,8 +140,8 @@ Scalar MovingSurfaces<Scalar>::mover_event(std::size_t k) const {
 
 // Moves it by no more than round-off without changing its energy; otherwise the error would grow
 // with each bounce.
-template <typename Scalar>
-void MovingSurfaces<Scalar>::move_exactly_to(Mover<Scalar>& mover, const Scalar& place) {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::move_exactly_to(Mover<Scalar>& mover, const Scalar& place) {
     using std::sqrt;
     if (mover.acceleration != 0.0) {
         const Scalar square =
@@ -149,9 +153,9 @@ void MovingSurfaces<Scalar>::move_exactly_to(Mover<Scalar>& mover, const Scalar&
 }
 
 // Elastic collision with a barrier or with another mover.
-template <typename Scalar>
-void MovingSurfaces<Scalar>::bounce_off(Mover<Scalar>& mover, std::int32_t other,
-                                        const Scalar& now) {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::bounce_off(Mover<Scalar>& mover, std::int32_t other,
+                                                   const Scalar& now) {
     ++mover.changes;
     if (other < 0) {  // placed exactly there: slightly beyond, it would not be met again
         const auto place = static_cast<double>(mover.place);
@@ -186,8 +190,9 @@ void MovingSurfaces<Scalar>::bounce_off(Mover<Scalar>& mover, std::int32_t other
                       "a piston");
 }
 
-template <typename Scalar>
-std::optional<std::size_t> MovingSurfaces<Scalar>::process_mover(std::size_t k, const Scalar& now) {
+template <typename Scalar, int Dimension>
+std::optional<std::size_t> MovingSurfaces<Scalar, Dimension>::process_mover(std::size_t k,
+                                                                            const Scalar& now) {
     Mover<Scalar>& mover = movers_[k];
     std::int32_t other = 0;
     // The time has been rounded again since the prediction. Slightly beyond the surface that it
@@ -213,18 +218,19 @@ std::optional<std::size_t> MovingSurfaces<Scalar>::process_mover(std::size_t k, 
     return static_cast<std::size_t>(other);
 }
 
-template <typename Scalar>
-SurfaceControl<Scalar> MovingSurfaces<Scalar>::control(std::int32_t surface,
-                                                       const Scalar& now) const {
+template <typename Scalar, int Dimension>
+SurfaceControl<Scalar> MovingSurfaces<Scalar, Dimension>::control(std::int32_t surface,
+                                                                  const Scalar& now) const {
     const auto k = static_cast<std::size_t>(surface);
     SurfaceControl<Scalar> control{behaviours_[k], is_open_[k], is_held_[k], Scalar(0.0)};
     if (k < movers_.size()) control.velocity = movers_[k].velocity_at(now);
     return control;
 }
 
-template <typename Scalar>
-void MovingSurfaces<Scalar>::set_control(std::int32_t surface,
-                                         const SurfaceControl<Scalar>& control, const Scalar& now) {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::set_control(std::int32_t surface,
+                                                    const SurfaceControl<Scalar>& control,
+                                                    const Scalar& now) {
     const auto k = static_cast<std::size_t>(surface);
     movers_[k].advance(now);
     const double before = energy_of_piston(k);
@@ -237,8 +243,8 @@ void MovingSurfaces<Scalar>::set_control(std::int32_t surface,
 }
 
 // Kinetic energy, and potential energy in the constant forces on the piston.
-template <typename Scalar>
-double MovingSurfaces<Scalar>::energy_of_piston(std::size_t k) const {
+template <typename Scalar, int Dimension>
+double MovingSurfaces<Scalar, Dimension>::energy_of_piston(std::size_t k) const {
     const auto* piston = piston_of(behaviours_[k]);
     if (piston == nullptr) return 0.0;
     const Mover<Scalar>& mover = movers_[k];
@@ -248,8 +254,8 @@ double MovingSurfaces<Scalar>::energy_of_piston(std::size_t k) const {
 }
 
 // Sets mass, acceleration and velocity according to the behaviour of the surface.
-template <typename Scalar>
-void MovingSurfaces<Scalar>::set_motion(std::size_t k, const Scalar& velocity) {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::set_motion(std::size_t k, const Scalar& velocity) {
     Mover<Scalar>& mover = movers_[k];
     const auto* piston = piston_of(behaviours_[k]);
     const bool is_free = piston != nullptr && !is_held_[k];
@@ -263,33 +269,35 @@ void MovingSurfaces<Scalar>::set_motion(std::size_t k, const Scalar& velocity) {
     ++mover.changes;
 }
 
-template <typename Scalar>
-void MovingSurfaces<Scalar>::advance(const Scalar& now) {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::advance(const Scalar& now) {
     for (Mover<Scalar>& mover : movers_) mover.advance(now);
 }
 
-template <typename Scalar>
-void MovingSurfaces<Scalar>::shift_epoch(const Scalar& shift) {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::shift_epoch(const Scalar& shift) {
     for (Mover<Scalar>& mover : movers_) mover.time -= shift;
 }
 
-template <typename Scalar>
-void MovingSurfaces<Scalar>::reverse() {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::reverse() {
     for (Mover<Scalar>& mover : movers_) {
         mover.velocity = -mover.velocity;
         ++mover.changes;
     }
 }
 
-template <typename Scalar>
-void MovingSurfaces<Scalar>::register_all(const Scalar& now) {
+template <typename Scalar, int Dimension>
+void MovingSurfaces<Scalar, Dimension>::register_all(const Scalar& now) {
     for (Mover<Scalar>& mover : movers_) {
         mover.advance(now);
         register_mover(mover);
     }
 }
 
-template class MovingSurfaces<double>;
-template class MovingSurfaces<Real>;
+template class MovingSurfaces<double, 2>;
+template class MovingSurfaces<double, 3>;
+template class MovingSurfaces<Real, 2>;
+template class MovingSurfaces<Real, 3>;
 
 }  // namespace carom

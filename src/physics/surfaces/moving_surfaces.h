@@ -1,6 +1,6 @@
 // The surfaces of a box during a run: their present behaviour, the positions of those that move,
 // and the times at which two of them meet. For doubles and for multiprecision. Independent of
-// disks.
+// particles.
 #pragma once
 
 #include <array>
@@ -31,14 +31,18 @@ struct SurfaceControl {
     }
 };
 
-template <typename Scalar>
+/// `Dimension` is that of Barrier.
+template <typename Scalar, int Dimension>
 class MovingSurfaces {
   public:
-    using Vector = std::array<Scalar, 2>;
+    static constexpr std::size_t axes = Dimension;
+    using Vector = std::array<Scalar, axes>;
+    using Lengths = std::array<double, axes>;
+    using Barrier = carom::Barrier<Dimension>;
 
     /// Barriers have images outside a periodic box up to a distance of `reach`. A mover is
     /// registered again whenever it has moved by `registered` along its axis.
-    MovingSurfaces(const Box& box, double reach, const std::array<double, 2>& registered);
+    MovingSurfaces(const Box& box, double reach, const Lengths& registered);
 
     /// All barriers, including those of open partitions, numbered from 0; the numbering does not
     /// change during a run.
@@ -61,7 +65,7 @@ class MovingSurfaces {
     std::size_t axis_of(const Barrier& barrier) const {
         return movers_[static_cast<std::size_t>(barrier.surface)].axis;
     }
-    /// Whether it lets all disks of this species pass.
+    /// Whether it lets all particles of this species pass.
     bool lets_pass(const Barrier& barrier, std::int32_t species) const;
     /// Number of changes of its motion, in the form stored in predictions.
     std::uint32_t changes_of(const Barrier& barrier) const;
@@ -118,8 +122,8 @@ class MovingSurfaces {
     std::vector<bool> is_open_, is_held_;
     std::vector<Barrier> barriers_;
     std::vector<Mover<Scalar>> movers_;
-    double driven_work_ = 0.0;  ///< work of driven surfaces on disks and pistons, and of events on
-                                ///< pistons
+    double driven_work_ = 0.0;  ///< work of driven surfaces on particles and pistons, and of events
+                                ///< on pistons
     double most_work_ = never<double>;  ///< largest work that is possible without crushing the gas
                                         ///< or a piston
 
@@ -131,10 +135,12 @@ class MovingSurfaces {
     static void move_exactly_to(Mover<Scalar>& mover, const Scalar& place);
     void bounce_off(Mover<Scalar>& mover, std::int32_t other, const Scalar& now);
 
-    std::array<double, 2> registered_;
+    Lengths registered_;
 };
 
-extern template class MovingSurfaces<double>;
-extern template class MovingSurfaces<Real>;
+extern template class MovingSurfaces<double, 2>;
+extern template class MovingSurfaces<double, 3>;
+extern template class MovingSurfaces<Real, 2>;
+extern template class MovingSurfaces<Real, 3>;
 
 }  // namespace carom

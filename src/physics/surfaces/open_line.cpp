@@ -29,7 +29,7 @@ Scalar OpenLine<Scalar>::predict(Bodies& bodies, std::int32_t i, const Scalar& n
     this->predict_neighbours(bodies, i, now, first);
     Body& body = bodies[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < surfaces_.barriers().size(); ++k) {
-        const Barrier& end = surfaces_.barriers()[k];
+        const auto& end = surfaces_.barriers()[k];
         if (i != (end.surface == 0 ? 0 : this->last())) continue;
         const Scalar time = now + surfaces_.time_to(body, static_cast<std::int32_t>(k), now);
         first.notice(time);

@@ -9,27 +9,28 @@
 
 #include "physics/collision/loop_types.h"
 #include "physics/line/line.h"
-#include "physics/surfaces/open_plane.h"
+#include "physics/surfaces/open_space.h"
 
 namespace carom {
 
+/// Its beads are disks of which only the first coordinate is used.
 template <typename Scalar>
-class OpenLine : public Line<Scalar, FallingBody<Scalar>> {
+class OpenLine : public Line<Scalar, FallingBody<Scalar, 2>> {
   public:
-    using Base = Line<Scalar, FallingBody<Scalar>>;
-    using Body = FallingBody<Scalar>;
+    using Base = Line<Scalar, FallingBody<Scalar, 2>>;
+    using Body = FallingBody<Scalar, 2>;
     using Bodies = LargeVector<Body>;
 
     OpenLine(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
 
     static Bodies bodies_of(const Particles& particles) {
-        return falling_bodies_of<Scalar>(particles);
+        return falling_bodies_of<Scalar, 2>(particles);
     }
 
-    SurfaceSet<Scalar>& surfaces() { return surfaces_; }
-    const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
+    SurfaceSet<Scalar, 2>& surfaces() { return surfaces_; }
+    const SurfaceSet<Scalar, 2>& surfaces() const { return surfaces_; }
 
-    // As the functions of Line and OpenPlane.
+    // As the functions of Line and OpenSpace.
     bool fits_grid(const Scalar&) const { return true; }
     void enter(Bodies& bodies);
     void resettle(Bodies& bodies);
@@ -56,7 +57,7 @@ class OpenLine : public Line<Scalar, FallingBody<Scalar>> {
     }
 
   private:
-    SurfaceSet<Scalar> surfaces_;
+    SurfaceSet<Scalar, 2> surfaces_;
 };
 
 extern template class OpenLine<double>;

@@ -1,14 +1,11 @@
 #include "physics/surfaces/surface_problem.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "physics/surfaces/barrier.h"
 #include "physics/surfaces/behaviours.h"
 #include "physics/surfaces/driven_path.h"
-#include "physics/surfaces/surface_error.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -47,6 +44,8 @@ std::optional<Kind> lost_memory(const Behaviour& behaviour) {
 bool is_finite(const Obstacle& obstacle) {
     if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
         return is_finite(disk->center) && disk->radius >= 0.0 && std::isfinite(disk->radius);
+    if (const auto* cuboid = std::get_if<Obstacle::Cuboid>(&obstacle.shape))
+        return is_finite(cuboid->low) && is_finite(cuboid->high);
     const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
     return corners.size() >= (is_closed ? 3U : 2U) &&
            std::ranges::all_of(corners, [](const Vec& one) { return is_finite(one); });
@@ -55,8 +54,10 @@ bool is_finite(const Obstacle& obstacle) {
 // The smallest and the largest coordinates of an obstacle.
 std::pair<Vec, Vec> extent_of(const Obstacle& obstacle) {
     if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
-        return {disk->center - Vec(disk->radius, disk->radius),
-                disk->center + Vec(disk->radius, disk->radius)};
+        return {disk->center - Vec(disk->radius, disk->radius, disk->radius),
+                disk->center + Vec(disk->radius, disk->radius, disk->radius)};
+    if (const auto* cuboid = std::get_if<Obstacle::Cuboid>(&obstacle.shape))
+        return {cuboid->low, cuboid->high};
     const auto& corners = std::get<Obstacle::Lines>(obstacle.shape).corners;
     Vec low = corners.front(), high = low;
     for (const Vec& corner : corners) {
@@ -66,6 +67,14 @@ std::pair<Vec, Vec> extent_of(const Obstacle& obstacle) {
     return {low, high};
 }
 
+// Whether two gaps have points in common that are not at their rims.
+bool overlap(const Gap& a, const Gap& b) {
+    bool they_do = true;
+    for (const std::size_t k : {0U, 1U})
+        they_do = they_do && a.low[k] < b.high[k] && b.low[k] < a.high[k];
+    return they_do;
+}
+
 // Whether it means something on a line.
 bool acts_on_line(const Behaviour& behaviour) {
     return std::visit(
@@ -73,13 +82,6 @@ bool acts_on_line(const Behaviour& behaviour) {
                    [](const Driven&) { return true; }, [](const Piston&) { return true; },
                    [](const Membrane&) { return true; }, [](const Diffuse&) { return false; }},
         behaviour);
-}
-
-// How it acts, in words, of what a reversal cannot undo.
-const char* word_of_forgetful(Kind kind) {
-    return kind == Kind::forgets_heat      ? "heat bath"
-           : kind == Kind::forgets_passing ? "demon"
-                                           : "diffuse wall";
 }
 
 class Search {
@@ -169,32 +171,72 @@ class Search {
     }
 
     void look_at_partition(std::int32_t surface, const Partition& partition) {
-        if (partition.axis != 0 && partition.axis != 1) return add(Kind::not_finite, surface);
+        if (partition.axis < 0 || partition.axis >= box_.dimension)
+            return add(Kind::no_axis, surface);
         if (!(partition.at >= 0.0 && partition.at <= box_.length(partition.axis)))
             return add(Kind::partition_outside, surface);
-        double before = 0.0;
-        for (std::size_t k = 0; k < partition.gaps.size(); ++k) {
-            const double from = partition.gaps[k].from(), to = partition.gaps[k].to();
-            if (!(from >= 0.0 && to <= box_.length(1 - partition.axis)))
-                return add(Kind::gap_outside, surface, k);
-            if (!(from >= before && to > from)) return add(Kind::gaps_unordered, surface, k);
-            before = to;
-        }
+        if (!(box_.dimension == 3 ? are_gaps_in_space(surface, partition)
+                                  : are_gaps_in_plane(surface, partition)))
+            return;
         if (const auto kind = problem_of(surface, partition.behaviour, true)) add(*kind, surface);
         if (partition.is_open && piston_of(partition.behaviour)) add(Kind::open_piston, surface);
     }
 
+    // Whether the gaps of a partition have no problem; otherwise adds the first.
+    bool are_gaps_in_plane(std::int32_t surface, const Partition& partition) {
+        double before = 0.0;
+        for (std::size_t k = 0; k < partition.gaps.size(); ++k) {
+            const double from = partition.gaps[k].from(), to = partition.gaps[k].to();
+            const bool is_inside = from >= 0.0 && to <= box_.length(1 - partition.axis);
+            if (!is_inside || !(from >= before && to > from)) {
+                add(is_inside ? Kind::gaps_unordered : Kind::gap_outside, surface, k);
+                return false;
+            }
+            before = to;
+        }
+        return true;
+    }
+
+    bool are_gaps_in_space(std::int32_t surface, const Partition& partition) {
+        const auto along = other_axes(static_cast<std::size_t>(partition.axis));
+        for (std::size_t k = 0; k < partition.gaps.size(); ++k) {
+            const Gap& gap = partition.gaps[k];
+            bool is_inside = true, has_extent = true;
+            for (const std::size_t a : {0U, 1U}) {
+                is_inside = is_inside && gap.low[a] >= 0.0 && gap.high[a] <= box_.length(along[a]);
+                has_extent = has_extent && gap.high[a] > gap.low[a];
+            }
+            if (!is_inside || !has_extent) {
+                add(is_inside ? Kind::gap_empty : Kind::gap_outside, surface, k);
+                return false;
+            }
+            for (std::size_t other = 0; other < k; ++other) {
+                if (!overlap(gap, partition.gaps[other])) continue;
+                add(Kind::gaps_overlap, surface, k);
+                found_.back().other = static_cast<std::int32_t>(other);
+                return false;
+            }
+        }
+        return true;
+    }
+
     void look_at_obstacle(std::int32_t surface, const Obstacle& obstacle) {
+        const auto* cuboid = std::get_if<Obstacle::Cuboid>(&obstacle.shape);
+        const auto* lines = std::get_if<Obstacle::Lines>(&obstacle.shape);
+        if (lines != nullptr && box_.dimension == 3) return add(Kind::not_in_space, surface);
+        if (cuboid != nullptr && box_.dimension == 2) return add(Kind::not_in_plane, surface);
         if (!is_finite(obstacle)) return add(Kind::not_finite, surface);
+        if (cuboid != nullptr &&
+            !on_each_axis(3, [&](int axis) { return cuboid->high[axis] > cuboid->low[axis]; }))
+            return add(Kind::cuboid_empty, surface);
         const auto [low, high] = extent_of(obstacle);
         const bool is_near = on_each_axis(box_.dimension, [&](int axis) {
             return !(high[axis] < 0.0) && !(low[axis] > box_.size[axis]);
         });
         if (!is_near) return add(Kind::obstacle_outside, surface);
-        for (const int axis : {0, 1})
+        for (int axis = 0; axis < box_.dimension; ++axis)
             if (box_.is_periodic(axis) && high[axis] - low[axis] > box_.length(axis))
                 return add(Kind::obstacle_too_wide, surface);
-        const auto* lines = std::get_if<Obstacle::Lines>(&obstacle.shape);
         const std::size_t count = lines != nullptr ? lines->corners.size() : 0;
         for (std::size_t k = 0; k < count; ++k)
             if ((k + 1 < count || lines->is_closed) &&
@@ -240,128 +282,20 @@ class Search {
     std::vector<SurfaceProblem> found_;
 };
 
-std::string range_text(double size) { return fmt::format("0 to {}", size); }
-
-ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const Box& box) {
-    const Partition& line = *box.surfaces.partition(p.surface);
-    const char* along = line.axis == 0 ? "y" : "x";
-    switch (p.kind) {
-        case Kind::partition_outside:
-            return {fmt::format("{} at {} = {} is not in the box", name, line.axis == 0 ? "x" : "y",
-                                line.at),
-                    fmt::format("the box goes from {}", range_text(box.length(line.axis)))};
-        case Kind::gap_outside:
-            return {fmt::format("the gap from {} to {} is not in the box", line.gaps[p.item].from(),
-                                line.gaps[p.item].to()),
-                    fmt::format("gaps of {} lie between {} = {}", name, along,
-                                fmt::format("0 and {}", box.length(1 - line.axis)))};
-        case Kind::gaps_unordered:
-            if (line.gaps[p.item].from() >= line.gaps[p.item].to())
-                return {fmt::format("the gap from {} to {} ends where it begins, or before",
-                                    line.gaps[p.item].from(), line.gaps[p.item].to()),
-                        "give gaps as [from, to], the smaller first"};
-            return {fmt::format("the gap from {} to {} begins before the end of the one before",
-                                line.gaps[p.item].from(), line.gaps[p.item].to()),
-                    "give gaps as [from, to] in rising order, without overlap"};
-        case Kind::piston_gaps:
-            return {fmt::format("{} is a piston, which has no gaps", name),
-                    "leave out `gaps`, or the mass"};
-        default:
-            return {fmt::format("{} cannot move across periodic sides", name),
-                    fmt::format("make the box solid along {}", line.axis == 0 ? "x" : "y")};
-    }
-}
-
 }  // namespace
 
-std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double area) {
+std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double content) {
     Search search(box);
     search.look_at_box();
     search.look_at_events(run);
     auto found = std::move(search).found();
-    if (const auto end = found.empty() ? driven_end(box, run, area) : std::nullopt)
+    if (const auto end = found.empty() ? driven_end(box, run, content) : std::nullopt)
         found.push_back({.kind = end->other ? Kind::reaches : Kind::leaves_no_room,
                          .surface = end->surface,
                          .other = end->other.value_or(-1),
                          .value = end->time,
                          .room = end->room});
     return found;
-}
-
-ProblemText to_text(const SurfaceProblem& p, const Box& box) {
-    const std::vector<std::string> names = box.surfaces.names();
-    const bool is_there = p.surface >= 0 && p.surface < std::ssize(names);
-    const std::string name = is_there ? "`" + names[static_cast<std::size_t>(p.surface)] + "`" : "";
-    switch (p.kind) {
-        case Kind::not_finite:
-            return {fmt::format("a number of {} is not finite, or not positive where it must be",
-                                is_there ? name : "gravity"),
-                    "give a number, for instance 1"};
-        case Kind::no_wall:
-            return {fmt::format("{} is periodic: there is no wall", name),
-                    "make it and the opposite side solid"};
-        case Kind::along_periodic:
-        case Kind::partition_outside:
-        case Kind::gap_outside:
-        case Kind::gaps_unordered:
-        case Kind::piston_gaps:
-            return of_partition(p, name, box);
-        case Kind::obstacle_outside:
-            return {fmt::format("{} lies outside the box", name),
-                    fmt::format("the box goes from x = {} and from y = {}", range_text(box.size[0]),
-                                range_text(box.size[1]))};
-        case Kind::obstacle_too_wide:
-            return {
-                fmt::format("{} is wider than the periodic box, and would overlap itself", name),
-                "make it smaller, or the box solid"};
-        case Kind::same_corner:
-            return {fmt::format("two successive corners of {} coincide", name),
-                    "leave one of them out"};
-        case Kind::not_on_line:
-            return {fmt::format("{} has no meaning on a line", name),
-                    "a line has a left and a right end, and gravity along it"};
-        case Kind::no_directions:
-            return {fmt::format("{} cannot be `diffuse` on a line, which has only one direction "
-                                "to leave it in",
-                                name),
-                    "make it `solid`"};
-        case Kind::no_surface:
-            return {fmt::format("there is no surface {}", p.surface),
-                    fmt::format("surfaces are numbered from 0 to {}", names.size() - 1)};
-        case Kind::not_a_partition:
-            return {fmt::format("{} does not open: only partitions do", name),
-                    "give the name of a partition"};
-        case Kind::open_piston:
-            return {fmt::format("{} is a piston, and if it were open it would leave the box", name),
-                    p.event ? "`hold` it before it opens, or make it `solid` by a `wall` event"
-                            : "leave out `open`, or its mass"};
-        case Kind::not_movable:
-            return {fmt::format("{} is an obstacle, which stands still", name),
-                    "give a side of the box or a partition"};
-        case Kind::no_piston:
-            return {fmt::format("{} is no piston at this time", name),
-                    "a piston is a side or a partition with a mass"};
-        case Kind::not_held:
-            return {fmt::format("{} is not held at this time", name),
-                    "`hold` it before, or leave this out"};
-        case Kind::reaches:
-            return {fmt::format("{} reaches `{}` at time {:.4g}", name,
-                                names.at(static_cast<std::size_t>(p.other)), p.value),
-                    how_to_stop};
-        case Kind::leaves_no_room:
-            return {fmt::format("{} crushes the gas at time {:.4g}, when there are {:.3g} left "
-                                "between the walls",
-                                name, p.value, p.room),
-                    how_to_stop};
-        case Kind::forgets_heat:
-        case Kind::forgets_passing:
-        case Kind::forgets_direction:
-            return {
-                fmt::format("{} acts as a {} before the reversal, which cannot undo what it did",
-                            name, word_of_forgetful(p.kind)),
-                fmt::format("leave out the reversal, or let {} act otherwise before it", name)};
-    }
-    return {};
 }
 
 }  // namespace carom

@@ -26,12 +26,19 @@ struct SurfaceProblem {
         no_wall,            ///< a side acts, or is to act, on a periodic axis
         along_periodic,     ///< a partition moves along an axis on which the box is periodic
         partition_outside,  ///< a partition is not between the walls
+        no_axis,            ///< a partition is perpendicular to an axis that the box does not have
         gap_outside,        ///< gap `item` is outside
-        gaps_unordered,     ///< gap `item` begins before the one before ends, or ends as it begins
+        gaps_unordered,     ///< in the plane: gap `item` begins before the one before ends, or ends
+                            ///< as it begins
+        gap_empty,          ///< in space: gap `item` has no extent along one of its axes
+        gaps_overlap,       ///< in space: gap `item` overlaps gap `other`
         piston_gaps,        ///< a piston has gaps
         obstacle_outside,   ///< no part of the obstacle lies in the box
         obstacle_too_wide,  ///< too wide for a periodic box: it would overlap its own image
         same_corner,        ///< corner `item` coincides with the next
+        cuboid_empty,       ///< a cuboid has no extent along one of its axes
+        not_in_space,       ///< an obstacle of lines, in space
+        not_in_plane,       ///< a cuboid, in a plane
         not_on_line,    ///< a line cannot have it: a partition, an obstacle, the bottom or the top
         no_directions,  ///< a side of a line reflects diffusely
         no_surface,     ///< the surface of the event does not exist
@@ -41,7 +48,7 @@ struct SurfaceProblem {
         no_piston,        ///< only pistons can be held or released
         not_held,         ///< the piston to be released is not held
         reaches,         ///< it reaches surface `other` at time `value`, moving at a given velocity
-        leaves_no_room,  ///< it leaves the disks no room at time `value`, when `room` is left
+        leaves_no_room,  ///< it leaves the particles no room at time `value`, when `room` is left
         forgets_heat,    ///< velocities are reversed after this heat bath has acted
         forgets_passing,    ///< velocities are reversed after this demon has acted
         forgets_direction,  ///< velocities are reversed after this diffuse wall has acted
@@ -50,13 +57,14 @@ struct SurfaceProblem {
     std::int32_t surface = -1;              ///< its number (surface.h)
     std::size_t item = 0;                   ///< index of the gap or corner
     std::optional<std::size_t> event = {};  ///< index into Run::events
-    std::int32_t other = -1;
+    std::int32_t other = -1;  ///< the number of another surface, or the index of another gap
     double value = 0.0, room = 0.0;
 };
 
-/// All problems of the surfaces of a box and of the events of a run that act on them. If `area`,
-/// that of all disks, is known, also whether driven walls would leave the disks no room.
-std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double area = 0.0);
+/// All problems of the surfaces of a box and of the events of a run that act on them. If `content`,
+/// the area or the volume of all particles, is known, also whether driven walls would leave the
+/// particles no room.
+std::vector<SurfaceProblem> surface_problems(const Box& box, const Run& run, double content = 0.0);
 
 ProblemText to_text(const SurfaceProblem& problem, const Box& box);
 

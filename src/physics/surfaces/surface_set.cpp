@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <utility>
 #include <variant>
 
 #include "physics/collision/contact_rule.h"
+#include "physics/surfaces/leaving.h"
 #include "physics/surfaces/surface_error.h"
 #include "util/overloaded.h"
 #include "util/random.h"
@@ -17,33 +17,28 @@ namespace carom {
 namespace {
 
 // Work above this multiple of the energy that the box has without it is done only by a driven wall
-// that crushes the gas (in a plane the volume falls as the energy rises), which would hit disks
+// that crushes the gas (in a plane the volume falls as the energy rises), which would hit particles
 // ever faster without end.
 constexpr double most_times_energy = 1e5;
 
 // Where numbers with very many bits have units in the last place that no double can hold.
 constexpr double least_clearance = 1e-290;
 
-template <typename Scalar>
-Scalar dot(const std::array<Scalar, 2>& a,
-           const std::array<Scalar, 2>& b) requires(!std::same_as<Scalar, double>) {
-    return a[0] * b[0] + a[1] * b[1];
+template <typename Scalar, std::size_t Count>
+double square_of(const std::array<Scalar, Count>& v) {
+    double square = 0.0;
+    for (const Scalar& along : v) square += static_cast<double>(along) * static_cast<double>(along);
+    return square;
 }
 
-template <typename Scalar>
-double square_of(const std::array<Scalar, 2>& v) {
-    const auto x = static_cast<double>(v[0]), y = static_cast<double>(v[1]);
-    return x * x + y * y;
-}
-
-// The bit of a surface in FallingDisk::passing.
+// The bit of a surface in FallingBody::passing.
 std::uint64_t bit_of(std::int32_t surface) { return std::uint64_t{1} << (surface % 64); }
 
 }  // namespace
 
-template <typename Scalar>
-SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
-                               const std::array<double, 2>& registered, int bits)
+template <typename Scalar, int Dimension>
+SurfaceSet<Scalar, Dimension>::SurfaceSet(const Box& box, double reach, const Lengths& registered,
+                                          int bits)
     : Base(box, reach, registered),
       bits_(bits),
       clearance_(std::max(std::ldexp(8.0 * box.longest_side(), -bits), least_clearance)),
@@ -54,13 +49,13 @@ SurfaceSet<Scalar>::SurfaceSet(const Box& box, double reach,
         if (barriers_[k].is_endless()) floors_.push_back(static_cast<std::int32_t>(k));
 }
 
-// The motion of a disk relative to a barrier.
-template <typename Scalar>
-BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barrier& barrier,
-                                                    const Scalar& now) const {
-    BarrierMotion<Scalar> m{.x = {}, .v = {}, .a = body.a, .radius = body.radius};
+// The motion of a body relative to a barrier.
+template <typename Scalar, int Dimension>
+auto SurfaceSet<Scalar, Dimension>::motion_of(const Body& body, const Barrier& barrier,
+                                              const Scalar& now) const -> Motion {
+    Motion m{.x = {}, .v = {}, .a = body.a, .radius = body.radius};
     const Vector place = this->place_of(barrier, now);
-    for (std::size_t k = 0; k < 2; ++k) {
+    for (std::size_t k = 0; k < axes; ++k) {
         m.x[k] = position_at(body, k, now) - place[k];
         m.v[k] = velocity_at(body, k, now);
     }
@@ -71,155 +66,163 @@ BarrierMotion<Scalar> SurfaceSet<Scalar>::motion_of(const Body& body, const Barr
     return m;
 }
 
-template <typename Scalar>
-bool SurfaceSet<Scalar>::may_touch(const BodyView<2>& disk, double radius, std::int32_t k,
-                                   const Scalar& now, double within) const {
+template <typename Scalar, int Dimension>
+bool SurfaceSet<Scalar, Dimension>::may_touch(const BodyView<Dimension>& view, double radius,
+                                              std::int32_t k, const Scalar& now,
+                                              double within) const {
     const Barrier& barrier = this->barrier(k);
-    BarrierMotion<double> m{.x = disk.x, .v = disk.v, .a = disk.a, .radius = radius};
-    std::array<double, 2> place = barrier.place;
+    BarrierMotion<double, Dimension> m{.x = view.x, .v = view.v, .a = view.a, .radius = radius};
+    Lengths place = barrier.place;
     if (const auto* mover = this->mover_of(barrier)) {
         place[mover->axis] = static_cast<double>(mover->place_at(now));
         m.v[mover->axis] -= static_cast<double>(mover->velocity_at(now));
         m.a[mover->axis] -= static_cast<double>(mover->acceleration);
     }
-    for (std::size_t a = 0; a < 2; ++a) m.x[a] -= place[a];
+    for (std::size_t a = 0; a < axes; ++a) m.x[a] -= place[a];
     return may_touch_within(barrier, m, within, size_of_box_);
 }
 
-template <typename Scalar>
-Scalar SurfaceSet<Scalar>::time_to(const Body& body, std::int32_t k, const Scalar& now) const {
+template <typename Scalar, int Dimension>
+Scalar SurfaceSet<Scalar, Dimension>::time_to(const Body& body, std::int32_t k,
+                                              const Scalar& now) const {
     const Barrier& barrier = this->barrier(k);
-    BarrierMotion<Scalar> m = motion_of(body, barrier, now);
+    Motion m = motion_of(body, barrier, now);
     const bool is_let_in = (body.passing & bit_of(barrier.surface)) != 0;
-    if (barrier.kind == Barrier::Kind::line)  // a point that it has let in is beyond it at once
-        return line_time(barrier, m, is_let_in && !is_point(body) ? m.radius + slack_ : 0.0);
-    // At a corner, where two lines meet, round-off might let a point through.
+    if (barrier.kind == Kind::flat)  // a point that it has let in is beyond it at once
+        return flat_time(barrier, m, is_let_in && !is_point(body) ? m.radius + slack_ : 0.0);
+    // At a corner or an edge, where two lines or faces meet, round-off might let a point through.
     if (barrier.radius == 0.0) m.radius = std::max(m.radius, clearance_);
-    return circle_time(barrier, m, is_let_in ? m.radius + slack_ : 0.0, bits_);
+    return time_to_barrier(barrier, m, is_let_in ? m.radius + slack_ : 0.0, bits_);
 }
 
-template <typename Scalar>
-auto SurfaceSet<Scalar>::contact_point(const Body& body, const Barrier& barrier,
-                                       const Scalar& now) const -> Vector {
-    const BarrierMotion<Scalar> m = motion_of(body, barrier, now);
+// The shortest vector to a place from an edge, or from the center of a circle or a sphere.
+template <typename Scalar, int Dimension>
+auto SurfaceSet<Scalar, Dimension>::separation_from(const Barrier& barrier, const Vector& x)
+    -> Vector {
+    Vector separation = x;
+    if (barrier.kind == Kind::edge) separation[barrier.axis] = as_precise_as(x[0], 0.0);
+    return separation;
+}
+
+template <typename Scalar, int Dimension>
+auto SurfaceSet<Scalar, Dimension>::contact_point(const Body& body, const Barrier& barrier,
+                                                  const Scalar& now) const -> Vector {
+    const Motion m = motion_of(body, barrier, now);
     Vector point = body.x;
-    if (barrier.kind == Barrier::Kind::line) {
-        const Scalar share = dot(barrier.normal, m.x);
-        for (std::size_t k = 0; k < 2; ++k) point[k] -= share * barrier.normal[k];
+    if (barrier.kind == Kind::flat) {
+        const Scalar share = barrier.across(m.x);
+        for (std::size_t k = 0; k < axes; ++k) point[k] -= share * barrier.normal[k];
     } else {
-        const double share = 1.0 - barrier.radius / std::sqrt(square_of(m.x));
-        for (std::size_t k = 0; k < 2; ++k) point[k] -= share * m.x[k];
+        const Vector from = separation_from(barrier, m.x);
+        const double share = 1.0 - barrier.radius / std::sqrt(square_of(from));
+        for (std::size_t k = 0; k < axes; ++k) point[k] -= share * from[k];
     }
     return point;
 }
 
-template <typename Scalar>
-std::optional<std::int32_t> SurfaceSet<Scalar>::overlapped(const Body& body, const Scalar& now,
-                                                           std::optional<std::int32_t> only) const {
+template <typename Scalar, int Dimension>
+std::optional<std::int32_t> SurfaceSet<Scalar, Dimension>::overlapped(
+    const Body& body, const Scalar& now, std::optional<std::int32_t> only) const {
     std::vector<Barrier> present;
     for (const Barrier& barrier : barriers_) {
         if (only ? barrier.surface != *only : !this->is_there(barrier)) continue;
         if (this->lets_pass(barrier, body.species)) continue;
         present.push_back(barrier);
         const Vector place = this->place_of(barrier, now);
-        present.back().place = {static_cast<double>(place[0]), static_cast<double>(place[1])};
+        for (std::size_t a = 0; a < axes; ++a)
+            present.back().place[a] = static_cast<double>(place[a]);
     }
-    return surface_in_the_way(box_, present,
-                              {static_cast<double>(position_at(body, 0, now)),
-                               static_cast<double>(position_at(body, 1, now))},
-                              body.radius);
+    Vec center;
+    for (std::size_t a = 0; a < axes; ++a)
+        center[a] = static_cast<double>(position_at(body, a, now));
+    return surface_in_the_way(box_, present, center, body.radius);
 }
 
-template <typename Scalar>
-void SurfaceSet<Scalar>::settle_at_rest(Body& body) {
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::settle_at_rest(Body& body) {
     if (!has_gravity_) return;
     const Vec& gravity = box_.surfaces.gravity;
     if (std::exchange(body.is_at_rest, false)) --at_rest_;
-    body.a = {as_precise_as(body.x[0], gravity[0]), as_precise_as(body.x[0], gravity[1])};
-    if ((body.v[0] != 0.0) & (body.v[1] != 0.0)) return;  // floors lie along an axis
+    for (std::size_t a = 0; a < axes; ++a) body.a[a] = as_precise_as(body.x[0], gravity[a]);
+    if (!stands_along_an_axis(body)) return;  // floors are perpendicular to an axis
     const double slack = slack_of_places(box_);
     for (const std::int32_t k : floors_) {
         const Barrier& wall = this->barrier(k);
-        if (this->is_mobile(wall) || !this->is_there(wall) || dot(wall.normal, body.v) != 0.0)
-            continue;
+        if (this->is_mobile(wall) || !this->is_there(wall) || wall.across(body.v) != 0.0) continue;
         double distance = 0.0, pull = 0.0;
-        for (std::size_t a = 0; a < 2; ++a) {
+        for (std::size_t a = 0; a < axes; ++a) {
             distance += wall.normal[a] * static_cast<double>(body.x[a] - wall.place[a]);
             pull += wall.normal[a] * static_cast<double>(body.a[a]);
         }
         const double side = wall.side_of(distance);
         if (side * distance > body.radius + slack || !(side * pull < 0.0)) continue;
-        for (std::size_t a = 0; a < 2; ++a) body.a[a] -= Scalar(pull * wall.normal[a]);
+        for (std::size_t a = 0; a < axes; ++a) body.a[a] -= Scalar(pull * wall.normal[a]);
         if (!std::exchange(body.is_at_rest, true)) ++at_rest_;
     }
 }
 
 // Numbers that depend on the seed and on this hit only, so that a run is the same everywhere.
-template <typename Scalar>
-Random SurfaceSet<Scalar>::random_of_hit(std::int32_t surface, std::int64_t hit) const {
+template <typename Scalar, int Dimension>
+Random SurfaceSet<Scalar, Dimension>::random_of_hit(std::int32_t surface, std::int64_t hit) const {
     return {box_.surfaces.seed, fmt::format("hit {} of surface {}", hit, surface)};
 }
 
-// The normal velocity has the distribution of the flux, directed away from the wall; the tangential
-// velocity is normally distributed.
-template <typename Scalar>
-void SurfaceSet<Scalar>::leave_bath(Body& body, const Barrier& barrier, double temperature,
-                                    std::int64_t hit, const Vector& from) {
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::leave_bath(Body& body, const Barrier& barrier,
+                                               double temperature, std::int64_t hit,
+                                               const Vector& from) {
     Random random = random_of_hit(barrier.surface, hit);
     const double thermal = std::sqrt(temperature * body.inverse_mass);
-    const double away = thermal * std::sqrt(-2.0 * std::log1p(-random.uniform()));
-    const double across = box_.dimension == 2 ? thermal * random.normal() : 0.0;
-    std::array<double, 2> normal = barrier.normal;
-    double side = barrier.side_of(dot(normal, from));
-    if (barrier.kind == Barrier::Kind::circle) {  // a corner: the normal points away from it
-        const double distance = std::sqrt(square_of(from));
-        for (std::size_t k = 0; k < 2; ++k) normal[k] = static_cast<double>(from[k]) / distance;
+    Lengths normal = barrier.normal;
+    double side = barrier.side_of(barrier.across(from));
+    if (barrier.kind != Kind::flat) {  // a corner or an edge: the normal points away from it
+        const Vector separation = separation_from(barrier, from);
+        const double distance = std::sqrt(square_of(separation));
+        for (std::size_t k = 0; k < axes; ++k)
+            normal[k] = static_cast<double>(separation[k]) / distance;
         side = 1.0;
     }
-    body.v = {as_precise_as(body.x[0], side * away * normal[0] + across * normal[1]),
-              as_precise_as(body.x[0], side * away * normal[1] - across * normal[0])};
+    const Lengths v = velocity_from_bath(random, thermal, side, normal, box_.dimension > 1);
+    for (std::size_t k = 0; k < axes; ++k) body.v[k] = as_precise_as(body.x[0], v[k]);
 }
 
-// The sine of the angle to the normal is uniform. The speed is not rounded before it is multiplied:
-// that of a particle alone would be rounded in the same direction again and again.
-template <typename Scalar>
-void SurfaceSet<Scalar>::scatter(Body& body, const Barrier& barrier, std::int64_t hit,
-                                 const Vector& from) {
+// The speed is not rounded before it is multiplied: that of a particle alone would be rounded in
+// the same direction again and again.
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::scatter(Body& body, const Barrier& barrier, std::int64_t hit,
+                                            const Vector& from) {
     using std::fma;
     using std::sqrt;
     Random random = random_of_hit(barrier.surface, hit);
-    Vector normal;
-    if (barrier.kind == Barrier::Kind::circle) {  // a corner: the normal points away from it
-        const Scalar distance = sqrt(Scalar(dot(from, from)));
-        normal = {from[0] / distance, from[1] / distance};
-    } else {
-        const double side = barrier.side_of(dot(barrier.normal, from));
-        for (std::size_t k = 0; k < 2; ++k)
+    Vector normal = separation_from(barrier, from);
+    if (barrier.kind == Kind::flat) {
+        const double side = barrier.side_of(barrier.across(from));
+        for (std::size_t k = 0; k < axes; ++k)
             normal[k] = as_precise_as(from[k], side * barrier.normal[k]);
+    } else {  // a corner or an edge: the normal points away from it
+        const Scalar distance = sqrt(scalar_product(normal, normal));
+        for (std::size_t k = 0; k < axes; ++k) normal[k] = normal[k] / distance;
     }
     const Unrounded<Scalar> square = unrounded_product(body.v, body.v);
     const Scalar root = sqrt(square.value);
     const Unrounded<Scalar> speed{root,
                                   (fma(-root, root, square.value) + square.error) / (2.0 * root)};
-    const Scalar sine = as_precise_as(root, 2.0 * random.uniform() - 1.0);
-    const Scalar cosine = sqrt(Scalar((1.0 - sine) * (1.0 + sine)));
-    body.v = {product_of<Scalar>(cosine * normal[0] - sine * normal[1], speed),
-              product_of<Scalar>(cosine * normal[1] + sine * normal[0], speed)};
+    const Vector direction = direction_by_cosine_law(random, normal);
+    for (std::size_t k = 0; k < axes; ++k) body.v[k] = product_of(direction[k], speed);
 }
 
-template <typename Scalar>
-void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const BarrierMotion<Scalar>& m,
-                                 const Scalar& now) {
-    const Vector normal = barrier.kind == Barrier::Kind::line
-                              ? Vector{as_precise_as(m.x[0], barrier.normal[0]),
-                                       as_precise_as(m.x[0], barrier.normal[1])}
-                              : m.x;
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::reflect(Body& body, const Barrier& barrier, const Motion& m,
+                                            const Scalar& now) {
+    Vector normal = separation_from(barrier, m.x);
+    if (barrier.kind == Kind::flat)
+        for (std::size_t k = 0; k < axes; ++k) normal[k] = as_precise_as(m.x[0], barrier.normal[k]);
     const auto* mover = this->mover_of(barrier);
     const double other = mover != nullptr ? mover->inverse_mass : 0.0;
-    const auto change = ContactRule::reflection<Scalar>(dot(m.v, normal), dot(normal, normal),
-                                                        as_precise_as(m.x[0], body.inverse_mass),
-                                                        as_precise_as(m.x[0], other));
-    for (std::size_t k = 0; k < 2; ++k) body.v[k] += change.of_particle * normal[k];
+    const auto change = ContactRule::reflection<Scalar>(
+        scalar_product(m.v, normal), scalar_product(normal, normal),
+        as_precise_as(m.x[0], body.inverse_mass), as_precise_as(m.x[0], other));
+    for (std::size_t k = 0; k < axes; ++k) body.v[k] += change.of_particle * normal[k];
     if (!(other > 0.0)) return;
     Mover<Scalar>& hit = at(movers_, barrier.surface);
     hit.advance(now);
@@ -227,45 +230,46 @@ void SurfaceSet<Scalar>::reflect(Body& body, const Barrier& barrier, const Barri
     ++hit.changes;
 }
 
-// The side of a line that a body which reaches it comes from, 1 or -1. That of a point follows from
-// its velocity, because its distance from the line is lost in round-off.
-template <typename Scalar>
-double SurfaceSet<Scalar>::side_of_origin(const Body& body, const Barrier& line,
-                                          const BarrierMotion<Scalar>& m) const {
-    if (line.is_wall || !is_point(body)) return line.side_of(dot(line.normal, m.x));
-    return dot(line.normal, m.v) < 0.0 ? 1.0 : -1.0;
+// The side of a line or a face that a body which reaches it comes from, 1 or -1. That of a point
+// follows from its velocity, because its distance from the line is lost in round-off.
+template <typename Scalar, int Dimension>
+double SurfaceSet<Scalar, Dimension>::side_of_origin(const Body& body, const Barrier& flat,
+                                                     const Motion& m) const {
+    if (flat.is_wall || !is_point(body)) return flat.side_of(flat.across(m.x));
+    return flat.across(m.v) < 0.0 ? 1.0 : -1.0;
 }
 
-// Puts a point that touches a line clear of it on one side. Walls act from one side only: a point
-// may lie exactly on them, but not beyond. Returns whether it was moved.
-template <typename Scalar>
-bool SurfaceSet<Scalar>::put_on_side(Body& body, const Barrier& line, double side,
-                                     const BarrierMotion<Scalar>& m) const {
+// Puts a point that touches a line or a face clear of it on one side. Walls act from one side only:
+// a point may lie exactly on them, but not beyond. Returns whether it was moved.
+template <typename Scalar, int Dimension>
+bool SurfaceSet<Scalar, Dimension>::put_on_side(Body& body, const Barrier& flat, double side,
+                                                const Motion& m) const {
     if (!is_point(body)) return false;
-    const double least = line.is_wall ? 0.0 : std::max(body.radius, clearance_);
-    const double distance = side * static_cast<double>(dot(line.normal, m.x));
+    const double least = flat.is_wall ? 0.0 : std::max(body.radius, clearance_);
+    const double distance = side * static_cast<double>(flat.across(m.x));
     if (distance >= 0.5 * least) return false;
-    for (std::size_t k = 0; k < 2; ++k)
-        body.x[k] += Scalar(side * (least - distance) * line.normal[k]);
+    for (std::size_t k = 0; k < axes; ++k)
+        body.x[k] += Scalar(side * (least - distance) * flat.normal[k]);
     return true;
 }
 
-template <typename Scalar>
-bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
+template <typename Scalar, int Dimension>
+bool SurfaceSet<Scalar, Dimension>::hit(Body& body, std::int32_t k, const Scalar& now) {
     const Barrier& barrier = this->barrier(k);
     const Behaviour& behaviour = at(behaviours_, barrier.surface);
-    const bool is_line = barrier.kind == Barrier::Kind::line;
-    BarrierMotion<Scalar> m = motion_of(body, barrier, now);
-    const double side = is_line ? side_of_origin(body, barrier, m) : 1.0;
-    if (is_line && put_on_side(body, barrier, side, m)) m = motion_of(body, barrier, now);
-    const Scalar approach = is_line ? Scalar(side * dot(barrier.normal, m.v)) : dot(m.x, m.v);
+    const bool is_flat = barrier.kind == Kind::flat;
+    Motion m = motion_of(body, barrier, now);
+    const double side = is_flat ? side_of_origin(body, barrier, m) : 1.0;
+    if (is_flat && put_on_side(body, barrier, side, m)) m = motion_of(body, barrier, now);
+    const Scalar approach = is_flat ? Scalar(side * barrier.across(m.v))
+                                    : scalar_product(separation_from(barrier, m.x), m.v);
     if (!(approach < 0.0)) return false;
     if (const auto* membrane = membrane_of(behaviour)) {
         const auto& speeds =
             body.v[at(movers_, barrier.surface).axis] > 0.0 ? membrane->upward : membrane->downward;
         if (speeds.admits(std::sqrt(square_of(body.v)))) {
             body.passing |= bit_of(barrier.surface);
-            if (is_line) put_on_side(body, barrier, -side, m);
+            if (is_flat) put_on_side(body, barrier, -side, m);
             return false;
         }
     }
@@ -289,8 +293,8 @@ bool SurfaceSet<Scalar>::hit(Body& body, std::int32_t k, const Scalar& now) {
     return true;
 }
 
-template <typename Scalar>
-auto SurfaceSet<Scalar>::touch(const Body& body, std::int32_t k, const Scalar& now) const
+template <typename Scalar, int Dimension>
+auto SurfaceSet<Scalar, Dimension>::touch(const Body& body, std::int32_t k, const Scalar& now) const
     -> std::optional<Touch> {
     using std::sqrt;
     const Barrier& barrier = this->barrier(k);
@@ -298,47 +302,50 @@ auto SurfaceSet<Scalar>::touch(const Body& body, std::int32_t k, const Scalar& n
     if (!this->is_there(barrier) || this->lets_pass(barrier, body.species) ||
         is_random(behaviour) || (body.passing & bit_of(barrier.surface)) != 0)
         return std::nullopt;
-    const BarrierMotion<Scalar> m = motion_of(body, barrier, now);
+    const Motion m = motion_of(body, barrier, now);
     if (const auto* membrane = membrane_of(behaviour)) {
         const auto& speeds = velocity_at(body, at(movers_, barrier.surface).axis, now) > 0.0
                                  ? membrane->upward
                                  : membrane->downward;
-        const Vector v{velocity_at(body, 0, now), velocity_at(body, 1, now)};
+        Vector v;
+        for (std::size_t a = 0; a < axes; ++a) v[a] = velocity_at(body, a, now);
         if (speeds.admits(std::sqrt(square_of(v)))) return std::nullopt;
     }
-    if (barrier.kind == Barrier::Kind::line) {
-        const Scalar share = m.x[0] * barrier.normal[1] - m.x[1] * barrier.normal[0];
-        if (!barrier.is_endless() && !(share >= 0.0 && share <= barrier.length))
-            return std::nullopt;
+    if (!barrier.extends_to(m.x)) return std::nullopt;
+    Touch touch;
+    if (barrier.kind == Kind::flat) {
         const double side = side_of_origin(body, barrier, m);
-        return Touch{side * dot(barrier.normal, m.x) - m.radius,
-                     {as_precise_as(m.x[0], -side * barrier.normal[0]),
-                      as_precise_as(m.x[0], -side * barrier.normal[1])}};
+        touch.gap = side * barrier.across(m.x) - m.radius;
+        for (std::size_t a = 0; a < axes; ++a)
+            touch.normal[a] = as_precise_as(m.x[0], -side * barrier.normal[a]);
+        return touch;
     }
-    const Scalar distance = sqrt(Scalar(m.x[0] * m.x[0] + m.x[1] * m.x[1]));
+    const Vector from = separation_from(barrier, m.x);
+    const Scalar distance = sqrt(scalar_product(from, from));
     if (!(distance > 0.0)) return std::nullopt;
-    const Scalar gap = distance - (as_precise_as(m.x[0], barrier.radius) + m.radius);
-    return Touch{gap, {-(m.x[0] / distance), -(m.x[1] / distance)}};
+    touch.gap = distance - (as_precise_as(m.x[0], barrier.radius) + m.radius);
+    for (std::size_t a = 0; a < axes; ++a) touch.normal[a] = -(from[a] / distance);
+    return touch;
 }
 
-template <typename Scalar>
-void SurfaceSet<Scalar>::count_hit(Body& body, std::int32_t k, const Vector& normal,
-                                   const Vector& before, const Scalar& now) {
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::count_hit(Body& body, std::int32_t k, const Vector& normal,
+                                              const Vector& before, const Scalar& now) {
     const Barrier& barrier = this->barrier(k);
-    if (barrier.kind == Barrier::Kind::line)
-        put_on_side(body, barrier, dot(barrier.normal, normal) < 0.0 ? 1.0 : -1.0,
+    if (barrier.kind == Kind::flat)
+        put_on_side(body, barrier, barrier.across(normal) < 0.0 ? 1.0 : -1.0,
                     motion_of(body, barrier, now));
     ++at(totals_, barrier.surface).hits;
     body.passing &= ~bit_of(barrier.surface);
     if (body.inverse_mass > 0.0) account_for_hit(body, before, barrier);
 }
 
-template <typename Scalar>
-void SurfaceSet<Scalar>::account_for_hit(const Body& body, const Vector& before,
-                                         const Barrier& barrier) {
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::account_for_hit(const Body& body, const Vector& before,
+                                                    const Barrier& barrier) {
     SurfaceTotals& totals = at(totals_, barrier.surface);
     const double mass = 1.0 / body.inverse_mass;
-    for (std::size_t a = 0; a < 2; ++a)
+    for (std::size_t a = 0; a < axes; ++a)
         totals.impulse[static_cast<Eigen::Index>(a)] +=
             mass * static_cast<double>(before[a] - body.v[a]);
     const double gain = 0.5 * mass * (square_of(body.v) - square_of(before));
@@ -360,26 +367,26 @@ void SurfaceSet<Scalar>::account_for_hit(const Body& body, const Vector& before,
     if (totals.work > most_work_) throw crushes(barrier.surface);
 }
 
-template <typename Scalar>
-std::optional<std::int32_t> SurfaceSet<Scalar>::hardest_worker() const {
+template <typename Scalar, int Dimension>
+std::optional<std::int32_t> SurfaceSet<Scalar, Dimension>::hardest_worker() const {
     const auto begin = totals_.begin(), end = begin + std::ssize(movers_);
     const auto most = std::ranges::max_element(begin, end, {}, &SurfaceTotals::work);
     if (most == end || !(most->work > 0.0)) return std::nullopt;
     return static_cast<std::int32_t>(most - begin);
 }
 
-template <typename Scalar>
-void SurfaceSet<Scalar>::enter(const LargeVector<Body>& bodies, const Scalar& now) {
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::enter(const LargeVector<Body>& bodies, const Scalar& now) {
     this->register_all(now);
     most_work_ = most_times_energy * energy_of(bodies);
     for (const SurfaceTotals& totals : totals_) most_work_ += std::max(0.0, totals.work);
 }
 
 // An upper limit of the energy that the gas could have apart from the effects of driven walls and
-// baths: the kinetic energies, those of disks as fast as the fastest mover, and what a fall through
-// the box adds.
-template <typename Scalar>
-double SurfaceSet<Scalar>::energy_of(const LargeVector<Body>& bodies) const {
+// baths: the kinetic energies, those of particles as fast as the fastest mover, and what a fall
+// through the box adds.
+template <typename Scalar, int Dimension>
+double SurfaceSet<Scalar, Dimension>::energy_of(const LargeVector<Body>& bodies) const {
     double fall = 0.0, energy = 0.0, fastest = 0.0;
     for (int axis = 0; axis < box_.dimension; ++axis)
         fall += std::abs(box_.surfaces.gravity[axis]) * box_.size[axis];
@@ -397,8 +404,8 @@ double SurfaceSet<Scalar>::energy_of(const LargeVector<Body>& bodies) const {
     return energy;
 }
 
-template <typename Scalar>
-std::vector<SurfaceState> SurfaceSet<Scalar>::states(const Scalar& now) const {
+template <typename Scalar, int Dimension>
+std::vector<SurfaceState> SurfaceSet<Scalar, Dimension>::states(const Scalar& now) const {
     std::vector<SurfaceState> states;
     for (std::size_t k = 0; k < totals_.size(); ++k) {
         states.push_back({totals_[k], behaviours_[k], is_open_[k], is_held_[k], {}});
@@ -410,13 +417,15 @@ std::vector<SurfaceState> SurfaceSet<Scalar>::states(const Scalar& now) const {
     return states;
 }
 
-template <typename Scalar>
-void SurfaceSet<Scalar>::forget() {
+template <typename Scalar, int Dimension>
+void SurfaceSet<Scalar, Dimension>::forget() {
     totals_.assign(totals_.size(), {});
     driven_work_ = 0.0;
 }
 
-template class SurfaceSet<double>;
-template class SurfaceSet<Real>;
+template class SurfaceSet<double, 2>;
+template class SurfaceSet<double, 3>;
+template class SurfaceSet<Real, 2>;
+template class SurfaceSet<Real, 3>;
 
 }  // namespace carom

@@ -1,6 +1,6 @@
-// The surfaces of a box during a run and their interaction with a single disk: when it reaches one,
-// and how that changes its motion. For doubles and for multiprecision. Independent of cells, the
-// event queue and other disks.
+// The surfaces of a box during a run and their interaction with a single particle: when it reaches
+// one, and how that changes its motion. For doubles and for multiprecision. Independent of cells,
+// the event queue and other particles.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,41 +21,44 @@
 
 namespace carom {
 
-template <typename Scalar>
-class SurfaceSet : public MovingSurfaces<Scalar> {
+/// `Dimension` is 2 in the plane and on a line, whose beads have a second coordinate 0, and 3 in
+/// space.
+template <typename Scalar, int Dimension>
+class SurfaceSet : public MovingSurfaces<Scalar, Dimension> {
   public:
-    using Base = MovingSurfaces<Scalar>;
-    using Body = FallingBody<Scalar>;
-    using typename Base::Vector;
+    using Base = MovingSurfaces<Scalar, Dimension>;
+    using Body = FallingBody<Scalar, Dimension>;
+    using Base::axes;
+    using typename Base::Barrier, typename Base::Lengths, typename Base::Vector;
 
     /// As for MovingSurfaces; `bits`: precision of the scalar.
-    SurfaceSet(const Box& box, double reach, const std::array<double, 2>& registered, int bits);
+    SurfaceSet(const Box& box, double reach, const Lengths& registered, int bits);
 
-    /// The point at which a disk touches a barrier.
+    /// The point at which a body touches a barrier.
     Vector contact_point(const Body& body, const Barrier& barrier, const Scalar& now) const;
 
-    /// Whether a disk may touch a barrier between `now` and `now` + `within`; false only if it
+    /// Whether a body may touch a barrier between `now` and `now` + `within`; false only if it
     /// certainly does not.
-    bool may_touch(const BodyView<2>& disk, double radius, std::int32_t barrier, const Scalar& now,
-                   double within) const;
+    bool may_touch(const BodyView<Dimension>& view, double radius, std::int32_t barrier,
+                   const Scalar& now, double within) const;
 
-    /// Time from `now` until a disk touches a barrier, or `never`.
+    /// Time from `now` until a body touches a barrier, or `never`.
     Scalar time_to(const Body& body, std::int32_t barrier, const Scalar& now) const;
 
-    /// Processes a disk that has reached a barrier at the present. Returns false if the surface
-    /// lets the disk through or the disk does not approach. Throws SurfaceError if a driven wall
+    /// Processes a body that has reached a barrier at the present. Returns false if the surface
+    /// lets it through or it does not approach. Throws SurfaceError if a driven wall
     /// crushes the gas.
     bool hit(Body& body, std::int32_t barrier, const Scalar& now);
 
-    /// How a disk touches a barrier at a time.
+    /// How a body touches a barrier at a time.
     struct Touch {
         Scalar gap;
-        Vector normal;  ///< of length 1, from the disk to the barrier
+        Vector normal;  ///< of length 1, from the body to the barrier
     };
     /// Empty if it does not face the barrier, if that lets it through, or if particles leave it
     /// in random directions, which do not show how it was hit.
     std::optional<Touch> touch(const Body& body, std::int32_t barrier, const Scalar& now) const;
-    /// To be called when a disk that touches a barrier has been reflected by one of several
+    /// To be called when a body that touches a barrier has been reflected by one of several
     /// contacts at the present: counts the hit. `normal`: as in Touch; `before`: its velocity
     /// before. Throws SurfaceError if a driven wall crushes the gas.
     void count_hit(Body& body, std::int32_t barrier, const Vector& normal, const Vector& before,
@@ -63,19 +66,18 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
 
     bool has_gravity() const { return has_gravity_; }
 
-    /// Sets the acceleration of a disk. A disk that lies on a wall and does not leave it does not
+    /// Sets the acceleration of a body. One that lies on a wall and does not leave it does not
     /// fall, because the wall supports it.
     void settle_at_rest(Body& body);
-    /// To be called after a disk has collided with another disk or a surface: updates its
+    /// To be called after a body has collided with another or with a surface: updates its
     /// acceleration in the same way.
     void path_has_changed(Body& body) {
-        if (has_gravity_ && (at_rest_ > 0 || body.v[0] == 0.0 || body.v[1] == 0.0))
-            settle_at_rest(body);
+        if (has_gravity_ && (at_rest_ > 0 || stands_along_an_axis(body))) settle_at_rest(body);
     }
-    /// The number of disks that do not fall for that reason.
+    /// The number of bodies that do not fall for that reason.
     std::int64_t count_at_rest() const { return at_rest_; }
 
-    /// The surface that a disk overlaps at a time, if any; with `only`, only that surface is
+    /// The surface that a body overlaps at a time, if any; with `only`, only that surface is
     /// tested.
     std::optional<std::int32_t> overlapped(const Body& body, const Scalar& now,
                                            std::optional<std::int32_t> only = {}) const;
@@ -86,11 +88,11 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
 
     /// The state of each surface at a time, with the totals since the last call of forget().
     std::vector<SurfaceState> states(const Scalar& now) const;
-    /// The work of driven surfaces on disks and pistons since then, and of events on pistons.
+    /// The work of driven surfaces on bodies and pistons since then, and of events on pistons.
     double driven_work() const { return driven_work_; }
     void forget();
 
-    /// The surface that has done the most work on disks since then, if any has done positive work.
+    /// The surface that has done the most work on bodies since then, if any has done positive work.
     std::optional<std::int32_t> hardest_worker() const;
 
     template <class Archive>
@@ -100,15 +102,21 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
     }
 
   private:
-    BarrierMotion<Scalar> motion_of(const Body& body, const Barrier& barrier,
-                                    const Scalar& now) const;
+    using Motion = BarrierMotion<Scalar, Dimension>;
+    using Kind = typename Barrier::Kind;
+
+    Motion motion_of(const Body& body, const Barrier& barrier, const Scalar& now) const;
+    /// Whether a component of its velocity is 0, as it is if the body lies on a floor.
+    static bool stands_along_an_axis(const Body& body) {
+        bool stands = false;
+        for (const Scalar& v : body.v) stands |= v == 0.0;
+        return stands;
+    }
     bool is_point(const Body& body) const { return body.radius < slack_; }
-    double side_of_origin(const Body& body, const Barrier& line,
-                          const BarrierMotion<Scalar>& m) const;
-    bool put_on_side(Body& body, const Barrier& line, double side,
-                     const BarrierMotion<Scalar>& m) const;
-    void reflect(Body& body, const Barrier& barrier, const BarrierMotion<Scalar>& m,
-                 const Scalar& now);
+    double side_of_origin(const Body& body, const Barrier& flat, const Motion& m) const;
+    bool put_on_side(Body& body, const Barrier& flat, double side, const Motion& m) const;
+    static Vector separation_from(const Barrier& barrier, const Vector& x);
+    void reflect(Body& body, const Barrier& barrier, const Motion& m, const Scalar& now);
     void leave_bath(Body& body, const Barrier& barrier, double temperature, std::int64_t hit,
                     const Vector& from);
     void scatter(Body& body, const Barrier& barrier, std::int64_t hit, const Vector& from);
@@ -120,17 +128,19 @@ class SurfaceSet : public MovingSurfaces<Scalar> {
         Base::is_held_, Base::is_open_, Base::most_work_, Base::movers_, Base::slack_;
 
     int bits_;
-    double clearance_;  ///< the distance from a line that a point keeps where its side would
-                        ///< otherwise be lost in round-off, and the radius of corners for points:
-                        ///< a few units in the last place of a coordinate
+    double clearance_;  ///< the distance from a line or a face that a point keeps where its side
+                        ///< would otherwise be lost in round-off, and the radius of edges and
+                        ///< corners for points: a few units in the last place of a coordinate
     double size_of_box_;
-    std::vector<std::int32_t> floors_;  ///< lines from wall to wall, on which disks can rest
+    std::vector<std::int32_t> floors_;  ///< what runs from wall to wall, where bodies can rest
     std::vector<SurfaceTotals> totals_;
     bool has_gravity_;
     std::int64_t at_rest_ = 0;
 };
 
-extern template class SurfaceSet<double>;
-extern template class SurfaceSet<Real>;
+extern template class SurfaceSet<double, 2>;
+extern template class SurfaceSet<double, 3>;
+extern template class SurfaceSet<Real, 2>;
+extern template class SurfaceSet<Real, 3>;
 
 }  // namespace carom

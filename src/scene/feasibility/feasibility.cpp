@@ -110,6 +110,8 @@ const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
     switch (problem.kind) {
         case Its::gap_outside:
         case Its::gaps_unordered:
+        case Its::gap_empty:
+        case Its::gaps_overlap:
             return given(item, "gaps")->items.at(problem.item);
         case Its::partition_outside:
             return key_or(item, {"x", "y"});

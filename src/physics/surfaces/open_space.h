@@ -1,6 +1,6 @@
-// The plane of plane.h for boxes with active surfaces, obstacles or gravity: which disks may touch,
-// which surfaces they reach, and when. Each cell lists the barriers at rest that a disk in it may
-// touch; for each moving barrier the rows or columns of cells from which it may be touched are
+// The disks or spheres of plane.h in boxes with active surfaces, obstacles or gravity: which of
+// them may touch, which surfaces they reach, and when. Each cell lists the barriers at rest that a
+// body in it may touch; for each moving barrier the band of cells from which it may be touched is
 // known. For doubles and for multiprecision. Independent of the event queue and the clock.
 #pragma once
 
@@ -14,6 +14,7 @@
 #include "physics/box.h"
 #include "physics/collision/loop_types.h"
 #include "physics/particles.h"
+#include "physics/plane/axis_lanes.h"
 #include "physics/plane/falling_disk.h"
 #include "physics/plane/pair_search.h"
 #include "physics/surfaces/surface_set.h"
@@ -21,7 +22,7 @@
 namespace carom {
 
 /// The access of a geometry with surfaces to the event queue: the time until the next event of a
-/// disk, rounded up, and a function that replaces this event by an earlier one. The latter returns
+/// body, rounded up, and a function that replaces this event by an earlier one. The latter returns
 /// false and does nothing if the new event is not earlier.
 template <typename Scalar>
 struct Agenda {
@@ -30,38 +31,42 @@ struct Agenda {
 };
 
 /// Creates the bodies of these particles, with their species.
-template <typename Scalar>
-LargeVector<FallingBody<Scalar>> falling_bodies_of(const Particles& particles) {
-    auto bodies = PlainBodies<FallingBody<Scalar>>::bodies_of(particles);
+template <typename Scalar, int Dimension>
+LargeVector<FallingBody<Scalar, Dimension>> falling_bodies_of(const Particles& particles) {
+    auto bodies = PlainBodies<FallingBody<Scalar, Dimension>>::bodies_of(particles);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         bodies[i].species = particles.species[static_cast<Eigen::Index>(i)];
     return bodies;
 }
 
-extern template class PairSearch<FallingBody<double>>;
+extern template class PairSearch<FallingBody<double, 2>>;
+extern template class PairSearch<FallingBody<double, 3>>;
 
-template <typename Scalar>
-class OpenPlane : public PairSearch<FallingBody<Scalar>> {
+template <typename Scalar, int Dimension>
+class OpenSpace : public PairSearch<FallingBody<Scalar, Dimension>> {
   public:
-    using Base = PairSearch<FallingBody<Scalar>>;
-    using Body = FallingBody<Scalar>;
+    using Base = PairSearch<FallingBody<Scalar, Dimension>>;
+    using Body = FallingBody<Scalar, Dimension>;
     using Bodies = LargeVector<Body>;
+    using Set = SurfaceSet<Scalar, Dimension>;
+    using Base::axes;
+    using typename Base::Cell, typename Base::Grid, typename Base::Point;
 
-    OpenPlane(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
+    OpenSpace(const Box& box, const Particles& particles, const Arithmetic& arithmetic = {});
 
     static Bodies bodies_of(const Particles& particles) {
-        return falling_bodies_of<Scalar>(particles);
+        return falling_bodies_of<Scalar, Dimension>(particles);
     }
 
-    SurfaceSet<Scalar>& surfaces() { return surfaces_; }
-    const SurfaceSet<Scalar>& surfaces() const { return surfaces_; }
+    Set& surfaces() { return surfaces_; }
+    const Set& surfaces() const { return surfaces_; }
 
     /// Enters bodies that have been advanced to the present, and registers the surfaces.
     void enter(Bodies& bodies);
     /// The same for bodies whose positions have not changed.
     void resettle(Bodies& bodies);
 
-    /// Whether the grid still fits the part of the plane that the walls enclose at a time. If not,
+    /// Whether the grid still fits the part of space that the walls enclose at a time. If not,
     /// the bodies must be entered again at that time, which creates a new grid.
     bool fits_grid(const Scalar& now) const;
 
@@ -74,27 +79,27 @@ class OpenPlane : public PairSearch<FallingBody<Scalar>> {
 
     /// Predicts the next event of a body, stores it in the body, and returns its local time.
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
-    /// As in Plane.
+    /// As in PlainSpace.
     bool predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, const Scalar& now,
                       std::array<Scalar, 2>& when);
     /// The same for a body that has just crossed the side of a cell.
     Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
 
-    /// Changes the velocities of two disks in contact that have been advanced to the same time.
+    /// Changes the velocities of two bodies in contact that have been advanced to the same time.
     /// Returns false if they do not approach.
-    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<2>& contact);
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<Dimension>& contact);
 
-    /// To be called after a mover has changed its motion or was registered again: for each disk
-    /// that it reaches before the disk's predicted event, the hit becomes the next event of the
-    /// disk.
+    /// To be called after a mover has changed its motion or was registered again: for each body
+    /// that it reaches before the body's predicted event, the hit becomes the next event of the
+    /// body.
     void look_for_hits(Bodies& bodies, std::size_t mover, const Scalar& now,
                        const Agenda<Scalar>& agenda);
 
-    /// Calls see(k) for the barriers that a disk in the cell of body i may touch.
+    /// Calls see(k) for the barriers that a body in the cell of body i may touch.
     template <typename See>
     void for_each_barrier(const Bodies& bodies, std::int32_t i, const See& see) const {
-        const CellOf<2>& cell_of_body = at(bodies, i).cell;
-        const int cell = cell_of_body[1] * (grid_.last_cell()[0] + 1) + cell_of_body[0];
+        const Cell& cell_of_body = at(bodies, i).cell;
+        const int cell = list_of(cell_of_body);
         for (std::int32_t k = at(first_listed_, cell); k < at(first_listed_, cell + 1); ++k)
             see(at(listed_, k));
         for (const Moving& moving : moving_)
@@ -135,8 +140,8 @@ class OpenPlane : public PairSearch<FallingBody<Scalar>> {
             archive(low, high);
         }
     };
-    /// A movable barrier, and the columns or rows of cells from which a disk can reach it before
-    /// its mover is registered again.
+    /// A movable barrier, and the cells, from `first` to `last` along its axis, from which a body
+    /// can reach it before its mover is registered again.
     struct Moving {
         std::int32_t barrier;
         std::size_t axis;
@@ -147,23 +152,30 @@ class OpenPlane : public PairSearch<FallingBody<Scalar>> {
             archive(barrier, axis, first, last);
         }
     };
-    std::array<Interval, 2> enclosed(const Scalar& now) const;
+    using Enclosed = std::array<Interval, axes>;
+    Enclosed enclosed(const Scalar& now) const;
     void fit_grid(const Scalar& now, std::size_t count);
     void note_ends_of_grid();
     void list_barriers();
     void list_reach(std::size_t mover);
     double reach_of(std::size_t axis) const;
-    int cell_along(std::size_t axis, double place) const;
-    BodyView<2> view_of(const Body& body, const Scalar& now) const {
+    std::uint16_t cell_number(std::size_t axis, double place) const;
+    /// The list of barriers of a cell.
+    int list_of(const Cell& cell) const {
+        int list = cell[axes - 1];
+        for (std::size_t a = axes - 1; a-- > 0;) list = list * (grid_.last_cell()[a] + 1) + cell[a];
+        return list;
+    }
+    using View = BodyView<Dimension>;
+    View view_of(const Body& body, const Scalar& now) const {
         if constexpr (of_doubles)
-            if (all_fall()) return BodyView<2>(body, now, gravity_);
-        return BodyView<2>(body, now);
+            if (all_fall()) return View(body, now, gravity_);
+        return View(body, now);
     }
     bool all_fall() const { return of_doubles && surfaces_.count_at_rest() == 0; }
-    Scalar pair_time(const Body& a, const Body& b, const std::array<double, 2>& shift,
-                     const Scalar& now) const;
-    void look_at_barriers(const Body& body, double radius, const BodyView<2>& view,
-                          const Scalar& now, double within, First& first);
+    Scalar pair_time(const Body& a, const Body& b, const Point& shift, const Scalar& now) const;
+    void look_at_barriers(const Body& body, double radius, const View& view, const Scalar& now,
+                          double within, First& first);
     void notice(const Scalar& time, const First& first) {
         const auto when = static_cast<double>(time);
         if (coincidences_.may_coincide(when, static_cast<double>(first.time)))
@@ -171,25 +183,27 @@ class OpenPlane : public PairSearch<FallingBody<Scalar>> {
     }
     auto search_slots(const Bodies& bodies, std::int32_t i, const Scalar& now, First& first);
     Scalar next_event(Body& body, double radius, const Scalar& now, First first);
-    double border_time(const Body& body, const BodyView<2>& view, std::uint32_t& side) const;
+    double border_time(const Body& body, const View& view, std::uint32_t& side) const;
 
     int bits_;
     bool screened_;
-    double largest_;      ///< largest radius of all disks
+    double largest_;      ///< largest radius of all bodies
     double image_reach_;  ///< distance up to which barriers have images beyond a periodic side
-    std::array<Interval, 2> gridded_;  ///< the region for which the grid was made
-    std::array<double, 2> gravity_;
-    SurfaceSet<Scalar> surfaces_;
+    Enclosed gridded_;    ///< the region for which the grid was made
+    Point gravity_;
+    Set surfaces_;
     /// For each axis the cells without a border at the lower and the upper end; -1 if the box is
     /// periodic along it.
-    TwoLanes first_with_end_{}, last_with_end_{};
+    AxisLanes<Dimension> first_with_end_{}, last_with_end_{};
     std::vector<Moving> moving_;
     std::vector<std::int32_t> listed_;        ///< numbers of the barriers at rest, cell by cell
     std::vector<std::int32_t> first_listed_;  ///< first index in listed_ for each cell, plus the
                                               ///< end
 };
 
-extern template class OpenPlane<double>;
-extern template class OpenPlane<Real>;
+extern template class OpenSpace<double, 2>;
+extern template class OpenSpace<double, 3>;
+extern template class OpenSpace<Real, 2>;
+extern template class OpenSpace<Real, 3>;
 
 }  // namespace carom

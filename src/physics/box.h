@@ -43,6 +43,9 @@ struct Box {
     double shortest_side() const { return shortest(size, dimension); }
     double content() const { return content_of(size, dimension); }
 
+    /// The size of a side across an axis: 1 on a line, a length in the plane, an area in space.
+    double content_across(int axis) const { return carom::content_across(size, dimension, axis); }
+
     /// Whether a part lies inside the box.
     bool contains(const Region& part) const {
         return on_each_axis(dimension, [&](int axis) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
+#include <numbers>
 
 namespace carom {
 
@@ -57,6 +58,11 @@ struct Vec {
 /// The scalar product.
 constexpr double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
+/// The vector product; of vectors in the plane it has a z component only.
+constexpr Vec cross(const Vec& a, const Vec& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 /// |a|^2, and |a|.
 constexpr double square(const Vec& a) { return dot(a, a); }
 inline double length(const Vec& a) { return std::sqrt(square(a)); }
@@ -77,6 +83,20 @@ constexpr double content_of(const Vec& sides, int dimension) {
     double product = sides[0];
     for (int axis = 1; axis < dimension; ++axis) product *= sides[axis];
     return product;
+}
+/// What these sides enclose across an axis: 1 on a line, a length in the plane, an area in space.
+constexpr double content_across(const Vec& sides, int dimension, int axis) {
+    double product = 1.0;
+    for (int other = 0; other < dimension; ++other)
+        if (other != axis) product *= sides[other];
+    return product;
+}
+
+/// What a sphere of this radius encloses in so many dimensions: a length, an area or a volume.
+constexpr double content_of_ball(double radius, int dimension) {
+    using std::numbers::pi;
+    if (dimension == 1) return 2.0 * radius;
+    return dimension == 2 ? pi * radius * radius : 4.0 / 3.0 * pi * radius * radius * radius;
 }
 
 /// What a function of numbers gives of the components of one vector, or of two, axis by axis.

@@ -1,11 +1,13 @@
 #include "support/gas_states.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "physics/placement/draws.h"
 #include "physics/placement/placement.h"
+#include "util/random.h"
 
 namespace carom::test {
 
@@ -53,9 +55,162 @@ Condition on_line(const std::string& name, Wall ends, const std::vector<double>&
             true};
 }
 
+Condition in_space(const std::string& name, const std::function<void(GasState&)>& change) {
+    Condition condition{name, [=](GasState& s) {
+                            s.gas.box = {3, {20.0, 15.0, 12.0}};
+                            s.gas.box.surfaces.side_count = 6;
+                            change(s);
+                        }};
+    condition.is_space = true;
+    return condition;
+}
+
+void make_periodic_in_space(GasState& s) {
+    s.gas.box.walls = {Wall::periodic, Wall::periodic, Wall::periodic};
+}
+
+// Spheres on a grid of points, whether or not they overlap, with normally distributed velocities
+// whose momenta are 0 where they are conserved: laws only ask for the energy and for the places
+// along gravity.
+std::pair<Particles, Sample> on_a_grid(const Gas& gas) {
+    Random random(gas.seed, "spheres on a grid");
+    std::vector<double> radius, inverse_mass;
+    std::vector<int> species;
+    std::vector<Vec> velocity;
+    for (std::size_t k = 0; k < gas.species.size(); ++k)
+        for (std::int64_t i = 0; i < gas.species[k].count; ++i) {
+            const auto* mass = std::get_if<ValueRule>(&gas.species[k].mass);
+            radius.push_back(std::get<double>(gas.species[k].radius));
+            inverse_mass.push_back(mass == nullptr ? 0.0 : 1.0 / std::get<double>(*mass));
+            species.push_back(static_cast<int>(k));
+            const auto* temperature = std::get_if<Temperature>(&gas.species[k].velocity);
+            const double scale =
+                temperature == nullptr ? 0.0 : std::sqrt(temperature->value * inverse_mass.back());
+            velocity.push_back(scale * Vec{random.normal(), random.normal(), random.normal()});
+        }
+    const auto count = static_cast<Eigen::Index>(radius.size());
+    Particles particles{Eigen::Map<Eigen::ArrayXd>(radius.data(), count),
+                        Eigen::Map<Eigen::ArrayXd>(inverse_mass.data(), count),
+                        Eigen::Map<Eigen::ArrayXi>(species.data(), count)};
+    Sample sample{0.0, Eigen::ArrayXXd(count, 3), Eigen::ArrayXXd(count, 3)};
+    const auto along = static_cast<Eigen::Index>(std::ceil(std::cbrt(double(count))));
+    for (Eigen::Index i = 0; i < count; ++i) {
+        put(velocity[static_cast<std::size_t>(i)], sample.velocity, i);
+        Eigen::Index rest = i;
+        for (int axis = 0; axis < 3; ++axis, rest /= along) {
+            const double r = particles.radius[i], room = gas.box.size[axis] - 2.0 * r;
+            sample.position(i, axis) = r + room * (double(rest % along) + 0.5) / double(along);
+        }
+    }
+    const Eigen::ArrayXd mass =
+        (particles.inverse_mass > 0.0).select(particles.inverse_mass.inverse(), 0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (conserves_momentum(gas.box, particles, axis)) {
+            const double drift = (mass * sample.velocity.col(axis)).sum() / mass.sum();
+            sample.velocity.col(axis) -= drift;
+        }
+    return {particles, sample};
+}
+
 Condition unplaced(Condition condition) {
     condition.is_placed = false;
     return condition;
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<Condition> conditions_in_space() {
+    const auto nothing = [](GasState&) {};
+    const auto with = [](const Partition& partition) {
+        return [=](GasState& s) {
+            s.gas.box.surfaces.partitions = {partition};
+            s.asked.surface = s.gas.box.surfaces.first_partition();
+        };
+    };
+    const auto side = [](std::size_t number, const Behaviour& behaviour) {
+        return [=](GasState& s) {
+            s.gas.box.surfaces.sides.at(number) = behaviour;
+            s.asked.surface = static_cast<std::int32_t>(number);
+        };
+    };
+    const Partition middle{.name = "wall", .axis = 2, .at = 6.0};
+    Partition gap = middle;
+    gap.gaps = {Gap({5.0, 5.0}, {8.0, 9.0})};
+    return {
+        in_space("space", nothing),
+        in_space("space-periodic", make_periodic_in_space),
+        in_space("space-half", [](GasState& s) { s.gas.box.walls[0] = Wall::periodic; }),
+        in_space("space-pipe",
+                 [](GasState& s) {
+                     s.gas.box.walls = {Wall::periodic, Wall::solid, Wall::periodic};
+                 }),
+        in_space("space-mixture",
+                 [](GasState& s) {
+                     make_periodic_in_space(s);
+                     s.gas.species.push_back(disks(5, 4.0));
+                     s.gas.species.back().radius = 0.5;
+                 }),
+        in_space("space-mixed-walls",
+                 [](GasState& s) {
+                     s.gas.species.push_back(disks(5, 4.0));
+                     s.gas.species.back().radius = 0.5;
+                 }),
+        in_space("space-gravity",
+                 [](GasState& s) {
+                     s.gas.box.surfaces.gravity = {0.0, -0.2, 0.0};
+                 }),
+        in_space("space-aslant",
+                 [](GasState& s) {
+                     s.gas.box.surfaces.gravity = {0.0, -0.2, 0.1};
+                 }),
+        in_space("space-bath", side(4, Bath{2.0})),
+        in_space("space-piston", side(5, Piston{.mass = 50.0, .force = -2.0})),
+        in_space("space-piston-half",
+                 [=](GasState& s) {
+                     s.gas.box.walls[0] = Wall::periodic;
+                     side(5, Piston{.mass = 50.0, .force = -2.0})(s);
+                 }),
+        in_space("space-divided", with(middle)),
+        in_space("space-gap", with(gap)),
+        in_space("space-one", [](GasState& s) { s.gas.species = {disks(1)}; }),
+        in_space(
+            "space-billiard",
+            [](GasState& s) {
+                s.gas.species = {disks(1)};
+                s.gas.box.surfaces.obstacles = {{"ball", Obstacle::Ball{{10.0, 7.0, 6.0}, 1.5}}};
+            }),
+        in_space("space-block",
+                 [](GasState& s) {
+                     s.gas.species = {disks(1)};
+                     s.gas.box.surfaces.obstacles = {
+                         {"block", Obstacle::Cuboid{{9.0, 6.0, 5.0}, {11.0, 8.0, 7.0}}}};
+                 }),
+        in_space("space-two-free",
+                 [](GasState& s) {
+                     make_periodic_in_space(s);
+                     s.gas.species = {disks(2)};
+                 }),
+        in_space("space-points", [](GasState& s) { s.gas.species[0].radius = 0.0; }),
+        in_space("space-fluid",  // packing 0.3
+                 [](GasState& s) {
+                     make_periodic_in_space(s);
+                     s.gas.box.size = {10.0, 10.0, 10.0};
+                     s.gas.species = {disks(2653)};
+                 }),
+        in_space("space-dense",  // 0.48
+                 [](GasState& s) {
+                     make_periodic_in_space(s);
+                     s.gas.box.size = {10.0, 10.0, 10.0};
+                     s.gas.species = {disks(4244)};
+                 }),
+        in_space("space-frozen",  // 0.52
+                 [](GasState& s) {
+                     make_periodic_in_space(s);
+                     s.gas.box.size = {10.0, 10.0, 10.0};
+                     s.gas.species = {disks(4598)};
+                 })};
 }
 
 }  // namespace
@@ -184,6 +339,7 @@ std::vector<Condition> conditions() {
              s.gas.box.walls[0] = Wall::periodic;
              s.gas.box.surfaces.sides[3] = Diffuse{};
          }}};
+    for (const Condition& one : conditions_in_space()) all.push_back(one);
     return all;
 }
 
@@ -195,9 +351,13 @@ GasState state_of(const Condition& condition) {
     s.asked = {.axis = 1, .cells = 4, .cells_up = 3, .at = 7.0, .ends_at_walls = true};
     condition.change(s);
     if (condition.is_line) s.asked.axis = 0;
+    if (condition.is_space) s.asked.cells_deep = 2;
     if (condition.name == "not-yet") s.asked.collisions = 0.0;
     if (condition.name == "hardly") s.asked.collisions = 2.0;
-    std::tie(s.particles, s.start) = condition.is_placed ? place(s.gas) : draw_gas(s.gas);
+    if (condition.is_space)
+        std::tie(s.particles, s.start) = on_a_grid(s.gas);
+    else
+        std::tie(s.particles, s.start) = condition.is_placed ? place(s.gas) : draw_gas(s.gas);
     return s;
 }
 

@@ -23,15 +23,16 @@ struct GasState {
     double value_of(LawOf quantity) const { return law(boxed(), quantity, asked).value; }
 };
 
-/// Some disks of radius 0.3 at a temperature of 1.
+/// Some disks, or spheres, of radius 0.3 at a temperature of 1.
 Species disks(std::int64_t count, double mass = 1.0);
 
-/// How a gas differs from twenty disks between four walls.
+/// How a gas differs from twenty disks between four walls or, in space, twenty spheres between six.
 struct Condition {
     std::string name;
     std::function<void(GasState&)> change;
     bool is_line = false;
     bool is_placed = true;
+    bool is_space = false;
 };
 
 std::vector<Condition> conditions();

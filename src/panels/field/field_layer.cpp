@@ -27,7 +27,7 @@ constexpr double key_height = 3.6;     // units, of the arrow that is the key of
 // "mean over height and the last 10".
 std::string words_of_mean(const Scene& scene) {
     const Language language = scene.film.language;
-    const std::array<bool, 2> even = even_axes(scene.gas, scene.run.events);
+    const std::array<bool, 3> even = even_axes(scene.gas, scene.run.events);
     const std::string time = plain_number(language, scene.film.field->over);
     if (even[0] && even[1]) return say(language, "mean over the box and the last {}", time);
     if (even[0]) return say(language, "mean over width and the last {}", time);
@@ -54,7 +54,7 @@ std::string short_name(const Scene& scene, const Field& field) {
 
 Cells cells_of_field(const Scene& scene) {
     Cells cells = square_cells(scene.gas.box, scene.film.field->cells);
-    const std::array<bool, 2> even = even_axes(scene.gas, scene.run.events);
+    const std::array<bool, 3> even = even_axes(scene.gas, scene.run.events);
     for (const Eigen::Index axis : {0, 1}) {
         if (!even.at(static_cast<std::size_t>(axis))) continue;
         cells.count[axis] = 1;

@@ -33,10 +33,9 @@ class GapFlux : public FluxTheory {
         : context_(context),
           line_(line),
           partition_(static_cast<std::size_t>(partition)),
+          gaps_(context.box().surfaces.partition(partition)->gaps),
           is_member_(static_cast<std::size_t>(context.particles.count())) {
         for (const Eigen::Index i : members) is_member_[static_cast<std::size_t>(i)] = true;
-        for (const Gap& gap : context.box().surfaces.partition(partition)->gaps)
-            gaps_.push_back(gap.width());
     }
 
     std::array<FluxRates, 2> at(const FrameInput& o) override {
@@ -54,7 +53,8 @@ class GapFlux : public FluxTheory {
                 thermal_motion(box, context_.particles, o.sample, sides.at(side)).temperature();
             double sum = 0.0;
             for (const Eigen::Index i : sides.at(side)) sum += rate_of(i, width, temperature);
-            rates.at(side) = {sum, 1.5 * temperature * sum};
+            // They cross in proportion to their velocity along the axis.
+            rates.at(side) = {sum, 0.5 * (box.dimension + 1) * temperature * sum};
         }
         return rates;
     }
@@ -63,13 +63,15 @@ class GapFlux : public FluxTheory {
     // Whether particles collide with each other before they have crossed their side, but reach a
     // gap one by one: the mean free path must lie between these two lengths.
     bool is_like_equilibrium(const std::vector<Eigen::Index>& side, double width) const {
-        double diameters = 0.0;
-        for (const Eigen::Index i : side) diameters += 2.0 * context_.particles.radius[i];
         if (side.size() < 2) return false;
-        const double area = width * context_.box().length(1 - line_.axis);
-        const double path = dilute_free_path(area, diameters);
+        const Box& box = context_.box();
+        const double room = width * box.content_across(line_.axis);
+        const double path =
+            dilute_free_path(room, cross_sections(context_.particles.radius(side), box.dimension));
         const double least = 2.0 * context_.particles.radius.minCoeff();
-        return path <= width && path >= DiluteGas::paths * (std::ranges::max(gaps_) - least);
+        double widest = 0.0;
+        for (const Gap& gap : gaps_) widest = std::max(widest, gap.widest(box.dimension));
+        return path <= width && path >= DiluteGas::paths * (widest - least);
     }
 
     // The rate of one particle: its centre can move in the room of the side that its radius leaves,
@@ -78,17 +80,19 @@ class GapFlux : public FluxTheory {
         const double r = context_.particles.radius[i];
         const double inverse_mass = context_.particles.inverse_mass[i];
         if (!is_member_[static_cast<std::size_t>(i)] || inverse_mass == 0.0) return 0.0;
-        double gap = 0.0;
-        for (const double each : gaps_) gap += std::max(0.0, each - 2.0 * r);
-        const double room = (width - 2.0 * r) * (context_.box().length(1 - line_.axis) - 2.0 * r);
-        return gap / room * std::sqrt(temperature * inverse_mass / (2.0 * std::numbers::pi));
+        const Box& box = context_.box();
+        double open = 0.0, room = width - 2.0 * r;
+        for (const Gap& gap : gaps_) open += gap.extent(box.dimension, r);
+        for (int axis = 0; axis < box.dimension; ++axis)
+            if (axis != line_.axis) room *= box.length(axis) - 2.0 * r;
+        return open / room * std::sqrt(temperature * inverse_mass / (2.0 * std::numbers::pi));
     }
 
     PanelContext context_;
     CrossedLine line_;
     std::size_t partition_;
+    std::vector<Gap> gaps_;
     std::vector<bool> is_member_;
-    std::vector<double> gaps_;
 };
 
 }  // namespace

@@ -37,10 +37,11 @@ std::optional<PistonOverGas> piston_over_gas(const PanelContext& context, std::i
                         .energy = now.kinetic + now.pistons + force * height,
                         .force = force,
                         .dimension = box.dimension};
-    const double area = law.mean() * box.length(1 - box.surfaces.axis_of(surface));
-    const double free_path = box.dimension == 1
-                                 ? std::numeric_limits<double>::infinity()
-                                 : dilute_free_path(area, 2.0 * context.particles.radius.sum());
+    const double room = law.mean() * box.content_across(box.surfaces.axis_of(surface));
+    const double free_path =
+        box.dimension == 1
+            ? std::numeric_limits<double>::infinity()
+            : dilute_free_path(room, cross_sections(context.particles.radius, box.dimension));
     return PistonOverGas{.law = law,
                          .mass = piston.mass,
                          .gas_mass = (1.0 / context.particles.inverse_mass).sum(),

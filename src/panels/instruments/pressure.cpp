@@ -103,20 +103,24 @@ ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalM
     if (!ideal) return {};
     ReferenceLevels all{ReferenceLevel{"ideal gas", ideal.value}};
     if (context.gas.are_points()) return all;
-    const Law better = pressure_by(LawOf::pressure, EquationOfState::kolafa_rottner);
+    const Law better = pressure_by(LawOf::pressure, EquationOfState::accurate);
     if (!better) return all;
     if (context.box().dimension == 1) {
         all.push_back(ReferenceLevel{"hard rods", better.value});
         return all;
     }
-    const Law henderson = pressure_by(LawOf::pressure, EquationOfState::henderson);
-    if (!henderson) return all;
+    const Law simple = pressure_by(LawOf::pressure, EquationOfState::simple);
+    if (!simple) return all;
     constexpr double alike = 0.01;  // relative difference: one line in a plot
-    if (std::abs(henderson.value / better.value - 1.0) < alike) {
+    if (std::abs(simple.value / better.value - 1.0) < alike) {
         all.push_back(ReferenceLevel{"hard disks", better.value});
     } else {
-        all.push_back(ReferenceLevel{"Henderson", henderson.value});
-        all.push_back(ReferenceLevel{"Kolafa–Rottner", better.value});
+        const int dimension = context.box().dimension;
+        const auto level = [&](EquationOfState equation, double value) {
+            return ReferenceLevel{std::string(name_of(equation, dimension)), value};
+        };
+        all.push_back(level(EquationOfState::simple, simple.value));
+        all.push_back(level(EquationOfState::accurate, better.value));
     }
     return all;
 }

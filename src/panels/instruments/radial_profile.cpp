@@ -251,9 +251,10 @@ plot::Polyline RadialProfilePanel::line_of(std::size_t run, std::size_t choice,
 // Of the number of particles in a part of the gas at rest, relative to that of points.
 double RadialProfilePanel::relative_variance() const {
     const double packing = packing_fraction(context_.box(), context_.particles);
-    return packing > largest_packing_of_fluid
+    const int dimension = context_.box().dimension;
+    return packing > largest_packing_of_fluid(dimension)
                ? 1.0
-               : relative_compressibility(EquationOfState::kolafa_rottner, packing);
+               : relative_compressibility(dimension, EquationOfState::accurate, packing);
 }
 
 void RadialProfilePanel::add_front(plot::Plot& plot, const std::vector<double>& values) const {

@@ -20,8 +20,10 @@ struct FallingKind {
 /// The probability density of a particle's height is proportional to the phase-space volume left to
 /// all other particles, which is evaluated at the saddle point of its Laplace transform. In a
 /// column without a lid this is exact for any number of particles,
-/// (1 - m g h / E)^(d N / 2 + N - 2) (Velasco, Roman and White 1996). Under a lid the error is of
-/// second order in 1/N. For many particles the density becomes exp(-m g h / T).
+/// (1 - m g h / E)^(f / 2 + N - 2) with f degrees of freedom of the
+/// kinetic energy, d N less one for each conserved momentum (Velasco, Roman and White 1996). Under
+/// a lid the error is of second order in 1/N. For many particles the density becomes exp(-m g h /
+/// T).
 class BarometricLaw {
   public:
     /// `freedoms`: the degrees of freedom of the kinetic energy, d N less one for each conserved
@@ -48,8 +50,8 @@ inline constexpr std::size_t most_falling_kinds = 20;
 std::size_t falling_kinds(const BoxedGas& gas, int axis);
 
 /// The expected density of some particles of an ideal gas in each of `slabs` slabs side by side
-/// along `axis`, along which gravity acts; number of particles per area. Only where law() has one
-/// (LawOf::heights).
+/// along `axis`, along which gravity acts; number of particles per area or volume. Only where law()
+/// has one (LawOf::heights).
 std::vector<double> barometric_densities(const BoxedGas& gas, int axis, int slabs,
                                          const std::vector<Eigen::Index>& members);
 

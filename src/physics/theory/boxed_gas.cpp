@@ -191,7 +191,7 @@ EquilibriumGas equilibrium_of(const BoxedGas& gas) {
         if (inverse > 0.0) found.push_back(1.0 / inverse);
     all.groups = group_by_mass(std::move(found));
     for (MassGroup& group : all.groups)
-        for (const std::size_t axis : {0, 1})
+        for (std::size_t axis = 0; axis < gas.conserves.size(); ++axis)
             if (gas.conserves.at(axis)) group.largest_share.at(axis) = 1.0 - group.mass / gas.mass;
     return all;
 }

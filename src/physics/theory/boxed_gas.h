@@ -61,7 +61,7 @@ struct BoxedGas {
     Vec drift = {};          ///< of the centre of mass, where it is conserved
     bool drifts = false;     ///< more than round-off does
     Vec mean_place = {};     ///< of all particles, at the start
-    Sample line;             ///< the start of beads on a line; empty in a plane
+    Sample line;             ///< the start of beads on a line; else empty
     bool is_placed = false;  ///< whether positions are known
     std::optional<NoLaw> no_equilibrium = NoLaw{NoLaw::Why::unknown_gas};
     std::optional<EquilibriumGas> equilibrium;  ///< of all finite masses; none if no_equilibrium
@@ -75,15 +75,22 @@ struct BoxedGas {
     double conserved() const {
         return double(conserves[0]) + double(conserves[1]) + double(conserves[2]);
     }
-    /// Whether it is a single disk that keeps the energy of its motion along each axis, which
+    /// Whether momentum is conserved along an axis other than this one.
+    bool conserves_across(int axis) const {
+        return conserved() > (conserves.at(static_cast<std::size_t>(axis)) ? 1.0 : 0.0);
+    }
+    /// Whether it is a single particle that keeps the energy of its motion along each axis, which
     /// diffuse walls would mix.
-    bool keeps_axes() const { return finite == 1.0 && box.dimension == 2 && !influences.diffuse; }
+    bool keeps_axes() const { return finite == 1.0 && box.dimension > 1 && !influences.diffuse; }
     /// Whether a particle has more than walls to collide with.
     bool has_partner() const { return finite + fixed > 1.0 || influences.obstacles; }
     bool are_points() const { return (particles->radius == 0.0).all(); }  ///< all of them
     bool has_points() const { return !(particles->radius > 0.0).all(); }  ///< some of them
-    bool is_periodic() const {
+    bool is_periodic() const {                                            ///< along all axes
         return on_each_axis(box.dimension, [&](int axis) { return box.is_periodic(axis); });
+    }
+    bool is_closed() const {  ///< along all axes
+        return on_each_axis(box.dimension, [&](int axis) { return !box.is_periodic(axis); });
     }
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/placement/members.h"
+#include "physics/theory/equation_of_state.h"
 
 namespace carom {
 namespace {
@@ -65,44 +66,58 @@ double sum_of_pairs(const std::vector<Alike>& groups, const Function& f) {
     return sum;
 }
 
-// 1 / A for a touching pair, corrected for solid walls: centres stay a radius away from them, and
-// within a distance s of a wall not all directions of contact are possible (on average a share 1/pi
-// is lost).
+// 1 / A or 1 / V for a touching pair, corrected for solid walls: centres stay a radius away from
+// them, and within a distance s of a wall not all directions of contact are possible (on average a
+// share 1/pi is lost in a plane, 1/4 in space).
 double contact_density(const Box& box, double s) {
+    const double share = box.dimension == 2 ? pi : 4.0;
     double density = 1.0;
     double lost = 0.0;
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < box.dimension; ++axis) {
         const bool solid = !box.is_periodic(axis);
         const double room = solid ? box.size[axis] - s : box.size[axis];
         if (room <= 0.0) return 1.0 / box.content();
         density /= room;
-        if (solid) lost += 2.0 * s / (pi * room);
+        if (solid) lost += 2.0 * s / (share * room);
     }
     return density * std::max(0.0, 1.0 - lost);
 }
 
-// Contact value of the pair correlation in a mixture at this packing fraction; `inverse_size` is
-// the mean radius divided by the mean squared radius.
-double correlation_at_contact(double packing, double inverse_size, double a, double b) {
-    const double free = 1.0 - packing;
-    return 1.0 / free + 9.0 / 8.0 * (a * b / (a + b)) * packing * inverse_size / (free * free);
-}
+// What the contact values of a mixture depend on.
+struct Mixture {
+    int dimension;
+    double packing;
+    double inverse_size;  // the mean radius over the mean square, in space the mean square over the
+                          // mean cube
 
-double inverse_size(const Particles& particles) {
-    return particles.radius.sum() / particles.radius.square().sum();
-}
+    Mixture(const Box& box, const Particles& particles)
+        : dimension(box.dimension), packing(packing_fraction(box, particles)) {
+        const Eigen::ArrayXd square = particles.radius.square();
+        inverse_size = dimension == 2 ? particles.radius.sum() / square.sum()
+                                      : square.sum() / (square * particles.radius).sum();
+    }
 
-double rate_in_plane(const BoxedGas& gas) {
-    const Particles& particles = *gas.particles;
-    const std::vector<Alike> groups = groups_of(particles);
+    double at_contact(double a, double b) const {
+        const double free = 1.0 - packing;
+        if (dimension == 2)
+            return 1.0 / free +
+                   9.0 / 8.0 * (a * b / (a + b)) * packing * inverse_size / (free * free);
+        const double part = a * b / (a + b) * packing * inverse_size / free;
+        return (1.0 + part * (3.0 + 2.0 * part)) / free;
+    }
+};
+
+double rate_of_collisions(const BoxedGas& gas) {
+    const std::vector<Alike> groups = groups_of(*gas.particles);
     const double t = gas.thermal.temperature(), factor = mean_speed_factor(gas.freedoms());
-    const double packing = packing_fraction(gas.box, particles), size = inverse_size(particles);
+    const Mixture mixture(gas.box, *gas.particles);
+    const double of_speed = squared_mean_length(gas.box.dimension);
     return sum_of_pairs(groups, [&](const Alike& a, const Alike& b) {
         const double s = a.radius + b.radius;
         if (s == 0.0) return 0.0;  // points never meet
-        const double chi = correlation_at_contact(packing, size, a.radius, b.radius);
-        const double g = factor * std::sqrt(0.5 * pi * t * (a.inverse_mass + b.inverse_mass));
-        return 2.0 * s * chi * g * contact_density(gas.box, s);
+        const double chi = mixture.at_contact(a.radius, b.radius);
+        const double g = factor * std::sqrt(of_speed * t * (a.inverse_mass + b.inverse_mass));
+        return cross_section(s, gas.box.dimension) * chi * g * contact_density(gas.box, s);
     });
 }
 
@@ -148,20 +163,48 @@ double rate_on_line(const BoxedGas& gas) {
 
 double contact_correlation(const Box& box, const Particles& particles, double radius,
                            double other_radius) {
-    return correlation_at_contact(packing_fraction(box, particles), inverse_size(particles), radius,
-                                  other_radius);
+    return Mixture(box, particles).at_contact(radius, other_radius);
 }
 
 double packing_fraction(const Box& box, const Particles& particles) {
     return sum_of_sizes(box, particles.radius) / box.content();
 }
 
-double dilute_free_path(double area, double diameters) {
-    return area / (2.0 * std::numbers::sqrt2 * diameters);
+double cross_section(double contact, int dimension) {
+    if (dimension == 1) return 1.0;
+    return dimension == 2 ? 2.0 * contact : pi * contact * contact;
+}
+
+double cross_sections(const Eigen::ArrayXd& radii, int dimension) {
+    double sum = 0.0;
+    for (const double radius : radii) sum += cross_section(2.0 * radius, dimension);
+    return sum;
+}
+
+double dilute_free_path(double content, double cross_sections) {
+    return content / (std::numbers::sqrt2 * cross_sections);
+}
+
+double diffusion_of_spheres(double density, double diameter, double temperature, double mass,
+                            double side) {
+    // What Chapman and Enskog's series add to their first order.
+    constexpr double of_diffusion = 1.01896, of_viscosity = 1.016;
+    const double packing = density * content_of_ball(0.5 * diameter, 3);
+    const double contact =
+        (compressibility_factor(3, EquationOfState::accurate, packing) - 1.0) / (4.0 * packing);
+    const double enskog = of_diffusion * 0.375 * std::sqrt(temperature / (pi * mass)) /
+                          (density * diameter * diameter * contact);
+    const double x = density * diameter * diameter * diameter / std::numbers::sqrt2;
+    const double covered = 4.0 * packing;
+    const double viscosity = of_viscosity * 0.3125 * std::sqrt(mass * temperature / pi) /
+                             (diameter * diameter) *
+                             (1.0 / contact + covered * (0.8 + 0.761 * covered * contact));
+    return enskog * (1.0 + x * (0.05403 + x * (6.3656 - 10.9425 * x))) -
+           2.837297 * temperature / (6.0 * pi * viscosity * side);
 }
 
 double collisions_per_time(const BoxedGas& gas) {
-    return gas.box.dimension == 1 ? rate_on_line(gas) : rate_in_plane(gas);
+    return gas.box.dimension == 1 ? rate_on_line(gas) : rate_of_collisions(gas);
 }
 
 }  // namespace carom

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 
 #include "physics/placement/members.h"
 
@@ -11,6 +13,12 @@ namespace {
 
 using std::numbers::pi;
 
+double polynomial(std::span<const double> coefficients, double x) {
+    double sum = 0.0;
+    for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * x + coefficients[k];
+    return sum;
+}
+
 // Z = sum of c x^power over these terms, where x = eta / (1 - eta).
 double kolafa_rottner(double packing_fraction) {
     constexpr std::array<double, 13> coefficients{
@@ -18,104 +26,171 @@ double kolafa_rottner(double packing_fraction) {
         -0.0325537792, 0.0134578632, 0.00140888182, -0.00834273601, 0.00694127367, -0.00262254723,
         0.000355746352};
     const double x = packing_fraction / (1.0 - packing_fraction);
-    double sum = 0.0;
-    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) sum = sum * x + *c;
-    return sum - 5.24672938e-9 * std::pow(x, 22) + 5.88054639e-23 * std::pow(x, 57);
+    return polynomial(coefficients, x) - 5.24672938e-9 * std::pow(x, 22) +
+           5.88054639e-23 * std::pow(x, 57);
 }
 
-// A fluid of disks; lengths are in units of the diameter and energies in units of the temperature.
+// The same in space.
+double kolafa_labik_malijevsky(double packing_fraction) {
+    constexpr std::array<double, 15> coefficients{
+        1.0,         4.0, 6.0,         2.3647684, -0.8698551, 1.1062803, -1.1014221, 0.66605866,
+        -0.03633431, 0.0, -0.20965164, 0.0,       0.0,        0.0,       0.10555569};
+    const double x = packing_fraction / (1.0 - packing_fraction);
+    return polynomial(coefficients, x) - 0.0087238 * std::pow(x, 22);
+}
+
+double henderson(double packing_fraction) {
+    const double free = 1.0 - packing_fraction;
+    return (1.0 + packing_fraction * packing_fraction / 8.0) / (free * free);
+}
+
+double carnahan_starling(double packing_fraction) {
+    const double eta = packing_fraction, free = 1.0 - eta;
+    return (1.0 + eta * (1.0 + eta * (1.0 - eta))) / (free * free * free);
+}
+
+// A fluid of disks or spheres; lengths are in units of the diameter and energies in units of the
+// temperature.
 struct Fluid {
+    int dimension;
     EquationOfState equation;
     double density;
 
-    double packing_fraction() const { return 0.25 * pi * density; }
+    double packing_fraction() const { return (dimension == 2 ? 0.25 * pi : pi / 6.0) * density; }
+    static double largest_density(int dimension) {
+        return largest_packing_of_fluid(dimension) * (dimension == 2 ? 4.0 : 6.0) / pi;
+    }
     double pressure() const {
-        return density * compressibility_factor(equation, packing_fraction());
+        return density * compressibility_factor(dimension, equation, packing_fraction());
     }
     double tension() const {
-        const double free = 1.0 - packing_fraction();
-        return -0.5 * density * packing_fraction() / (free * free);
+        const double eta = packing_fraction(), free = 1.0 - eta;
+        if (dimension == 2) return -0.5 * density * eta / (free * free);
+        return -4.5 / pi * eta * eta * (1.0 + eta) / (free * free * free);
     }
-    // Excess number of particles per length of wall, relative to the fluid density up to the line
-    // that the centres can reach.
+    // Excess number of particles per length or area of wall, relative to the fluid density up to
+    // the line or surface that the centres can reach.
     double adsorbed() const {
         constexpr double step = 1e-5;  // relative: derivatives are good to its square
-        const Fluid less{equation, density * (1.0 - step)}, more{equation, density * (1.0 + step)};
+        const Fluid less{dimension, equation, density * (1.0 - step)},
+            more{dimension, equation, density * (1.0 + step)};
         return -density * (more.tension() - less.tension()) / (more.pressure() - less.pressure());
     }
 };
 
-// The area accessible to the centres, in units of the diameter, and its walls.
+// The room accessible to the centres, in units of the diameter, and its walls.
 struct Room {
+    int dimension;
     Vec reach = {};
-    std::array<bool, 2> has_walls{};  // at the ends of this axis
+    std::array<bool, 3> has_walls{};  // at the ends of this axis
 
-    double area() const { return reach[0] * reach[1]; }
-    double perimeter() const {
-        return (has_walls[0] ? 2.0 * reach[1] : 0.0) + (has_walls[1] ? 2.0 * reach[0] : 0.0);
+    double content() const { return content_of(reach, dimension); }
+    // The perimeter of an area, the surface of a volume.
+    double boundary() const {
+        double sum = 0.0;
+        for (int axis = 0; axis < dimension; ++axis)
+            if (has_walls.at(static_cast<std::size_t>(axis)))
+                sum += 2.0 * content_across(reach, dimension, axis);
+        return sum;
+    }
+    // How fast the boundary grows if the room grows along an axis.
+    double growth(int axis) const {
+        double sum = 0.0;
+        for (int other = 0; other < dimension; ++other)
+            if (other != axis && has_walls.at(static_cast<std::size_t>(other)))
+                sum += 2.0 * (dimension == 2 ? 1.0 : reach[3 - axis - other]);
+        return sum;
     }
 };
 
-// The fluid of which `count` disks fill the accessible area and the walls; nothing if it would
+// The fluid of which `count` particles fill the accessible room and the walls; nothing if it would
 // freeze.
 std::optional<Fluid> fluid_of(EquationOfState equation, const Room& room, double count) {
     const auto held = [&](double density) {
-        const Fluid fluid{equation, density};
-        return density * room.area() + room.perimeter() * fluid.adsorbed();
+        const Fluid fluid{room.dimension, equation, density};
+        return density * room.content() + room.boundary() * fluid.adsorbed();
     };
-    double low = 0.0, high = largest_packing_of_fluid * 4.0 / pi;
+    double low = 0.0, high = Fluid::largest_density(room.dimension);
     if (held(high) < count) return std::nullopt;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
         (held(middle) < count ? low : high) = middle;
     }
-    return Fluid{equation, 0.5 * (low + high)};
+    return Fluid{room.dimension, equation, 0.5 * (low + high)};
 }
 
-// The fluid that disks of one radius form between their walls; nothing for other particles.
+// The fluid that particles of one radius form between their walls; nothing for other particles.
 struct Filled {
     double diameter;
     Room room;
     Fluid fluid;
 
-    /// On a wall across an axis, or through a line across a periodic one.
+    /// On a wall across an axis, or through a line or plane across a periodic one.
     double force(int axis) const {
-        const int other = 1 - axis;
-        const bool has_ends = room.has_walls[static_cast<std::size_t>(other)];
-        return fluid.pressure() * room.reach[other] - (has_ends ? 2.0 * fluid.tension() : 0.0);
+        return fluid.pressure() * content_across(room.reach, room.dimension, axis) -
+               room.growth(axis) * fluid.tension();
     }
 };
 
 std::optional<Filled> filled(EquationOfState equation, const Box& box, const Particles& particles) {
     const auto count = static_cast<double>(particles.count());
-    if (box.dimension != 2 || count == 0.0 || !(particles.inverse_mass > 0.0).all())
+    if (box.dimension == 1 || count == 0.0 || !(particles.inverse_mass > 0.0).all())
         return std::nullopt;
     const double diameter = 2.0 * particles.radius[0];
     if (!(diameter > 0.0) || (particles.radius != particles.radius[0]).any()) return std::nullopt;
-    Room room;
-    for (int axis = 0; axis < 2; ++axis) {
+    Room room{box.dimension};
+    for (int axis = 0; axis < box.dimension; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
         room.has_walls[a] = !box.is_periodic(axis);
         room.reach[axis] = (box.size[axis] - (room.has_walls[a] ? diameter : 0.0)) / diameter;
+        if (!(room.reach[axis] > 0.0)) return std::nullopt;
     }
-    if (!(room.reach[0] > 0.0) || !(room.reach[1] > 0.0)) return std::nullopt;
     const std::optional<Fluid> fluid = fluid_of(equation, room, count);
     return fluid ? std::optional(Filled{diameter, room, *fluid}) : std::nullopt;
 }
 
-}  // namespace
-
-double compressibility_factor(EquationOfState equation, double packing_fraction) {
-    if (equation == EquationOfState::kolafa_rottner) return kolafa_rottner(packing_fraction);
-    const double free = 1.0 - packing_fraction;
-    return (1.0 + packing_fraction * packing_fraction / 8.0) / (free * free);
+// P / T of spheres of several radii in a periodic box; nothing if they may freeze.
+std::optional<double> pressure_of_mixture(const Box& box, const Particles& particles) {
+    const bool is_periodic =
+        on_each_axis(box.dimension, [&](int axis) { return box.is_periodic(axis); });
+    if (box.dimension != 3 || !is_periodic || !(particles.inverse_mass > 0.0).all() ||
+        !(particles.radius > 0.0).all())
+        return std::nullopt;
+    // The sums of d^k over all spheres, times pi / (6 V).
+    const Eigen::ArrayXd diameter = 2.0 * particles.radius, square = diameter.square();
+    const double scale = pi / (6.0 * box.content());
+    const double n0 = scale * static_cast<double>(particles.count()), n1 = scale * diameter.sum(),
+                 n2 = scale * square.sum(), n3 = scale * (square * diameter).sum();
+    if (n3 > largest_packing_of_fluid(3)) return std::nullopt;
+    const double free = 1.0 - n3;
+    return 6.0 / pi *
+           (n0 / free + 3.0 * n1 * n2 / (free * free) +
+            (3.0 - n3) * n2 * n2 * n2 / (free * free * free));
 }
 
-double relative_compressibility(EquationOfState equation, double packing_fraction) {
+}  // namespace
+
+std::string_view name_of(EquationOfState equation, int dimension) {
+    const bool is_simple = equation == EquationOfState::simple;
+    if (dimension == 3) return is_simple ? "Carnahan–Starling" : "Kolafa–Labík–Malijevský";
+    return is_simple ? "Henderson" : "Kolafa–Rottner";
+}
+
+double largest_packing_of_fluid(int dimension) { return dimension == 3 ? 0.494 : 0.70; }
+
+double compressibility_factor(int dimension, EquationOfState equation, double packing_fraction) {
+    const bool is_simple = equation == EquationOfState::simple;
+    if (dimension == 3)
+        return is_simple ? carnahan_starling(packing_fraction)
+                         : kolafa_labik_malijevsky(packing_fraction);
+    return is_simple ? henderson(packing_fraction) : kolafa_rottner(packing_fraction);
+}
+
+double relative_compressibility(int dimension, EquationOfState equation, double packing_fraction) {
     if (packing_fraction == 0.0) return 1.0;
     constexpr double step = 1e-5;  // relative: the derivative is good to its square
     const auto pressure = [&](double packing) {
-        return packing * compressibility_factor(equation, packing);
+        return packing * compressibility_factor(dimension, equation, packing);
     };
     const double low = packing_fraction * (1.0 - step), high = packing_fraction * (1.0 + step);
     return (high - low) / (pressure(high) - pressure(low));
@@ -125,31 +200,39 @@ double pressure_of_points(const Box& box, double thermal_energy) {
     return 2.0 * thermal_energy / (box.dimension * box.content());
 }
 
-std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,
+std::optional<double> pressure_of_fluid(EquationOfState equation, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal) {
     if (!(thermal.degrees_of_freedom > 0.0)) return std::nullopt;
-    const std::optional<Filled> gas = filled(equation, box, particles);
-    if (!gas) return std::nullopt;
     const auto count = static_cast<double>(particles.count());
-
-    // The force on the two walls across each axis divided by their length; without walls the bulk
-    // pressure.
-    double force = 0.0, length = 0.0;
-    for (int axis = 0; axis < 2; ++axis) {
-        if (!gas->room.has_walls[static_cast<std::size_t>(axis)]) continue;
-        force += gas->force(axis);
-        length += box.size[1 - axis] / gas->diameter;
-    }
-    const double in_units = length > 0.0 ? force / length : gas->fluid.pressure();
+    const double temperature = thermal.temperature();
     // Where momentum is conserved, the thermal energy is less than that of N particles at this
     // temperature.
-    const double temperature = thermal.temperature();
-    const double missing = count * temperature - thermal.energy;
-    return temperature * in_units / (gas->diameter * gas->diameter) -
-           missing / (box.size[0] * box.size[1]);
+    const double missing = count * temperature - 2.0 / box.dimension * thermal.energy;
+    const auto measured = [&](double in_units, double unit) {
+        return temperature * in_units / unit - missing / box.content();
+    };
+    const std::optional<Filled> gas = filled(equation, box, particles);
+    if (!gas) {
+        if (count == 0.0 || (particles.radius == particles.radius[0]).all()) return std::nullopt;
+        const std::optional<double> mixed = pressure_of_mixture(box, particles);
+        return mixed ? std::optional(measured(*mixed, 1.0)) : std::nullopt;
+    }
+
+    // The force on the two walls across each axis divided by their extent; without walls the bulk
+    // pressure.
+    double force = 0.0, extent = 0.0;
+    const Vec size = box.size / gas->diameter;
+    for (int axis = 0; axis < box.dimension; ++axis) {
+        if (!gas->room.has_walls.at(static_cast<std::size_t>(axis))) continue;
+        force += gas->force(axis);
+        extent += content_across(size, box.dimension, axis);
+    }
+    const double in_units = extent > 0.0 ? force / extent : gas->fluid.pressure();
+    const double d = gas->diameter;
+    return measured(in_units, content_of({d, d, d}, box.dimension));
 }
 
-std::optional<double> force_of_disks(EquationOfState equation, const Box& box,
+std::optional<double> force_of_fluid(EquationOfState equation, const Box& box,
                                      const Particles& particles, int axis) {
     const std::optional<Filled> gas = filled(equation, box, particles);
     return gas ? std::optional(gas->force(axis) / gas->diameter) : std::nullopt;

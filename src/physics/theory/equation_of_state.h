@@ -1,8 +1,9 @@
-// The pressure of a gas in equilibrium from theory: equations of state of hard disks and of hard
-// rods. Nothing is measured here (see stats/). All functions may be called from any thread.
+// The pressure of a gas in equilibrium from theory: equations of state of hard rods, disks and
+// spheres. Nothing is measured here (see stats/). All functions may be called from any thread.
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "physics/box.h"
 #include "physics/mechanics.h"
@@ -10,54 +11,72 @@
 
 namespace carom {
 
-/// An equation of state of a fluid of equal hard disks: the compressibility factor Z = P A / (N T),
-/// dimensionless, at a packing fraction from 0 to largest_packing_of_fluid.
+/// An equation of state of a fluid of equal hard disks or spheres: the compressibility factor Z = P
+/// V / (N T), with the area for V in a plane, dimensionless, at a packing fraction eta from 0 to
+/// largest_packing_of_fluid().
 enum class EquationOfState {
-    henderson,       ///< (1 + eta^2 / 8) / (1 - eta)^2: Mol. Phys. 30, 971 (1975); within 1 % up to
-                     ///< a packing of 0.6
-    kolafa_rottner,  ///< Mol. Phys. 104, 3435 (2006), equation (7): within 0.1 % up to 0.69
+    /// In a plane Henderson's, (1 + eta^2 / 8) / (1 - eta)^2: Mol. Phys. 30, 971 (1975); within 1 %
+    /// up to a packing of 0.6. In space that of Carnahan and Starling, (1 + eta + eta^2 - eta^3) /
+    /// (1 - eta)^3: J. Chem. Phys. 51, 635 (1969); within 0.4 % up to 0.494.
+    simple,
+    /// In a plane that of Kolafa and Rottner, Mol. Phys. 104, 3435 (2006), equation (7): within 0.1
+    /// % up to 0.69. In space that of Kolafa, Labik and Malijevsky, Phys. Chem. Chem. Phys. 6, 2335
+    /// (2004), the fit to the stable fluid and beyond: within 0.02 % up to 0.494.
+    accurate
 };
 
-/// Above this packing fraction disks begin to freeze: Li et al. (2022) find coexistence from 0.700
-/// to 0.716.
-inline constexpr double largest_packing_of_fluid = 0.70;
+/// Its authors, as in a legend: "Henderson", "Carnahan-Starling".
+std::string_view name_of(EquationOfState equation, int dimension);
 
-/// The compressibility factor Z by this equation, dimensionless.
-double compressibility_factor(EquationOfState equation, double packing_fraction);
+/// Above this packing fraction the fluid begins to freeze. For disks 0.70: Li et al. (2022) find
+/// coexistence from 0.700 to 0.716. For spheres 0.494: Hoover and Ree (J. Chem. Phys. 49, 3609,
+/// 1968) found coexistence from 0.494 to 0.545; later values are lower by up to 0.003.
+double largest_packing_of_fluid(int dimension);
 
-/// d(N T) / d(P A) at constant area and temperature, dimensionless: the isothermal compressibility
-/// divided by that of an ideal gas, which is also the variance of the number of particles in a part
-/// of a large fluid divided by that of an ideal gas.
-double relative_compressibility(EquationOfState equation, double packing_fraction);
+/// The compressibility factor Z by this equation in 2 or 3 dimensions, dimensionless.
+double compressibility_factor(int dimension, EquationOfState equation, double packing_fraction);
+
+/// d(N T) / d(P V) at constant volume and temperature, dimensionless: the isothermal
+/// compressibility divided by that of an ideal gas, which is also the variance of the number of
+/// particles in a part of a large fluid divided by that of an ideal gas.
+double relative_compressibility(int dimension, EquationOfState equation, double packing_fraction);
 
 /// The pressure of a gas of point particles with this thermal energy: 2 K / (d V) with the size V
 /// of the box; in one dimension a force.
 double pressure_of_points(const Box& box, double thermal_energy);
 
-/// The time-averaged pressure, in energy per area, of a gas with this thermal motion in its box, as
-/// virial_pressure() and wall_pressure() measure it. In a plane it follows from an equation of
-/// state; the masses do not matter. Returns nothing on a line, and unless all disks have the same
-/// radius and finite masses and form a fluid.
+/// The time-averaged pressure, in energy per area or volume, of a gas with this thermal motion in
+/// its box, as virial_pressure() and wall_pressure() measure it, in a plane or in space. It follows
+/// from an equation of state; the masses do not matter. Returns nothing on a line, and unless all
+/// particles have finite masses and form a fluid. All must have the same radius; spheres of several
+/// radii in a periodic box have the pressure of mixtures by Boublik (J. Chem. Phys. 53, 471, 1970)
+/// and by Mansoori, Carnahan, Starling and Leland (J. Chem. Phys. 54, 1523, 1971), whatever the
+/// equation, up to the packing at which equal ones freeze.
 ///
-/// The effect of solid sides is that of a tension gamma of the line that the centres can reach.
-/// Each such wall adds -rho d(gamma)/d(P) particles per length to the number that fill the area
-/// accessible to the centres at the density of the fluid. With the grand potential -P A + gamma
-/// times the perimeter of this area, it takes gamma from the force on the walls at its ends. With
-/// the diameter sigma, the number density rho and the packing fraction eta, gamma / T = -sigma rho
-/// eta / (2 (1 - eta)^2) by scaled-particle theory (Helfand, Frisch and Lebowitz, J. Chem. Phys.
-/// 34, 1037, 1961): the work of making a large empty circle less that of P times its area. The
-/// pressure is within 1 % up to a packing fraction of 0.5 for boxes 13 diameters wide.
-std::optional<double> pressure_of_disks(EquationOfState equation, const Box& box,
+/// The effect of solid sides is that of a tension gamma of the line or surface that the centres can
+/// reach. Each such wall adds -rho d(gamma)/d(P) particles per length or area to the number that
+/// fill the room accessible to the centres at the density of the fluid. With the grand potential -P
+/// V + gamma times the perimeter or surface of this room, it takes gamma from the force on the
+/// walls at its ends. With the diameter sigma, the number density rho and the packing fraction eta,
+/// scaled particle theory gives gamma / T = -sigma rho eta / (2 (1 - eta)^2) in a plane (Helfand,
+/// Frisch and Lebowitz, J. Chem. Phys. 34, 1037, 1961) and -9 eta^2 (1 + eta) / (2 pi sigma^2 (1 -
+/// eta)^3) in space (Reiss, Frisch, Helfand and Lebowitz, J. Chem. Phys. 32, 119, 1960): the work
+/// of making a large empty circle or sphere less that of P times its content. Both are exact to
+/// second order in the density. In a plane the pressure is within 1 % up to a packing fraction of
+/// 0.5 for boxes 13 diameters wide.
+std::optional<double> pressure_of_fluid(EquationOfState equation, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal);
 
-/// The mean force of such a gas on each side across an axis, or through a line across a periodic
-/// axis, divided by the temperature: 1/length. Returns nothing where pressure_of_disks() does.
-std::optional<double> force_of_disks(EquationOfState equation, const Box& box,
+/// The mean force of such a gas, of one radius, on each side across an axis, or through a line or
+/// plane across a periodic axis, divided by the temperature: 1/length. Returns nothing where
+/// pressure_of_fluid() does, and for several radii.
+std::optional<double> force_of_fluid(EquationOfState equation, const Box& box,
                                      const Particles& particles, int axis);
 
 /// The pressure of beads on a line, which is a force: that of points on the length that the rods
 /// leave free (Tonks, Phys. Rev. 50, 955, 1936), exact for any number of beads. Returns nothing in
-/// a plane, without particles, for infinite masses, or if the beads leave no free length.
+/// a plane or in space, without particles, for infinite masses, or if the beads leave no free
+/// length.
 std::optional<double> pressure_of_rods(const Box& box, const Particles& particles,
                                        const ThermalMotion& thermal);
 

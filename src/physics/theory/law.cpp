@@ -42,7 +42,8 @@ constexpr std::array<LawFunction, laws_count> functions{laws::mean_energy,
                                                         laws::adiabat,
                                                         laws::binomial,
                                                         laws::heights,
-                                                        laws::error_growth};
+                                                        laws::error_growth,
+                                                        laws::diffusion};
 
 }  // namespace
 

@@ -36,30 +36,31 @@ enum class LawOf {
     collision_rate,     ///< collisions per particle and time; an estimate (collision_rate.h)
     mean_free_path,     ///< between collisions of particles; an estimate
     ideal_pressure,     ///< of points with the energy Asked::thermal
-    pressure,           ///< of disks or rods with it; for disks by equations of state
-    contact,            ///< pair correlation of equal disks at contact; an estimate
+    pressure,           ///< of particles with it; of disks and spheres by equations of state
+    contact,            ///< pair correlation of equal particles at contact; an estimate
     displacement,  ///< mean squared displacement: holds where it grows as 2 d D t for ever. Where
                    ///< walls bound it there is none, and Law::value is its plateau
-    autocorrelation,   ///< initial slope of the velocity autocorrelation: the factor by which
-                       ///< finite numbers change the loss of velocity per collision
-    free_flight,       ///< exact mean free path of one disk among obstacles (mean_path_of_billiard)
-    memoryless,        ///< exponential law of free flights with the measured mean; an idealisation
-    flux,              ///< particles, and energy, across a line in each direction and time
-    gap_flux,          ///< through gaps of a partition, from the present state of each side
-    side_count,        ///< particles in one of two equal halves, with Law::deviation
-    side_energy,       ///< mean energy there
+    autocorrelation,  ///< initial slope of the velocity autocorrelation: the factor by which
+                      ///< finite numbers change the loss of velocity per collision
+    free_flight,  ///< exact mean free path of one particle among obstacles (mean_path_of_billiard)
+    memoryless,   ///< exponential law of free flights with the measured mean; an idealisation
+    flux,         ///< particles, and energy, across a line or plane, in each direction and time
+    gap_flux,     ///< through gaps of a partition, from the present state of each side
+    side_count,   ///< particles in one of two equal halves, with Law::deviation
+    side_energy,  ///< mean energy there
     side_temperature,  ///< temperature there, with Law::deviation
     piston,            ///< place of a free side over an ideal gas (piston_law.h)
     isotherm,          ///< pressure on a side at Asked::lengths, at the temperature of the start:
-                       ///< Law::curve, in proportion to the temperature; for disks by equations of
-                       ///< state. Law::temperatures: those at which baths keep the gas in turn
-    adiabat,           ///< the same after slow work without heat, with Law::temperatures
-    binomial,          ///< places of points that a Galton board sends left or right at each row
-                       ///< anew: Law::places and their shares, Law::curve; an idealisation
-    heights,           ///< density of an ideal gas along Asked::axis under gravity: Law::curve
-    error_growth,      ///< bits that small differences gain per collision; a fit (error_growth.h)
+                       ///< Law::curve, in proportion to the temperature; for disks and spheres by
+    ///< equations of state. Law::temperatures: those at which baths keep the gas in turn
+    adiabat,       ///< the same after slow work without heat, with Law::temperatures
+    binomial,      ///< places of points that a Galton board sends left or right at each row
+                   ///< anew: Law::places and their shares, Law::curve; an idealisation
+    heights,       ///< density of an ideal gas along Asked::axis under gravity: Law::curve
+    error_growth,  ///< bits that small differences gain per collision; a fit (error_growth.h)
+    diffusion,     ///< diffusion coefficient of equal spheres; a fit (collision_rate.h)
 };
-inline constexpr std::size_t laws_count = static_cast<std::size_t>(LawOf::error_growth) + 1;
+inline constexpr std::size_t laws_count = static_cast<std::size_t>(LawOf::diffusion) + 1;
 
 /// What a quantity depends on besides the gas.
 struct Asked {
@@ -68,14 +69,15 @@ struct Asked {
     std::optional<ThermalMotion> thermal = {};         ///< measured; none: at the start
     std::optional<double> collisions = {};  ///< of each particle until now, with others; none: as
                                             ///< many as it takes
-    int cells = 0, cells_up = 1;            ///< of the box, along x and along y; slabs along `axis`
-    std::int32_t surface = 0;               ///< a side or a partition
-    std::optional<double> at = {};          ///< place of a line across `axis`
-    bool is_whole_line = true;              ///< from wall to wall
-    bool ends_at_walls = false;             ///< free flights
-    std::vector<double> lengths = {};       ///< of the box across `surface`, in rising order
-    bool as_points = false;                 ///< an ideal gas in place of disks or rods that collide
-    EquationOfState equation = EquationOfState::kolafa_rottner;  ///< of disks
+    int cells = 0, cells_up = 1, cells_deep = 1;  ///< of the box along x, y and z; slabs along
+                                                  ///< `axis`
+    std::int32_t surface = 0;                     ///< a side or a partition
+    std::optional<double> at = {};                ///< place of a line or plane across `axis`
+    bool is_whole_line = true;                    ///< from wall to wall
+    bool ends_at_walls = false;                   ///< free flights
+    std::vector<double> lengths = {};             ///< of the box across `surface`, in rising order
+    bool as_points = false;  ///< an ideal gas in place of particles that collide
+    EquationOfState equation = EquationOfState::accurate;  ///< of disks or spheres
 };
 
 /// What theory knows of a quantity.

@@ -42,9 +42,9 @@ struct NoLaw {
         at_rest,     ///< no energy
         no_freedom,  ///< a single particle whose momentum is conserved
         drifts,      ///< momentum is conserved and not zero
-        points,      ///< points in a plane never meet
+        points,      ///< points never meet, except on a line
         // Lines.
-        line,              ///< the law is for a plane
+        line,              ///< the law is for a plane or for space
         equal_masses,      ///< equal masses on a line only exchange velocities
         few_between_ends,  ///< two beads between walls, or three on a ring, move like a
         few_on_ring,       ///< point in a triangle (Glashow and Mittag 1997), which need not come
@@ -53,18 +53,22 @@ struct NoLaw {
         keeps_order,       ///< on a line, beads cannot pass one another
         unknown_order,     ///< on a line, the order of beads that are not placed yet
         rods,              ///< the law is for points on a line
-        no_room,           ///< beads that fill their line, or disks that fill their box
+        no_room,           ///< beads that fill their line, or particles that fill their box
         // A formula that holds for other boxes or particles only.
-        one_axis,      ///< momentum is conserved along one axis only
+        plane_only,    ///< the law is for a plane
+        remembers,     ///< in a plane velocities are remembered for too long
+        one_axis,      ///< momentum is conserved along some axes only
         bounded,       ///< walls bound all displacements
-        bounded_once,  ///< walls bound displacements along one axis
+        bounded_once,  ///< walls bound displacements along some axes
         unequal_masses,
         unequal_radii,
-        dense,       ///< denser than the theory of dilute gases allows
-        freezes,     ///< so dense that disks freeze
-        off_center,  ///< a partition that is not in the middle
-        regions,     ///< parts of the box that are not halves of it
-        passes,      ///< particles pass from one part of the box to another
+        dense,          ///< denser than the theory of dilute gases allows
+        freezes,        ///< so dense that particles freeze
+        near_freezing,  ///< denser than what a fit was made to
+        no_cube,        ///< a box with unequal sides
+        off_center,     ///< a partition that is not in the middle
+        regions,        ///< parts of the box that are not halves of it
+        passes,         ///< particles pass from one part of the box to another
         part_of_line,
         near_wall,
         no_walls,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -24,27 +25,73 @@ double root_density(const EquilibriumGas& gas, double y) {
            std::exp(log_beta(gas.alpha, gas.beta));
 }
 
-bool is_line(const EquilibriumGas& gas) { return gas.alpha < 1.0; }
+// The nodes and weights of Gauss-Legendre quadrature over [0, 1]: the zeros of a Legendre
+// polynomial, by Newton's method.
+struct Quadrature {
+    static constexpr int count = 48;
+    std::array<double, count> nodes{}, weights{};
 
-// The average of f(mass, largest share) over the particles, and over the directions of motion in a
-// plane if the share depends on these: by the trapezoidal rule over the angle, which converges fast
-// for what is periodic in it.
+    Quadrature() {
+        for (int k = 0; k < count; ++k) {
+            double x = std::cos(std::numbers::pi * (k + 0.75) / (count + 0.5)), slope = 1.0;
+            for (int step = 0; step < 8; ++step) {
+                double last = 1.0, value = x;
+                for (int n = 2; n <= count; ++n)
+                    last = std::exchange(value, ((2 * n - 1) * x * value - (n - 1) * last) / n);
+                slope = count * (x * value - last) / (x * x - 1.0);
+                x -= value / slope;
+            }
+            nodes.at(static_cast<std::size_t>(k)) = 0.5 * (1.0 + x);
+            weights.at(static_cast<std::size_t>(k)) = 1.0 / ((1.0 - x * x) * slope * slope);
+        }
+    }
+};
+
+// The average of f(largest share) over the directions of motion in a plane: by the trapezoidal rule
+// over the angle, which converges fast for what is periodic in it.
+template <typename Function>
+double average_in_plane(double along_x, double along_y, Function&& f) {
+    constexpr int directions = 64;
+    double own = 0.0;
+    for (int k = 0; k < directions; ++k) {
+        const double c = std::cos((k + 0.5) * 0.5 * std::numbers::pi / directions);
+        own += f(along_y + (along_x - along_y) * c * c) / directions;
+    }
+    return own;
+}
+
+// The same in space, where two axes have one share: all cosines with the third axis have the same
+// probability.
+template <typename Function>
+double average_in_space(double along_one, double along_two, Function&& f) {
+    static const Quadrature cosines;
+    double own = 0.0;
+    for (std::size_t k = 0; k < Quadrature::count; ++k) {
+        const double c = cosines.nodes[k];
+        own += cosines.weights[k] * f(along_two + (along_one - along_two) * c * c);
+    }
+    return own;
+}
+
+// The average of f(mass, largest share) over the particles, and over the directions of motion if
+// the share depends on these.
 template <typename Function>
 double average(const EquilibriumGas& gas, Function&& f) {
-    constexpr int directions = 64;
     double sum = 0.0, count = 0.0;
     for (const MassGroup& group : gas.groups) {
-        const auto [along_x, along_y] = group.largest_share;
-        double own = 0.0;
-        if (is_line(gas) || along_x == along_y) {
-            own = f(group.mass, along_x);
-        } else {
-            for (int k = 0; k < directions; ++k) {
-                const double c = std::cos((k + 0.5) * 0.5 * std::numbers::pi / directions);
-                own += f(group.mass, along_y + (along_x - along_y) * c * c) / directions;
-            }
-        }
-        sum += group.count * own;
+        const auto [x, y, z] = group.largest_share;
+        const auto own = [&](double share) { return f(group.mass, share); };
+        const int dimension = gas.dimension();
+        double mean = 0.0;
+        if (dimension == 1 || (x == y && (dimension == 2 || y == z)))
+            mean = own(x);
+        else if (dimension == 2)
+            mean = average_in_plane(x, y, own);
+        else if (x == y)
+            mean = average_in_space(z, x, own);
+        else  // momentum is conserved along an axis or not: two of the shares are equal
+            mean = y == z ? average_in_space(x, y, own) : average_in_space(y, x, own);
+        sum += group.count * mean;
         count += group.count;
     }
     return count > 0.0 ? sum / count : 0.0;
@@ -53,9 +100,12 @@ double average(const EquilibriumGas& gas, Function&& f) {
 // The average of f(mass, largest share) over the particles, and over the axes unless one is given.
 template <typename Function>
 double average_along(const EquilibriumGas& gas, std::optional<int> axis, Function&& f) {
-    if (!axis && !is_line(gas)) return 0.5 * (average_along(gas, 0, f) + average_along(gas, 1, f));
-    const auto a = static_cast<std::size_t>(axis.value_or(0));
     double sum = 0.0, count = 0.0;
+    if (!axis) {
+        for (int each = 0; each < gas.dimension(); ++each) sum += average_along(gas, each, f);
+        return sum / gas.dimension();
+    }
+    const auto a = static_cast<std::size_t>(*axis);
     for (const MassGroup& group : gas.groups) {
         sum += group.count * f(group.mass, group.largest_share.at(a));
         count += group.count;
@@ -71,7 +121,9 @@ double energy_density(const EquilibriumGas& gas, double e) {
         const double most = share * gas.energy;
         if (!(most > 0.0) || e > most) return 0.0;
         if (e == 0.0)
-            return gas.alpha < 1.0 ? std::numeric_limits<double>::infinity() : gas.beta / most;
+            return gas.alpha < 1.0   ? std::numeric_limits<double>::infinity()
+                   : gas.alpha > 1.0 ? 0.0
+                                     : gas.beta / most;
         const double y = std::sqrt(e / most);
         return root_density(gas, y) / (2.0 * y * most);
     });
@@ -137,6 +189,11 @@ double mean_speed(const EquilibriumGas& gas) {
     return average(gas, [&](double mass, double share) {
         return std::sqrt(2.0 * share * gas.energy / mass) * mean_root;
     });
+}
+
+double squared_mean_length(int dimension) {
+    using std::numbers::pi;
+    return dimension == 1 ? 2.0 / pi : dimension == 2 ? 0.5 * pi : 8.0 / pi;
 }
 
 }  // namespace carom

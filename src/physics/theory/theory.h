@@ -18,7 +18,7 @@ struct MassGroup {
     /// The largest share of the total energy that one particle can have in its motion along each
     /// axis: 1 between walls; 1 - m/M where momentum is conserved and the others must balance that
     /// of the particle.
-    std::array<double, 2> largest_share{1.0, 1.0};
+    std::array<double, 3> largest_share{1.0, 1.0, 1.0};
     void archive(auto& archive) { archive(mass, count, largest_share); }
 };
 
@@ -26,14 +26,16 @@ struct MassGroup {
 /// distributed on a sphere in D dimensions: d for each particle, less one for each axis along which
 /// momentum is conserved. The share of the energy in one component of a particle's velocity is
 /// largest_share * Beta(1/2, (D - 1)/2). Where it is the same along all axes, that of the particle
-/// is largest_share * Beta(alpha, beta); where momentum is conserved along one axis of a plane
-/// only, it is a mixture of these over the direction of motion, of which each has the largest share
-/// 1 - m/M cos^2.
+/// is largest_share * Beta(alpha, beta); where momentum is conserved along some axes only, it is a
+/// mixture of these over the direction of motion n, of which each has the largest share 1 - m/M
+/// times the sum of n_i^2 over these axes.
 struct EquilibriumGas {
     double energy = 0.0;            ///< of all particles together
     double alpha = 1.0;             ///< half the dimension of the box, d/2
     double beta = 1.0;              ///< D/2 - d/2
     std::vector<MassGroup> groups;  ///< the requested particles, by increasing mass
+
+    int dimension() const { return alpha < 1.0 ? 1 : alpha < 1.5 ? 2 : 3; }  ///< of the box
     void archive(auto& archive) { archive(energy, alpha, beta, groups); }
 };
 
@@ -67,5 +69,10 @@ double mean_speed_factor(double freedoms);
 
 /// Mean speed of a particle, averaged over the groups.
 double mean_speed(const EquilibriumGas& gas);
+
+/// The square of the mean length of a vector with `dimension` independent components that are
+/// normally distributed with mean 0 and variance 1: 2/pi, pi/2 or 8/pi. Times T / m it is the
+/// square of the mean speed in a Maxwell distribution.
+double squared_mean_length(int dimension);
 
 }  // namespace carom

@@ -14,23 +14,39 @@ VelocityEntropy::VelocityEntropy(const Particles& particles, const ThermalMotion
     : kinds_(kinds_of(particles)) {
     const Eigen::ArrayXd& inverse = particles.inverse_mass;
     scale_ = (inverse > 0.0).select(1.0 / (inverse * start.temperature()), 0.0).sqrt();
-    int most = 0;
     for (Eigen::Index i = 0; i < inverse.size(); ++i)
         if (inverse[i] > 0.0)
-            most = std::max(most, kinds_.members[static_cast<std::size_t>(kinds_.of[i])]);
-    cells_per_axis_ = static_cast<int>(std::clamp(std::round(2.0 * std::cbrt(most)), 6.0, 24.0));
+            most_ = std::max<double>(most_, kinds_.members[static_cast<std::size_t>(kinds_.of[i])]);
 }
 
+// In space about as many cells in all as there are in a plane.
+int VelocityEntropy::cells_along_axis(Eigen::Index dimension) const {
+    const double in_plane = std::clamp(std::round(2.0 * std::cbrt(most_)), 6.0, 24.0);
+    return static_cast<int>(dimension < 3 ? in_plane : std::round(std::cbrt(in_plane * in_plane)));
+}
+
+namespace {
+
+int cell_of(double u, int cells) {
+    constexpr double reach = 4.0;
+    const double place = (u + reach) / (2.0 * reach) * cells;
+    return static_cast<int>(std::clamp(bin_number(place), 0.0, cells - 1.0));
+}
+
+}  // namespace
+
 double VelocityEntropy::of(const Eigen::ArrayXXd& velocity) const {
-    const auto cells = static_cast<std::size_t>(
-        velocity.cols() == 1 ? cells_per_axis_ : cells_per_axis_ * cells_per_axis_);
+    const int along = cells_along_axis(velocity.cols());
+    std::size_t cells = 1;
+    for (Eigen::Index axis = 0; axis < velocity.cols(); ++axis)
+        cells *= static_cast<std::size_t>(along);
     std::vector<int> found(cells * kinds_.members.size(), 0);  // by kind and cell
     double all = 0.0;
     for (Eigen::Index i = 0; i < velocity.rows(); ++i) {
         if (scale_[i] == 0.0) continue;
         int cell = 0;
         for (Eigen::Index a = 0; a < velocity.cols(); ++a)
-            cell = cells_per_axis_ * cell + cell_of(velocity(i, a) * scale_[i]);
+            cell = along * cell + cell_of(velocity(i, a) * scale_[i], along);
         ++found[static_cast<std::size_t>(kinds_.of[i]) * cells + static_cast<std::size_t>(cell)];
         all += 1.0;
     }
@@ -39,12 +55,6 @@ double VelocityEntropy::of(const Eigen::ArrayXXd& velocity) const {
         if (found[k] > 0)
             sum -= found[k] * std::log(double(found[k]) / double(kinds_.members[k / cells]));
     return all > 0.0 ? sum / all : 0.0;
-}
-
-int VelocityEntropy::cell_of(double u) const {
-    constexpr double reach = 4.0;
-    const double place = (u + reach) / (2.0 * reach) * cells_per_axis_;
-    return static_cast<int>(std::clamp(bin_number(place), 0.0, cells_per_axis_ - 1.0));
 }
 
 namespace {

@@ -18,19 +18,20 @@ namespace carom {
 class VelocityEntropy {
   public:
     /// The cells are of equal size in units of the thermal velocity sqrt(T / m), at the temperature
-    /// of `start`, which must be above 0. Velocity components beyond four thermal velocities fall
-    /// into the outermost cells.
+    /// of `start`, which must be above 0; in space they are larger than in a plane, so that there
+    /// are about as many. Velocity components beyond four thermal velocities fall into the
+    /// outermost cells.
     VelocityEntropy(const Particles& particles, const ThermalMotion& start);
 
     /// The entropy of these velocities, N x dimension.
     double of(const Eigen::ArrayXXd& velocity) const;
 
   private:
-    int cell_of(double u) const;
+    int cells_along_axis(Eigen::Index dimension) const;
 
     Kinds kinds_;
     Eigen::ArrayXd scale_;  ///< 1 / thermal velocity; 0 for infinite masses
-    int cells_per_axis_;
+    double most_ = 0.0;     ///< particles of one kind
 };
 
 struct SampledMean {

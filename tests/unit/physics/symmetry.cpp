@@ -33,7 +33,7 @@ struct State {
 struct Difference {
     std::string name;
     std::function<void(State&)> change;
-    std::array<bool, 2> even, shows = {};
+    std::array<bool, 3> even, shows = {};
 };
 
 State state_of(const Difference& difference) {
@@ -51,7 +51,7 @@ PositionRule within(double x, double y, double to_x, double to_y) {
 
 std::vector<Difference> differences() {
     const auto nothing = [](State&) {};
-    constexpr std::array<bool, 2> both{true, true}, x{true, false}, y{false, true}, none{};
+    constexpr std::array<bool, 3> both{true, true}, x{true, false}, y{false, true}, none{};
     return {
         {"nothing", nothing, both},
         {"a start at rest but for one",
@@ -238,7 +238,7 @@ TEST_CASE("means are the same along even axes, and along others if nothing makes
     for (const Difference& difference : differences()) {
         CAPTURE(difference.name);
         const State state = state_of(difference);
-        const std::array<bool, 2> even = even_axes(state.gas, state.events);
+        const std::array<bool, 3> even = even_axes(state.gas, state.events);
         CHECK(even == difference.even);
         for (const std::size_t axis : {0, 1}) {
             CAPTURE(axis);

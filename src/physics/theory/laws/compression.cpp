@@ -29,20 +29,21 @@ std::optional<double> push(const BoxedGas& gas, const Asked& asked, double lengt
     }
     Box box = gas.box;
     box.size[axis_across(gas, asked)] = length;
-    const auto force = force_of_disks(asked.equation, box, *gas.particles, axis_across(gas, asked));
+    const auto force = force_of_fluid(asked.equation, box, *gas.particles, axis_across(gas, asked));
     return force ? std::optional(*force * length) : std::nullopt;
 }
 
-bool moves_along(const BoxedGas& gas, int axis) {
+// Whether a side may move along another axis.
+bool moves_across(const BoxedGas& gas, int axis) {
     const auto sides = gas.box.surfaces.numbered_sides();
     for (std::size_t side = 0; side < sides.size(); ++side) {
         const bool may_move = carom::moves(sides[side]);
-        if (may_move && gas.box.surfaces.axis_of(side) == axis) return true;
+        if (may_move && gas.box.surfaces.axis_of(side) != axis) return true;
     }
     return false;
 }
 
-// Only of a gas that fills the area, with energy that its motion along all axes shares.
+// Only of a gas that fills its box, with energy that its motion along all axes shares.
 std::optional<NoLaw> why_no_compression(const BoxedGas& gas, const Asked& asked) {
     if (const auto reason =
             first_of(gas, {Why::moving_infinite_mass, Why::partitions, Why::obstacles, Why::gravity,
@@ -53,27 +54,27 @@ std::optional<NoLaw> why_no_compression(const BoxedGas& gas, const Asked& asked)
     if (!gas.box.surfaces.is_side(asked.surface)) return NoLaw{Why::partitions};
     if (!(gas.energy > 0.0)) return NoLaw{Why::at_rest};
     if (!(gas.freedoms() > 0.0)) return NoLaw{Why::no_freedom};
-    if (gas.box.dimension == 2) {
+    if (gas.box.dimension > 1) {
         if (gas.finite == 1.0) return NoLaw{gas.keeps_axes() ? Why::keeps_axes : Why::few};
         if (gas.has_points()) return NoLaw{Why::points};
     }
     if (is_ideal(gas, asked)) return std::nullopt;
-    if (gas.box.dimension == 2) {
+    if (gas.box.dimension > 1) {
         if (!are_equal(gas.particles->radius)) return NoLaw{Why::unequal_radii};
         // The form of the box does not follow from the place of one side.
-        if (moves_along(gas, 1 - axis_across(gas, asked))) return NoLaw{Why::driven};
+        if (moves_across(gas, axis_across(gas, asked))) return NoLaw{Why::driven};
     }
     const auto start = push(gas, asked, gas.box.length(axis_across(gas, asked)));
     if (!start) return NoLaw{gas.box.dimension == 1 ? Why::no_room : Why::freezes};
-    if (gas.box.dimension == 2 && is_few(*start / gas.finite, gas.finite)) return NoLaw{Why::few};
+    if (gas.box.dimension > 1 && is_few(*start / gas.finite, gas.finite)) return NoLaw{Why::few};
     return std::nullopt;
 }
 
 // The logarithm of the temperature over that at the start, at each length. At constant entropy E^(D
 // / 2) Q is constant, with D degrees of freedom and the configuration integral Q; the force is T
-// d(ln Q)/dL, so that d(ln T) / d(ln L) = -2 / D times the push. For disks with an energy T each
-// this is the d(ln T) = -Z d(ln A) of thermodynamics. Integrated from the start both ways, by
-// Simpson's rule.
+// d(ln Q)/dL, so that d(ln T) / d(ln L) = -2 / D times the push. For D = d N this is the d(ln T) =
+// -2 Z / d d(ln V) of thermodynamics; points in space have T V^(2/3) constant. Integrated from the
+// start both ways, by Simpson's rule.
 std::vector<double> heating(const BoxedGas& gas, const Asked& asked) {
     constexpr double longest_step = 0.02;  // of ln L
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -108,9 +109,9 @@ std::vector<double> heating(const BoxedGas& gas, const Asked& asked) {
 
 // The pressure at a length and a temperature.
 double pressure_at(const BoxedGas& gas, const Asked& asked, double length, double temperature) {
-    const double width = gas.box.dimension == 1 ? 1.0 : gas.box.length(1 - axis_across(gas, asked));
+    const double side = gas.box.content_across(axis_across(gas, asked));
     const auto found = push(gas, asked, length);
-    return found ? *found * temperature / (length * width)
+    return found ? *found * temperature / (length * side)
                  : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -2,7 +2,6 @@
 // sphere of the energy, whatever the masses, sizes and density (theory.h).
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "physics/theory/laws/laws.h"
 #include "physics/theory/velocity_entropy.h"
@@ -30,7 +29,7 @@ std::optional<NoLaw> why_no_mean(const BoxedGas& gas) {
         case Why::alone:
         case Why::pair:
             return std::nullopt;
-        case Why::few:  // two disks, momentum conserved along one axis
+        case Why::few:  // two particles, momentum conserved along some axes
             return gas.has_points() ? std::optional(NoLaw{Why::points}) : std::nullopt;
         case Why::drifts:
             if (gas.box.dimension == 1) return gas.no_equilibrium;
@@ -67,8 +66,7 @@ Law mean_speed(const BoxedGas& gas, const Asked& asked) {
     const std::vector<Eigen::Index> list = members(gas, asked);
     if (list.empty()) return none(Why::no_finite_mass);
     if (const auto bath = bath_temperature(gas)) {
-        const double factor =
-            gas.box.dimension == 2 ? 0.5 * std::numbers::pi : 2.0 / std::numbers::pi;
+        const double factor = squared_mean_length(gas.box.dimension);
         return value(
             mean_over(gas, list, [&](double mass) { return std::sqrt(factor * *bath / mass); }));
     }
@@ -119,11 +117,11 @@ Law side_distribution(const BoxedGas& gas, const Asked& asked) {
         return none(Why::points);
     const double energy = asked.thermal ? asked.thermal->energy : gas.energy;
     if (!(energy > 0.0)) return none(Why::at_rest);
-    const auto count = static_cast<double>(list.size());
+    const double count = static_cast<double>(list.size()), half = 0.5 * gas.box.dimension;
     const EquilibriumGas side{// the group holds what each of those of its members begins with
                               .energy = energy,
-                              .alpha = 1.0,
-                              .beta = count - 1.0,
+                              .alpha = half,
+                              .beta = half * (count - 1.0),
                               .groups = {{0.0, 0.0}}};
     return {.equilibrium = among(side, *gas.particles, list)};
 }

@@ -66,7 +66,7 @@ std::optional<double> distance_of_pegs(const std::vector<PegRow>& rows, double n
 // a gap passes the first row.
 Law binomial(const BoxedGas& gas, const Asked& asked) {
     const int along = asked.axis;
-    if (gas.box.dimension == 1) return none(Why::line);
+    if (gas.box.dimension != 2) return none(Why::plane_only);
     if (const auto reason = first_of(gas, {Why::no_finite_mass})) return none(*reason);
     if (gas.box.surfaces.gravity[1 - along] == 0.0 || gas.box.surfaces.gravity[along] != 0.0)
         return none(Why::no_board);

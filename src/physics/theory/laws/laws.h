@@ -55,6 +55,7 @@ Law binomial(const BoxedGas& gas, const Asked& asked);  // galton_board.cpp
 Law collision_rate(const BoxedGas& gas, const Asked& asked);
 Law mean_free_path(const BoxedGas& gas, const Asked& asked);
 Law displacement(const BoxedGas& gas, const Asked& asked);
+Law diffusion(const BoxedGas& gas, const Asked& asked);
 Law autocorrelation(const BoxedGas& gas, const Asked& asked);
 Law free_flight(const BoxedGas& gas, const Asked& asked);
 Law memoryless(const BoxedGas& gas, const Asked& asked);

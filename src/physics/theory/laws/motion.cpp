@@ -6,6 +6,7 @@
 #include "physics/placement/members.h"
 #include "physics/theory/billiard.h"
 #include "physics/theory/collision_rate.h"
+#include "physics/theory/equation_of_state.h"
 #include "physics/theory/error_growth.h"
 #include "physics/theory/laws/laws.h"
 #include "util/overloaded.h"
@@ -32,7 +33,7 @@ bool moves_by_itself(const Behaviour& behaviour) {
 
 // The mean squared displacement of independent places, of which each is anywhere between walls:
 // twice the variance of a place along each axis.
-double plateau_in_plane(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
+double plateau_of_places(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
     double sum = 0.0;
     for (const Eigen::Index i : list) {
         double squares = 0.0;
@@ -63,15 +64,14 @@ double plateau_on_line(const BoxedGas& gas, const std::vector<Eigen::Index>& lis
 // anywhere between: one that is alone only goes to and fro.
 Law bounded(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
     const bool is_line = gas.box.dimension == 1;
-    if (!is_line && (gas.box.is_periodic(0) || gas.box.is_periodic(1)))
-        return none(Why::bounded_once);
+    if (!is_line && !gas.is_closed()) return none(Why::bounded_once);
     Law law = none(is_line ? Why::keeps_order : Why::bounded);
     const auto uneven = first_of(
         gas, {Why::moving_infinite_mass, Why::driven, Why::baths_differ, Why::piston, Why::membrane,
               Why::gravity, Why::partitions, Why::obstacles, Why::fixed_particles});
     if (uneven || gas.influences.wall_event || !gas.has_partner()) return law;
     if (!is_line)
-        law.value = plateau_in_plane(gas, list);
+        law.value = plateau_of_places(gas, list);
     else if (gas.is_placed)
         law.value = plateau_on_line(gas, list);
     return law;
@@ -150,7 +150,7 @@ Law autocorrelation(const BoxedGas& gas, const Asked& asked) {
 
 Law free_flight(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
-    const bool has_walls = !gas.box.is_periodic(0) || !gas.box.is_periodic(1);
+    const bool has_walls = !gas.is_periodic();
     if (gas.box.dimension == 1) return none(Why::line);
     if (gas.finite != 1.0 || gas.fixed > 0.0) return none(Why::many);
     if (all.velocities || all.wall_event || all.heat_event) return none(Why::event);
@@ -164,13 +164,39 @@ Law free_flight(const BoxedGas& gas, const Asked& asked) {
     return path ? value(*path) : none(Why::shapes);
 }
 
+// Of many equal spheres in a periodic box. In a plane the velocities of disks are remembered for so
+// long that there is no coefficient.
+Law diffusion(const BoxedGas& gas, const Asked& asked) {
+    constexpr double fewest = 200.0, most_uneven = 0.05;
+    const Particles& particles = *gas.particles;
+    if (gas.box.dimension == 2) return none(Why::remembers);
+    const Law grows = displacement(gas, asked);
+    if (!grows) return none(*grows.none);
+    if (const auto reason =
+            first_of(gas, {Why::fixed_particles, Why::obstacles, Why::event, Why::bath}))
+        return none(*reason);
+    if (gas.influences.velocities) return none(Why::reversal);
+    if (!are_equal(particles.inverse_mass)) return none(Why::unequal_masses);
+    if (!are_equal(particles.radius)) return none(Why::unequal_radii);
+    if (gas.finite < fewest) return none(Why::few);
+    const double packing = packing_fraction(gas.box, particles);
+    if (packing > largest_packing_of_fluid(3)) return none(Why::freezes);
+    if (packing > largest_packing_of_diffusion) return none(Why::near_freezing);
+    const double side = std::cbrt(gas.box.content());
+    if (gas.box.longest_side() - gas.box.shortest_side() > most_uneven * side)
+        return none(Why::no_cube);
+    return value(diffusion_of_spheres(gas.finite / gas.box.content(), 2.0 * particles.radius[0],
+                                      gas.thermal.temperature(), 1.0 / particles.inverse_mass[0],
+                                      side));
+}
+
 Law memoryless(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
     if (gas.finite == 0.0) return none(Why::no_finite_mass);
     if (!gas.has_partner()) return none(Why::unhindered);
     if (!moves(gas)) return none(Why::at_rest);
     if (gas.finite + gas.fixed == 2.0 && !all.obstacles) return none(Why::pair_only);
-    if (gas.box.dimension == 2 && gas.are_points() && !all.obstacles) return none(Why::points);
+    if (gas.box.dimension > 1 && gas.are_points() && !all.obstacles) return none(Why::points);
     if (asked.collisions && *asked.collisions == 0.0) return none(Why::no_collisions);
     return {};
 }
@@ -179,7 +205,7 @@ Law memoryless(const BoxedGas& gas, const Asked& asked) {
 Law error_growth(const BoxedGas& gas, const Asked&) {
     constexpr Eigen::Index fewest = 10;
     const Particles& particles = *gas.particles;
-    if (gas.box.dimension == 1) return none(Why::line);
+    if (gas.box.dimension != 2) return none(Why::plane_only);
     if (const auto reason = why_not_isolated(gas)) return none(*reason);
     if (const auto reason =
             first_of(gas, {Why::diffuse, Why::no_finite_mass, Why::fixed_particles}))

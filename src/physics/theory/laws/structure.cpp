@@ -52,10 +52,13 @@ Law pressure(const BoxedGas& gas, const Asked& asked) {
         const auto rods = pressure_of_rods(gas.box, particles, thermal);
         return rods ? value(*rods) : none(Why::no_room);
     }
-    if (!are_equal(particles.radius)) return none(Why::unequal_radii);
-    const auto disks = pressure_of_disks(asked.equation, gas.box, particles, thermal);
-    if (!disks) return none(Why::freezes);
-    return is_few(*disks / ideal.value, gas.finite) ? none(Why::few) : value(*disks);
+    // Of mixtures the effect of walls is not known.
+    const bool is_known_mixture = gas.box.dimension == 3 && gas.is_periodic();
+    if (!are_equal(particles.radius) && !is_known_mixture) return none(Why::unequal_radii);
+    if (gas.has_points()) return none(Why::points);
+    const auto fluid = pressure_of_fluid(asked.equation, gas.box, particles, thermal);
+    if (!fluid) return none(Why::freezes);
+    return is_few(*fluid / ideal.value, gas.finite) ? none(Why::few) : value(*fluid);
 }
 
 Law contact(const BoxedGas& gas, const Asked&) {
@@ -71,7 +74,8 @@ Law contact(const BoxedGas& gas, const Asked&) {
     if (!are_equal(particles.radius)) return none(Why::unequal_radii);
     if (particles.radius[0] == 0.0) return none(Why::points);
     if (!moves(gas)) return none(Why::at_rest);
-    if (packing_fraction(gas.box, particles) > largest_packing_of_fluid) return none(Why::freezes);
+    if (packing_fraction(gas.box, particles) > largest_packing_of_fluid(gas.box.dimension))
+        return none(Why::freezes);
     const double radius = particles.radius[0];
     const double chi = contact_correlation(gas.box, particles, radius, radius);
     return is_few(chi, gas.finite) ? none(Why::few) : value(chi);
@@ -87,11 +91,12 @@ Law position_entropy(const BoxedGas& gas, const Asked& asked) {
     if (const auto reason = first_of(gas, {Why::obstacles, Why::fixed_particles}))
         return none(*reason);
     if (!moves(gas)) return none(Why::at_rest);
-    return value(entropy_of_even_spread(gas.finite, double(asked.cells) * asked.cells_up));
+    return value(entropy_of_even_spread(gas.finite,
+                                        double(asked.cells) * asked.cells_up * asked.cells_deep));
 }
 
-// A single disk keeps its energy along each axis, as do points, which never meet; and beads on a
-// line keep the order of their masses.
+// A single particle keeps its energy along each axis, as do points, which never meet; and beads on
+// a line keep the order of their masses.
 Law heights(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
     const auto axis = static_cast<std::size_t>(asked.axis);
@@ -101,7 +106,8 @@ Law heights(const BoxedGas& gas, const Asked& asked) {
                            Why::membrane, Why::event, Why::partitions, Why::obstacles}))
         return none(*reason);
     if (!all.gravity.at(axis)) return none(Why::no_gravity);
-    if (all.gravity.at(1 - axis)) return none(Why::gravity);
+    for (std::size_t other = 0; other < all.gravity.size(); ++other)
+        if (other != axis && all.gravity.at(other)) return none(Why::gravity);
     if (gas.box.is_periodic(asked.axis)) return none(Why::no_floor);
     if (const auto reason = first_of(gas, {Why::no_finite_mass, Why::fixed_particles}))
         return none(*reason);
@@ -127,8 +133,9 @@ std::optional<NoLaw> why_not_alike(const BoxedGas& gas, const Asked& asked) {
     const Surfaces& surfaces = gas.box.surfaces;
     const double diameter = 2.0 * gas.particles->radius.maxCoeff();
     for (const Partition& line : surfaces.partitions) {
-        const bool has_gap =
-            std::ranges::any_of(line.gaps, [&](const Gap& gap) { return gap.width() > diameter; });
+        const bool has_gap = std::ranges::any_of(line.gaps, [&](const Gap& gap) {
+            return gap.extent(gas.box.dimension, 0.5 * diameter) > 0.0;
+        });
         const bool reflects = is_elastic(line.behaviour);
         if (!line.is_open && !(reflects && has_gap)) return NoLaw{Why::partitions};
     }
@@ -142,17 +149,19 @@ std::optional<NoLaw> why_not_alike(const BoxedGas& gas, const Asked& asked) {
 }  // namespace
 
 // Half of all, with the standard deviation of their number. The number is binomial for points, with
-// variance N / 4; for equal disks the variance is smaller by the relative compressibility of the
-// fluid.
+// variance N / 4; for equal particles the variance is smaller by the relative compressibility of
+// the fluid.
 Law side_count(const BoxedGas& gas, const Asked& asked) {
     if (const auto reason = why_not_alike(gas, asked)) return none(*reason);
     const Particles& particles = *gas.particles;
     Law law = value(0.5 * gas.finite);
     const double packing = packing_fraction(gas.box, particles);
-    const bool is_fluid = are_equal(particles.radius) && packing <= largest_packing_of_fluid;
-    if (gas.box.dimension == 2 && is_fluid)
-        law.deviation = std::sqrt(
-            0.25 * gas.finite * relative_compressibility(EquationOfState::kolafa_rottner, packing));
+    const int dimension = gas.box.dimension;
+    if (dimension > 1 && are_equal(particles.radius) &&
+        packing <= largest_packing_of_fluid(dimension))
+        law.deviation =
+            std::sqrt(0.25 * gas.finite *
+                      relative_compressibility(dimension, EquationOfState::accurate, packing));
     return law;
 }
 

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numbers>
 #include <optional>
 
 #include "physics/gas.h"
@@ -76,16 +75,23 @@ bool may_convect(const Box& box, const std::vector<std::vector<Behaviour>>& beha
     return differ && box.surfaces.has_gravity();
 }
 
-double mean_square(const ValueRule& rule) {
-    if (const auto* value = std::get_if<double>(&rule)) return *value * *value;
-    if (const auto* range = std::get_if<UniformDistribution>(&rule))
-        return (range->low * range->low + range->low * range->high + range->high * range->high) /
-               3.0;
-    if (const auto* normal = std::get_if<NormalDistribution>(&rule))
-        return normal->mean * normal->mean + normal->deviation * normal->deviation;
+// The mean area or volume of particles with radii of this rule.
+double mean_size(const ValueRule& rule, int dimension) {
+    const double unit = content_of_ball(1.0, dimension);
+    if (const auto* value = std::get_if<double>(&rule)) return content_of_ball(*value, dimension);
+    if (const auto* range = std::get_if<UniformDistribution>(&rule)) {
+        const double low = range->low, high = range->high, squares = low * low + high * high;
+        return unit *
+               (dimension == 2 ? (squares + low * high) / 3.0 : 0.25 * (low + high) * squares);
+    }
+    if (const auto* normal = std::get_if<NormalDistribution>(&rule)) {
+        const double mean = normal->mean, variance = normal->deviation * normal->deviation;
+        return unit *
+               (dimension == 2 ? mean * mean + variance : mean * (mean * mean + 3.0 * variance));
+    }
     const auto& each = std::get<std::vector<double>>(rule);
     double sum = 0.0;
-    for (const double one : each) sum += one * one;
+    for (const double radius : each) sum += content_of_ball(radius, dimension);
     return each.empty() ? 0.0 : sum / static_cast<double>(each.size());
 }
 
@@ -93,20 +99,20 @@ bool may_freeze(const Gas& gas) {
     double covered = 0.0;
     for (const Species& species : gas.species)
         covered +=
-            static_cast<double>(species.count) * std::numbers::pi * mean_square(species.radius);
-    return covered > largest_packing_of_fluid * gas.box.content();
+            static_cast<double>(species.count) * mean_size(species.radius, gas.box.dimension);
+    return covered > largest_packing_of_fluid(gas.box.dimension) * gas.box.content();
 }
 
 }  // namespace
 
-std::array<bool, 2> even_axes(const Gas& gas, const std::vector<RunEvent>& events) {
+std::array<bool, 3> even_axes(const Gas& gas, const std::vector<RunEvent>& events) {
     const Box& box = gas.box;
     Run run;
     run.events = events;
     const auto behaviours = behaviours_in_time(box.surfaces, run);
     if (box.dimension == 1 || may_freeze(gas) || may_convect(box, behaviours)) return {};
-    std::array<bool, 2> even{};
-    for (const int axis : {0, 1})
+    std::array<bool, 3> even{};
+    for (int axis = 0; axis < box.dimension; ++axis)
         even.at(static_cast<std::size_t>(axis)) =
             acts_evenly(box.surfaces, box, axis, behaviours) &&
             std::ranges::all_of(gas.species, [&](const Species& species) {

@@ -17,6 +17,6 @@ struct Gas;
 /// particles are so few that they are seen one by one, or if the gas may order itself: if it may
 /// freeze, or rolls of convection may form in it because baths of different temperatures act on
 /// it in gravity. On a line none is.
-std::array<bool, 2> even_axes(const Gas& gas, const std::vector<RunEvent>& events);
+std::array<bool, 3> even_axes(const Gas& gas, const std::vector<RunEvent>& events);
 
 }  // namespace carom

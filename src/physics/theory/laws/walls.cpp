@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/laws/laws.h"
@@ -9,19 +10,19 @@
 namespace carom::laws {
 namespace {
 
-// Beyond this share of the area the theory of dilute gases has errors of more than a few per cent.
+// Beyond this share of the box the theory of dilute gases has errors of more than a few per cent.
 constexpr double densest = 0.05;
 constexpr double widest_gaps = 0.25;  // share of a partition
 
 // The places along the axis of a line that centres can reach, if theory knows the density there:
-// all places of a periodic axis; between solid walls those of points on a line, and of dilute disks
+// all places of a periodic axis; between solid walls those of points on a line, and of a dilute gas
 // away from the walls.
 Law length_for(const BoxedGas& gas, const Asked& asked, const std::vector<Eigen::Index>& list) {
     const Eigen::ArrayXd& radius = gas.particles->radius;
     const double length = gas.box.length(asked.axis), r = radius[list.front()];
     if (gas.box.is_periodic(asked.axis)) return value(length);
     if (gas.box.dimension == 1 && radius.maxCoeff() > 0.0) return none(Why::rods);
-    if (gas.box.dimension == 2 && packing_fraction(gas.box, *gas.particles) > densest)
+    if (gas.box.dimension > 1 && packing_fraction(gas.box, *gas.particles) > densest)
         return none(Why::dense);
     if (!std::ranges::all_of(list, [&](Eigen::Index i) { return radius[i] == r; }))
         return none(Why::unequal_radii);
@@ -52,7 +53,8 @@ Law flux(const BoxedGas& gas, const Asked& asked) {
         const double crossing =
             0.5 * group.count * mean_speed_along(own, asked.axis) / length.value;
         double share = 2.0 * group.largest_share.at(axis);
-        if (gas.box.dimension == 2) share += group.largest_share.at(1 - axis);
+        for (std::size_t other = 0; std::cmp_less(other, gas.box.dimension); ++other)
+            if (other != axis) share += group.largest_share.at(other);
         rate += crossing;
         energy += crossing * found.energy * share / (freedoms(found) + 1.0);
     }
@@ -68,20 +70,20 @@ Law gap_flux(const BoxedGas& gas, const Asked& asked) {
             first_of(gas, {Why::no_finite_mass, Why::fixed_particles, Why::driven, Why::bath,
                            Why::piston, Why::membrane, Why::gravity, Why::obstacles}))
         return none(*reason);
-    if (gas.box.is_periodic(0) || gas.box.is_periodic(1)) return none(Why::no_walls);
+    if (!gas.is_closed()) return none(Why::no_walls);
     if (partition == nullptr || gas.box.surfaces.partitions.size() > 1)
         return none(Why::partitions);
     double gaps = 0.0;
-    for (const Gap& gap : partition->gaps) gaps += gap.width();
+    for (const Gap& gap : partition->gaps) gaps += gap.extent(gas.box.dimension);
     if (!(gaps > 0.0)) return none(Why::no_gap);
-    if (gaps > widest_gaps * gas.box.length(1 - partition->axis)) return none(Why::wide_gap);
+    if (gaps > widest_gaps * gas.box.content_across(partition->axis)) return none(Why::wide_gap);
     if (packing_fraction(gas.box, *gas.particles) > densest) return none(Why::dense);
     return {};
 }
 
 // A free side on which only the gas and a constant force towards it act; on the gas act only this
-// side and walls at rest. All share the energy, which excludes a single disk, points in a plane and
-// a gas whose momentum along the piston is conserved.
+// side and walls at rest. All share the energy, which excludes a single particle, points that never
+// meet and a gas whose momentum along the piston is conserved.
 Law piston(const BoxedGas& gas, const Asked& asked) {
     const Surfaces& surfaces = gas.box.surfaces;
     if (!surfaces.is_side(asked.surface)) return none(Why::partitions);
@@ -102,8 +104,7 @@ Law piston(const BoxedGas& gas, const Asked& asked) {
         return none(*reason);
     if (gas.box.dimension == 1) return {};
     if (gas.finite < 2.0) return none(gas.keeps_axes() ? Why::keeps_axes : Why::few);
-    if (gas.conserves.at(static_cast<std::size_t>(1 - surfaces.axis_of(asked.surface))))
-        return none(Why::one_axis);
+    if (gas.conserves_across(surfaces.axis_of(asked.surface))) return none(Why::one_axis);
     return gas.has_points() ? none(Why::points) : Law{};
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -31,15 +30,27 @@ CollisionError too_fast(Eigen::Index particle, double time) {
 }  // namespace
 
 Region Cells::region(Eigen::Index cell) const {
-    const Vec low{static_cast<double>(cell % count[0]) * size[0],
-                  static_cast<double>(cell / count[0]) * size[1]};
+    Vec low;
+    for (int axis = 0; axis < 3; cell /= count[axis++])
+        low[axis] = static_cast<double>(cell % count[axis]) * size[axis];
     return {low, low + size};
 }
 
-Cells square_cells(const Box& box, int along_longer) {
-    if (box.dimension == 1) return slabs(box, 0, along_longer);
-    const double side = box.longest_side() / along_longer;
-    Cells cells{{1, 1}, box.size, box.size};
+namespace {
+
+Cells one_cell(const Box& box) {
+    Cells cells;
+    for (int axis = 0; axis < box.dimension; ++axis)
+        cells.size[axis] = cells.box[axis] = box.size[axis];
+    return cells;
+}
+
+}  // namespace
+
+Cells square_cells(const Box& box, int along_longest) {
+    if (box.dimension == 1) return slabs(box, 0, along_longest);
+    const double side = box.longest_side() / along_longest;
+    Cells cells = one_cell(box);
     for (int axis = 0; axis < box.dimension; ++axis) {
         cells.count[axis] = static_cast<int>(std::max(std::round(box.size[axis] / side), 1.0));
         cells.size[axis] /= cells.count[axis];
@@ -48,8 +59,7 @@ Cells square_cells(const Box& box, int along_longer) {
 }
 
 Cells slabs(const Box& box, int axis, int count) {
-    Cells cells{{1, 1}, box.size, box.size};
-    if (box.dimension == 1) cells.size[1] = cells.box[1] = 1.0;
+    Cells cells = one_cell(box);
     cells.count[axis] = count;
     cells.size[axis] /= count;
     return cells;
@@ -94,7 +104,7 @@ std::int64_t CellAverages::slice_number(double time) const {
 // -1 for a position outside the cells, as it can be with sides that move. The last cell includes
 // the upper side, which point disks can touch.
 Eigen::Index CellAverages::cell_at(const Vec& place) const {
-    std::array<Eigen::Index, 2> at{0, 0};
+    Eigen::Index cell = 0, stride = 1;
     for (Eigen::Index axis = 0; axis < box_.dimension; ++axis) {
         const Eigen::Index count = cells_.count[axis];
         const double where = place[axis] / cells_.size[axis];
@@ -106,9 +116,10 @@ Eigen::Index CellAverages::cell_at(const Vec& place) const {
             k = bin_among(where, cells_.count[axis]);
             if (k < 0 || k >= count) return -1;
         }
-        at[static_cast<std::size_t>(axis)] = k;
+        cell += k * stride;
+        stride *= count;
     }
-    return at[0] + at[1] * cells_.count[0];
+    return cell;
 }
 
 CellSums& CellAverages::slice_at(double time) {

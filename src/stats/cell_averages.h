@@ -18,21 +18,21 @@
 
 namespace carom {
 
-/// Equal cells that cover a box, in one or two dimensions: numbered along x first, from the lower
-/// left.
+/// Equal cells that cover a box, in one, two or three dimensions: numbered along x first, then
+/// along y, from the corner at the origin.
 struct Cells {
-    Eigen::Array2i count{1, 1};
-    Vec size{1.0, 1.0};  ///< of one cell; along y 1 in one dimension
-    Vec box{1.0, 1.0};   ///< of the whole grid
+    Eigen::Array3i count{1, 1, 1};
+    Vec size{1.0, 1.0, 1.0};  ///< of one cell; 1 along an axis that the box does not have
+    Vec box{1.0, 1.0, 1.0};   ///< of the whole grid
 
-    Eigen::Index all() const { return Eigen::Index{count[0]} * count[1]; }
-    double area() const { return size[0] * size[1]; }  ///< a length in one dimension
+    Eigen::Index all() const { return Eigen::Index{count[0]} * count[1] * count[2]; }
+    double content() const { return size[0] * size[1] * size[2]; }  ///< a length, area or volume
     Region region(Eigen::Index cell) const;
 };
 
-/// `along_longer` cells along the longer side of the box, and as many along the other as make them
-/// most nearly square.
-Cells square_cells(const Box& box, int along_longer);
+/// `along_longest` cells along the longest side of the box, and as many along each other one as
+/// make them most nearly squares or cubes.
+Cells square_cells(const Box& box, int along_longest);
 
 /// `count` slabs side by side along an axis.
 Cells slabs(const Box& box, int axis, int count);

@@ -8,14 +8,16 @@
 namespace carom {
 
 PositionEntropy::PositionEntropy(const Box& box, const Particles& particles,
-                                 std::optional<int> along_longer)
+                                 std::optional<int> along_longest)
     : counted_((particles.inverse_mass > 0.0).cast<double>()) {
     constexpr double wanted_in_cell = 5.0;
     const double cells = std::max(1.0, counted_.sum() / wanted_in_cell);
-    const double stretch =
-        box.dimension == 1 ? cells : std::sqrt(cells * box.longest_side() / box.shortest_side());
+    const double stretch = box.dimension == 1 ? cells
+                           : box.dimension == 2
+                               ? std::sqrt(cells * box.longest_side() / box.shortest_side())
+                               : box.longest_side() * std::cbrt(cells / box.content());
     cells_ = square_cells(
-        box, along_longer.value_or(std::max(2, 2 * static_cast<int>(std::floor(0.5 * stretch)))));
+        box, along_longest.value_or(std::max(2, 2 * static_cast<int>(std::floor(0.5 * stretch)))));
 }
 
 double PositionEntropy::of(const Eigen::ArrayXXd& position) const {

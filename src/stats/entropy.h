@@ -11,12 +11,12 @@
 namespace carom {
 
 /// -sum p ln p, where p is the share of the particles of finite mass that are in a cell of the box;
-/// dimensionless. Particles that spread over a K times larger area gain ln K.
+/// dimensionless. Particles that spread over a K times larger area or volume gain ln K.
 class PositionEntropy {
   public:
-    /// `along_longer`: the number of cells along the longer side; if empty, the even number that
+    /// `along_longest`: the number of cells along the longest side; if empty, the even number that
     /// leaves about five particles in each cell.
-    PositionEntropy(const Box& box, const Particles& particles, std::optional<int> along_longer);
+    PositionEntropy(const Box& box, const Particles& particles, std::optional<int> along_longest);
 
     /// The entropy of these positions, N x dimension. Positions beyond sides that have moved count
     /// in the outermost cells.

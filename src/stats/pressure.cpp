@@ -7,10 +7,8 @@
 namespace carom {
 namespace {
 
-// The length, in 1-D the number, of the two walls across an axis.
-double extent_of_walls(const Box& box, int axis) {
-    return box.dimension == 1 ? 2.0 : 2.0 * box.size[1 - axis];
-}
+// The area, in a plane the length, on a line the number, of the two walls across an axis.
+double extent_of_walls(const Box& box, int axis) { return 2.0 * box.content_across(axis); }
 
 double mean_radius(const Particles& particles) {
     const auto finite = (particles.inverse_mass > 0.0).cast<double>();
@@ -21,8 +19,9 @@ double size_of_room(const Box& box, double radius) {
     const auto reach = [&](int axis) {
         return box.size[axis] - (box.is_periodic(axis) ? 0.0 : 2.0 * radius);
     };
-    if (box.dimension == 1) return reach(0);
-    return 0.5 * (box.size[0] * reach(1) + box.size[1] * reach(0));
+    double sum = 0.0;
+    for (int axis = 0; axis < box.dimension; ++axis) sum += box.content_across(axis) * reach(axis);
+    return sum / box.dimension;
 }
 
 }  // namespace

@@ -42,18 +42,20 @@ class PressureWatch {
 };
 
 /// The momentum that the solid walls received during `time`, divided by the time and by their
-/// length (in 1-D by their number). Nothing if no wall is solid, or after a wall was hit by an
-/// infinite mass.
+/// area (in a plane their length, on a line their number). Nothing if no wall is solid, or after a
+/// wall was hit by an infinite mass.
 std::optional<double> wall_pressure(const Box& box, const ImpulseTotals& impulses, double time);
 
 /// The pressure by the virial theorem, d P V = 2 K + (1 / t) sum r . dp in d dimensions, with the
 /// sum as in ImpulseTotals::virial and the kinetic energy K = `thermal_energy`
 /// (ThermalMotion::energy). V is the size of the box if it is periodic. Between walls the centres
-/// reach only over L' = L - 2 R, and the theorem reads F_x L'_x + F_y L'_y = 2K + sum r . dp / t
-/// (exact for equal disks, except for the change of sum p . r; see tests/physics/virial.cpp). There
-/// V is (L_x L'_y + L_y L'_x) / 2, in 1-D L', so that the result agrees with wall_pressure(). R is
-/// the mean radius of the particles of finite mass. Returns nothing if there are no such particles,
-/// or if their centres have no room. Meaningless where a moving infinite mass does work on the gas.
+/// reach only over L' = L - 2 R, and the theorem reads sum F_i L'_i = 2K + sum r . dp / t over the
+/// axes i (exact for equal particles, except for the change of sum p . r; see
+/// tests/physics/virial.cpp). There V is the mean over the axes of L'_i times the size of the sides
+/// across it, (L_x L'_y + L_y L'_x) / 2 in a plane, so that the result agrees with wall_pressure().
+/// R is the mean radius of the particles of finite mass. Returns nothing if there are no such
+/// particles, or if their centres have no room. Meaningless where a moving infinite mass does work
+/// on the gas.
 std::optional<double> virial_pressure(const Box& box, const Particles& particles,
                                       double thermal_energy, const ImpulseTotals& impulses,
                                       double time);

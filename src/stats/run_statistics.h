@@ -118,7 +118,7 @@ class RunStatistics {
     bool worked_on_ = false;                ///< an infinite mass moves
     bool is_followed_ = false;              ///< the next sample may be given by its changes
     std::vector<Tally> tallies_;            ///< by species
-    std::array<ExactSum, 2> momentum_;      ///< by axis
+    std::array<ExactSum, 3> momentum_;      ///< by axis
     double mass_ = 0.0;                     ///< of all that are present
     std::array<bool, 3> is_conserved_{};    ///< momentum along an axis
     Totals first_, last_;

@@ -4,7 +4,7 @@
 #include "panels/registry.h"
 #include "physics/box.h"
 #include "scene/panel_kind.h"
-#include "stats/paths/bond_order.h"
+#include "stats/pairs/bond_order.h"
 #include "util/text.h"
 
 namespace carom {
@@ -26,9 +26,9 @@ SeriesSubject orientational_order(const PanelContext& context, const PanelSpec&)
          .lines = {{"whole gas", say(language, "whole gas"), {.of = plot::Role::Of::highlight}},
                    {"neighbours of each", say(language, "local")}}}};
     subject.read = [context](const FrameInput& o) -> std::vector<double> {
-        const Eigen::ArrayXcd order =
+        const Eigen::ArrayXXcd order =
             bond_order(context.box(), context.particles, o.sample.position);
-        return {std::abs(order.mean()), order.abs().mean()};
+        return {global_order(order), local_order(order)};
     };
     subject.top = 1.0;
     subject.compared_title = subject.title;

@@ -1,6 +1,6 @@
 // The pair correlation g(r) of disks or beads, from the exact times spent at each distance, with
 // the theoretical contact value for equal disks.
-#include "stats/paths/pair_correlation.h"
+#include "stats/pairs/pair_correlation.h"
 
 #include <fmt/format.h>
 

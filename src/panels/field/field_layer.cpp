@@ -90,7 +90,7 @@ CellQuantity::CellQuantity(const PanelContext& context, const Cells& cells, Fiel
                            std::optional<std::size_t> species, std::optional<double> window,
                            const Chosen& chosen)
     : of_(of),
-      area_(cells.area()),
+      area_(cells.content()),
       members_(context, {chosen, Chosen{.species = species}}),
       all_(context.box(), context.particles, cells,
            {members_.flags(0), window, of == FieldOf::temperature},

@@ -50,6 +50,18 @@ double LineCrossings::level_at_start(const PathPiece& piece) const {
     return end->level + std::round((place - end->place) / box_.length(line_.axis));
 }
 
+// Whether a place on the line is in the part that counts.
+bool LineCrossings::is_between(const Vec& place) const {
+    std::size_t k = 0;
+    for (int axis = 0; axis < box_.dimension; ++axis) {
+        if (axis == line_.axis) continue;
+        const double along = box_.wrapped(axis, place[axis]);
+        if (along < line_.between->low.at(k) || along > line_.between->high.at(k)) return false;
+        ++k;
+    }
+    return true;
+}
+
 // Counts the crossings of a part of a flight on which the velocity along the axis does not change
 // sign. The part begins at the time `begin` of the piece, on level `first`. Returns the level at
 // its end.
@@ -66,11 +78,7 @@ double LineCrossings::add_monotone(const PathPiece& piece, double begin, const P
         const double speed = std::copysign(std::sqrt(std::max(0.0, square)), way);
         const double sum = from.velocity + speed;
         const double time = begin + (sum != 0.0 ? 2.0 * distance / sum : 0.0);
-        const int other = 1 - line_.axis;
-        if (line_.between) {
-            const double along = box_.wrapped(other, piece.place_after(time)[other]);
-            if (along < line_.between->first || along > line_.between->second) continue;
-        }
+        if (line_.between && !is_between(piece.place_after(time))) continue;
         ++totals_.count.at(direction);
         const double inverse_mass = particles_.inverse_mass[piece.particle];
         const Vec velocity = piece.velocity_after(time);

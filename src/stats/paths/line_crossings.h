@@ -1,12 +1,11 @@
-// The particles and the energy that cross a straight line in each direction, found exactly from the
-// free flights between collisions, not from samples.
+// The particles and the energy that cross a line, in space a plane, in each direction, found
+// exactly from the free flights between collisions, not from samples.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "physics/box.h"
@@ -15,14 +14,14 @@
 
 namespace carom {
 
-/// A line perpendicular to an axis, or a part of it.
+/// A line perpendicular to an axis, in space a plane, or a part of it.
 struct CrossedLine {
     int axis = 0;
     double at = 0.0;
-    std::optional<std::pair<double, double>> between = {};  ///< on the other axis; none: all
+    std::optional<Gap> between = {};  ///< the part, like the gap of a partition; none: all
 };
 
-/// Totals since the first sample: [0] toward larger x or y, [1] toward smaller.
+/// Totals since the first sample: [0] toward larger coordinates, [1] toward smaller.
 struct CrossingTotals {
     std::array<std::int64_t, 2> count{};
     std::array<double, 2> energy{};  ///< kinetic energy of the crossing particles of finite mass
@@ -54,6 +53,7 @@ class LineCrossings {
     };
     double add_monotone(const PathPiece& piece, double begin, const Point& from, const Point& to,
                         double first);
+    bool is_between(const Vec& place) const;
     double level(double place) const;
     double level_at_start(const PathPiece& piece) const;
 

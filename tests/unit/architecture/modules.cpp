@@ -51,7 +51,7 @@ const std::map<std::string, Parts> parts_of_module{
     {"draw",
      {{"fonts", "raster", "pages", "draw", "disks", "formula"},
       {"canvas.h", "color.h", "formula/ink.h", "geometry.h"}}},
-    {"stats", {{"means", "paths", "stats"}, {}}},
+    {"stats", {{"means", "paths", "pairs", "stats"}, {}}},
     {"physics",
      {{"units", "collision", "plane", "multiprecision", "line", "surfaces", "sampling", "placement",
        "theory", "events", "physics", "reversal"},

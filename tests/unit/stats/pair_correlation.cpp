@@ -1,5 +1,5 @@
 // g(r): rings by hand and by sums over points, times at a distance by hand and over many samples.
-#include "stats/paths/pair_correlation.h"
+#include "stats/pairs/pair_correlation.h"
 
 #include <doctest/doctest.h>
 

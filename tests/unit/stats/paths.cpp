@@ -11,11 +11,11 @@
 
 #include "physics/gas.h"
 #include "physics/theory/billiard.h"
-#include "stats/paths/bond_order.h"
+#include "stats/pairs/bond_order.h"
 #include "stats/paths/free_flights.h"
 #include "stats/paths/lag_averages.h"
 #include "stats/paths/line_crossings.h"
-#include "stats/paths/near_pairs.h"
+#include "stats/pairs/near_pairs.h"
 
 using namespace carom;
 using std::numbers::pi;
@@ -378,7 +378,7 @@ TEST_CASE("a hexagonal lattice has the order 1, a square one 0, a turned one its
             }
         const Particles particles{Eigen::ArrayXd::Constant(49, 0.5), Eigen::ArrayXd::Ones(49),
                                   Eigen::ArrayXi::Zero(49)};
-        return bond_order(box, particles, place)[inner];
+        return bond_order(box, particles, place)(inner, 0);
     };
     const Vec east{1.1, 0.0}, up{0.55, 0.55 * std::sqrt(3.0)}, north{0.0, 1.1};
     CHECK(std::abs(order_of(east, up, 0.0) - 1.0) < 1e-12);

@@ -13,7 +13,7 @@
 #include "stats/paths/free_flights.h"
 #include "stats/paths/lag_averages.h"
 #include "stats/paths/line_crossings.h"
-#include "stats/paths/pair_correlation.h"
+#include "stats/pairs/pair_correlation.h"
 #include "stats/paths/paths.h"
 #include "stats/paths/thermal_times.h"
 #include "support/bodies.h"

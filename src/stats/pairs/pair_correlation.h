@@ -14,20 +14,11 @@
 
 #include "physics/box.h"
 #include "physics/particles.h"
+#include "stats/pairs/rings.h"
 #include "stats/paths/paths.h"
 #include "stats/paths/sliding_sum.h"
 
 namespace carom {
-
-/// The positions of the sides of a box: (lower, upper) for each axis.
-using BoxSides = std::array<std::pair<double, double>, 2>;
-BoxSides sides_of(const Box& box);
-
-/// The probability that two points, each distributed uniformly over the positions that the centre
-/// of a disk of its radius (`radii`) can reach, are at a distance between `low` and `high`. In
-/// periodic boxes the distance is that of the nearest images, and must be at most half of the box.
-double ring_probability(const Box& box, const BoxSides& sides, std::pair<double, double> radii,
-                        double low, double high);
 
 class PairCorrelation {
   public:
@@ -35,7 +26,8 @@ class PairCorrelation {
         std::vector<bool> first = {}, second = {};  ///< flags by particle: pairs of one of `first`
                                                     ///< and one of `second`; empty: all
         double to = 1.0;                            ///< the largest distance
-        int rings = 100;                            ///< number of equal bins up to `to`
+        int rings = 100;                            ///< number of equal bins up to `to`; in space
+                                                    ///< they are shells
         std::optional<double> window = {};  ///< length of time before the present; 0: the present
                                             ///< moment only; none: all since the start
     };

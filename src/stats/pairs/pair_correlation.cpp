@@ -1,60 +1,17 @@
-#include "stats/paths/pair_correlation.h"
+#include "stats/pairs/pair_correlation.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
-#include "stats/paths/near_pairs.h"
+#include "stats/pairs/near_pairs.h"
 #include "util/bin_number.h"
 
 namespace carom {
 namespace {
 
 constexpr std::size_t most_radii = 12;  // told apart: their squares change g by the rest
-
-// The room that two points have along an axis, as a function of their separation along it. `first`
-// and `second` are the lengths of the intervals, about one centre, that each point can reach: the
-// room is constant up to flat(), half the difference of the lengths, and decreases linearly with
-// the separation from there to end(), where it is 0.
-struct Room {
-    double first, second;
-    bool is_periodic;
-    double flat() const { return is_periodic ? INFINITY : 0.5 * std::abs(first - second); }
-    double end() const { return is_periodic ? INFINITY : 0.5 * (first + second); }
-};
-
-// The integral of the product of both rooms over all directions of a separation of length r, in
-// closed form between the angles at which one of the rooms has a kink.
-double rooms_around(const Room& x, const Room& y, double r) {
-    std::vector<double> angles{0.0, 0.5 * std::numbers::pi};
-    for (const double bend : {x.flat(), x.end()})
-        if (bend < r) angles.push_back(std::acos(bend / r));
-    for (const double bend : {y.flat(), y.end()})
-        if (bend < r) angles.push_back(std::asin(bend / r));
-    std::ranges::sort(angles);
-    double sum = 0.0;
-    for (std::size_t k = 0; k + 1 < angles.size(); ++k) {
-        const double from = angles[k], to = angles[k + 1], middle = 0.5 * (from + to);
-        const double at_x = r * std::cos(middle), at_y = r * std::sin(middle);
-        if (at_x > x.end() || at_y > y.end()) continue;
-        // (a - b cos)(c - d sin)
-        const bool x_bends = at_x > x.flat(), y_bends = at_y > y.flat();
-        const double a = x_bends ? x.end() : std::min(x.first, x.second), b = x_bends ? r : 0.0;
-        const double c = y_bends ? y.end() : std::min(y.first, y.second), d = y_bends ? r : 0.0;
-        const double sine_to = std::sin(to), sine_from = std::sin(from);
-        sum += a * c * (to - from) - b * c * (sine_to - sine_from) -
-               a * d * (std::cos(from) - std::cos(to)) +
-               0.5 * b * d * (sine_to * sine_to - sine_from * sine_from);
-    }
-    return 4.0 * r * sum;
-}
-
-double room_between(const Room& x, double r) {
-    if (r > x.end()) return 0.0;
-    return 2.0 * (r > x.flat() ? x.end() - r : std::min(x.first, x.second));
-}
 
 // The time from one search for near pairs to the next: in it, fast particles fly this share of the
 // largest distance. Longer times have more pairs that come near, shorter ones more searches.
@@ -69,43 +26,7 @@ double fast_speed(const Sample& sample) {
     return std::sqrt(std::min(square.maxCoeff(), most * most * square.mean()));
 }
 
-// Five-point Gauss-Legendre quadrature.
-double integral(double low, double high, const auto& value) {
-    constexpr std::array<double, 3> nodes{0.0, 0.5384693101056831, 0.9061798459386640};
-    constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665,
-                                            0.2369268850561891};
-    const double half = 0.5 * (high - low), middle = 0.5 * (low + high);
-    double sum = weights[0] * value(middle);
-    for (std::size_t k = 1; k < nodes.size(); ++k)
-        sum += weights[k] * (value(middle - half * nodes[k]) + value(middle + half * nodes[k]));
-    return half * sum;
-}
-
 }  // namespace
-
-BoxSides sides_of(const Box& box) { return {{{0.0, box.size[0]}, {0.0, box.size[1]}}}; }
-
-double ring_probability(const Box& box, const BoxSides& sides, std::pair<double, double> radii,
-                        double low, double high) {
-    const auto room = [&](std::size_t axis) {
-        const double length = sides[axis].second - sides[axis].first;
-        const bool is_periodic = box.is_periodic(axis);
-        const auto its = [&](double radius) {
-            return is_periodic ? length : std::max(0.0, length - 2.0 * radius);
-        };
-        return Room{its(radii.first), its(radii.second), is_periodic};
-    };
-    const Room x = room(0);
-    if (box.dimension == 1) {
-        const double all = x.first * x.second;
-        return all > 0.0 ? integral(low, high, [&](double r) { return room_between(x, r); }) / all
-                         : 0.0;
-    }
-    const Room y = room(1);
-    const double all = x.first * x.second * y.first * y.second;
-    return all > 0.0 ? integral(low, high, [&](double r) { return rooms_around(x, y, r); }) / all
-                     : 0.0;
-}
 
 PairCorrelation::PairCorrelation(const Box& box, const Particles& particles, Wanted wanted,
                                  std::vector<double> velocity_changes)
@@ -370,16 +291,18 @@ int PairCorrelation::chords_of(double acceleration, double span) const {
 void PairCorrelation::add_images(const Vec& place, const Vec& velocity, double span,
                                  Eigen::ArrayXd& time) const {
     const Vec nearest = box_.nearest(place);
-    std::array<int, 2> others{0, 0};
+    std::array<int, 3> others{0, 0, 0};
     for (int axis = 0; axis < box_.dimension; ++axis)
         if (box_.is_periodic(axis) &&
             wanted_.to + std::abs(velocity[axis]) * span > 0.5 * box_.length(axis))
             others[static_cast<std::size_t>(axis)] = static_cast<int>(
                 std::ceil((wanted_.to + std::abs(velocity[axis]) * span) / box_.length(axis)));
-    for (int y = -others[1]; y <= others[1]; ++y)
-        for (int x = -others[0]; x <= others[0]; ++x)
-            add_flight({nearest[0] + x * box_.length(0), nearest[1] + y * box_.length(1)}, velocity,
-                       span, time);
+    for (int z = -others[2]; z <= others[2]; ++z)
+        for (int y = -others[1]; y <= others[1]; ++y)
+            for (int x = -others[0]; x <= others[0]; ++x)
+                add_flight({nearest[0] + x * box_.length(0), nearest[1] + y * box_.length(1),
+                            nearest[2] + z * box_.length(2)},
+                           velocity, span, time);
 }
 
 // The distance decreases until the closest approach and increases from there on.
@@ -401,7 +324,7 @@ void PairCorrelation::add_flight(const Vec& place, const Vec& velocity, double s
         return;
     }
     // The distance of closest approach, from the cross product, which avoids cancellation.
-    const double least = std::abs(place[0] * velocity[1] - place[1] * velocity[0]) / speed;
+    const double least = length(cross(place, velocity)) / speed;
     if (least >= wanted_.to) return;
     const double closest = -along / squared;
     if (closest <= 0.0 || closest >= span) {

@@ -37,7 +37,7 @@ class NearPairs {
     }
     std::vector<int> around(int cell) const;
 
-    Eigen::Array2i count_{1, 1};
+    Eigen::Array3i count_{1, 1, 1};
     std::array<bool, 3> is_periodic_{};
     std::vector<std::size_t> begin_;   ///< index in `order_` of the first particle of each cell
     std::vector<Eigen::Index> order_;  ///< particles sorted by cell

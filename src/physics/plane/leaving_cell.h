@@ -27,7 +27,8 @@ struct InCell {
 
 /// The first of the times at which it leaves its cell along each axis, upwards or downwards.
 template <typename Lanes, typename Masks>
-[[gnu::always_inline]] inline Leaving first_of(Lanes time, const Masks& upwards) {
+[[gnu::always_inline]] inline Leaving first_of(const Lanes& times, const Masks& upwards) {
+    Lanes time = times;
     Masks side;
     set_lower_sides(side);
     side = side - upwards;

@@ -20,7 +20,7 @@ struct Draw {
     int dimension, particles, chosen;
     bool periodic;  // momentum is 0
     TestedQuantity quantity;
-    bool both;  // components
+    bool both;  // all components
     Bins bins;
 };
 
@@ -32,7 +32,7 @@ EquilibriumGas gas_of(const Draw& draw, double mass) {
     gas.alpha = 0.5 * d;
     gas.beta = 0.5 * d * (n - (draw.periodic ? 2.0 : 1.0));
     const double share = draw.periodic ? 1.0 - 1.0 / n : 1.0;
-    gas.groups = {{mass, double(draw.chosen), {share, share}}};
+    gas.groups = {{mass, double(draw.chosen), {share, share, share}}};
     return gas;
 }
 
@@ -71,7 +71,7 @@ std::vector<double> observed_in(const Draw& draw, double mass, const Eigen::Arra
 
 Expected expected_of(const Draw& draw, const EquilibriumGas& gas) {
     return expected_counts(gas, draw.quantity, edges_of(draw.bins), draw.chosen,
-                           draw.both ? 2.0 : 1.0);
+                           draw.both ? double(draw.dimension) : 1.0);
 }
 
 constexpr double mass = 3.0;
@@ -211,6 +211,8 @@ TEST_CASE("p is spread evenly over gases in equilibrium") {
         {2, 300, 300, true, TestedQuantity::velocity, true, {-3, 3, 6}},
         {2, 300, 150, false, TestedQuantity::speed, false, {0, 4, 8}},
         {1, 400, 400, true, TestedQuantity::speed, false, {0, 2, 4}},
+        {3, 200, 200, true, TestedQuantity::velocity, true, {-3, 3, 6}},
+        {3, 200, 200, false, TestedQuantity::speed, false, {0, 4, 10}},
     };
     check_spread_of_p(draws, 7, "p of draw", p_of);
 }

@@ -87,7 +87,7 @@ TEST_CASE("rods on a ring keep their order, energy and momentum") {
     const auto sum = [&](int power) {
         long double total = 0.0L;
         for (int i = 0; i < 4; ++i)
-            total += std::pow(simulator.vx(i), power) / start.particles.inverse_mass[i];
+            total += std::pow(simulator.velocity(i).x, power) / start.particles.inverse_mass[i];
         return total;
     };
     const long double momentum = sum(1), energy = sum(2);

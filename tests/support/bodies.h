@@ -32,6 +32,26 @@ inline std::pair<Particles, Sample> start_of(int dimension, const std::vector<Di
     return {std::move(particles), std::move(sample)};
 }
 
+struct Sphere {
+    Vec place, velocity;
+    double radius = 0.5, inverse_mass = 1.0;
+};
+
+/// The same for spheres.
+inline std::pair<Particles, Sample> start_of(const std::vector<Sphere>& spheres) {
+    const auto count = static_cast<Eigen::Index>(spheres.size());
+    Particles particles{Eigen::ArrayXd(count), Eigen::ArrayXd(count), Eigen::ArrayXi::Zero(count)};
+    Sample sample{0.0, Eigen::ArrayXXd(count, 3), Eigen::ArrayXXd(count, 3)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const Sphere& sphere = spheres[static_cast<std::size_t>(i)];
+        particles.radius[i] = sphere.radius;
+        particles.inverse_mass[i] = sphere.inverse_mass;
+        put(sphere.place, sample.position, i);
+        put(sphere.velocity, sample.velocity, i);
+    }
+    return {std::move(particles), std::move(sample)};
+}
+
 inline Simulation simulation_of(const Box& box, const std::vector<Disk>& disks,
                                 const Run& run = {}) {
     auto [particles, sample] = start_of(box.dimension, disks);

@@ -88,11 +88,13 @@ class InstantComparison {
         for (Eigen::Index i = 0; i < sample_.velocity.rows(); ++i) {
             CAPTURE(i);
             const auto number = static_cast<std::int32_t>(i);
-            CAPTURE(sample_.velocity(i, 0));
-            CAPTURE(static_cast<double>(slow_.vx(number)));
-            REQUIRE(std::abs(sample_.velocity(i, 0) - slow_.vx(number)) < round_off * fastest);
-            if constexpr (dimension == 2)
-                REQUIRE(std::abs(sample_.velocity(i, 1) - slow_.vy(number)) < round_off * fastest);
+            for (int axis = 0; axis < dimension; ++axis) {
+                const long double expected = slow_.velocity(number)[axis];
+                CAPTURE(axis);
+                CAPTURE(sample_.velocity(i, axis));
+                CAPTURE(static_cast<double>(expected));
+                REQUIRE(std::abs(sample_.velocity(i, axis) - expected) < round_off * fastest);
+            }
         }
     }
 

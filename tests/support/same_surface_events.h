@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdint>
 #include <exception>
+#include <iterator>
+#include <numbers>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
@@ -27,8 +29,23 @@ struct SurfaceTally {
     int scenes = 0, pairs = 0, hits = 0, events = 0, refused = 0, ended = 0;
     int instants = 0, tied = 0;       ///< at which contacts coincided, and these contacts
     std::vector<double> flux, along;  ///< velocities normal to and along baths, in sqrt(T/m)
-    std::vector<double> sines;        ///< of the angles to the normal behind diffuse walls
+    /// Of the directions behind diffuse walls, each uniform in [-1, 1] by the cosine law: in the
+    /// plane the sine of the angle to the normal; in space 2 sin^2 - 1 of it, and the angle about
+    /// the normal in units of pi.
+    std::vector<double> sines, turns;
 };
+
+/// Directions across a normal, of length 1 and orthogonal to each other: those of the other axes in
+/// their order if the normal points along an axis.
+inline std::vector<SlowVector> across(const SlowVector& normal, int dimension) {
+    std::vector<SlowVector> all;
+    for (int axis = 0; axis < dimension && std::ssize(all) < dimension - 1; ++axis) {
+        SlowVector one = along_axis(axis) - normal[axis] * normal;
+        for (const SlowVector& other : all) one = one - dot(one, other) * other;
+        if (size(one) > 0.5L) all.push_back((1.0L / size(one)) * one);
+    }
+    return all;
+}
 
 /// Compares the two simulators from event to event: after each event the slow one takes over the
 /// state of the fast one.
@@ -112,8 +129,7 @@ class SurfaceComparison {
         const std::int64_t tied = fast_.counts().ties.contacts - tied_;
         tied_ += tied;
         if (tied > 0) return check_tie(found, tied);
-        const auto touch =
-            slow_.collide({found.first, second}, {found.first_after[0], found.first_after[1]});
+        const auto touch = slow_.collide({found.first, second}, slow(found.first_after));
         CAPTURE(static_cast<double>(touch.gap));
         CAPTURE(static_cast<double>(touch.approach));
         REQUIRE(std::abs(touch.gap) <= slow_.slack());
@@ -127,8 +143,8 @@ class SurfaceComparison {
         slow_.adopt(sample_, fast_.surfaces(found.time));
         // One that leaves a diffuse wall almost at rest may jump no higher than places are rounded.
         if (touch.is_random && square(found.first_after) < 1e-12) return false;
-        // A disk reflected while it overlaps the surface may meet it again without having left it.
-        // A piston that nothing holds is far away in the end, where round-off is large.
+        // A particle reflected while it overlaps the surface may meet it again without having left
+        // it. A piston that nothing holds is far away in the end, where round-off is large.
         return !touch.is_within && slow_.slack() < 1e-10L;
     }
 
@@ -149,7 +165,7 @@ class SurfaceComparison {
         return slow_.slack() < 1e-10L;
     }
 
-    // The disk must leave the wall, a diffuse one at its own speed; its velocity is stored, and
+    // The particle must leave the wall, a diffuse one at its own speed; its velocity is stored, and
     // compared with its distribution in the end.
     void check_random(const Collision& found) {
         const auto& mover = slow_.movers()[static_cast<std::size_t>(found.second.surface())];
@@ -158,19 +174,25 @@ class SurfaceComparison {
             normal = {};
             normal[mover.axis] = found.first_before[mover.axis] > 0.0 ? -1.0 : 1.0;
         }
-        normal /= length(normal);
-        const double away = dot(normal, found.first_after);
-        const double along = normal[0] * found.first_after[1] - normal[1] * found.first_after[0];
-        REQUIRE(away > 0.0);
+        const SlowVector away = slow(normal / length(normal)), after = slow(found.first_after);
+        const long double outward = dot(away, after);
+        REQUIRE(outward > 0.0L);
+        std::vector<double> along;
+        for (const SlowVector& direction : across(away, dimension))
+            along.push_back(static_cast<double>(dot(direction, after)));
         if (const auto* bath = bath_of(mover.behaviour)) {
             const double unit = std::sqrt(bath->temperature * particles_.inverse_mass[found.first]);
-            tally_.flux.push_back(away / unit);
-            if (dimension == 2) tally_.along.push_back(along / unit);
+            tally_.flux.push_back(static_cast<double>(outward) / unit);
+            for (const double each : along) tally_.along.push_back(each / unit);
             return;
         }
-        const double before = std::hypot(found.first_before[0], found.first_before[1]);
-        REQUIRE(std::hypot(away, along) == doctest::Approx(before).epsilon(1e-14));
-        tally_.sines.push_back(along / before);
+        const double before = length(found.first_before);
+        REQUIRE(length(found.first_after) == doctest::Approx(before).epsilon(1e-14));
+        if constexpr (dimension == 2) tally_.sines.push_back(along[0] / before);
+        if constexpr (dimension == 3) {
+            tally_.sines.push_back(2.0 * square(Vec(along[0], along[1]) / before) - 1.0);
+            tally_.turns.push_back(std::atan2(along[1], along[0]) / std::numbers::pi);
+        }
     }
 
     void compare(double time) {
@@ -181,24 +203,23 @@ class SurfaceComparison {
             return std::abs(found - expected) <= scale;
         };
         long double fastest = 1.0L;
-        for (const auto& disk : slow_.disks())
-            fastest = std::max(fastest, std::hypot(disk.v.x, disk.v.y));
+        for (const auto& body : slow_.bodies()) fastest = std::max(fastest, size(body.v));
         for (const auto& mover : slow_.movers())
             fastest = std::max(fastest, std::abs(mover.velocity));
-        for (std::size_t i = 0; i < slow_.disks().size(); ++i) {
-            const auto& disk = slow_.disks()[i];
+        for (std::size_t i = 0; i < slow_.bodies().size(); ++i) {
+            const auto& body = slow_.bodies()[i];
             CAPTURE(i);
             for (int axis = 0; axis < dimension; ++axis) {
                 const auto row = static_cast<Eigen::Index>(i);
-                long double off = sample_.position(row, axis) - disk.x[axis];
+                long double off = sample_.position(row, axis) - body.x[axis];
                 if (box_.is_periodic(axis)) off = std::remainder(off, box_.length(axis));
                 CAPTURE(axis);
                 REQUIRE(near(static_cast<double>(off), 0.0L, slow_.slack()));
                 CAPTURE(sample_.velocity(row, axis));
-                CAPTURE(static_cast<double>(disk.v[axis]));
+                CAPTURE(static_cast<double>(body.v[axis]));
                 const long double turn =
-                    disk.radius > 0.0L ? slow_.slack() / disk.radius : slow_.slack();
-                REQUIRE(near(sample_.velocity(row, axis), disk.v[axis], 10.0L * turn * fastest));
+                    body.radius > 0.0L ? slow_.slack() / body.radius : slow_.slack();
+                REQUIRE(near(sample_.velocity(row, axis), body.v[axis], 10.0L * turn * fastest));
             }
         }
         for (std::size_t k = 0; k < slow_.movers().size(); ++k) {
@@ -225,8 +246,8 @@ class SurfaceComparison {
     std::int64_t tied_ = 0;  ///< contacts that coincided so far
 };
 
-/// Moves some disks to special places, such as a corner, and sets some at rest, for instance on the
-/// floor.
+/// Moves some particles to special places, such as a corner, and sets some at rest, for instance on
+/// the floor.
 inline void move_some(const Box& box, const Particles& particles, Sample& start,
                       std::uint64_t seed) {
     Random random(seed, "special places");
@@ -269,7 +290,7 @@ void require_same_surface_events(const SurfaceScene& scene, std::uint64_t seed, 
         }
         comparison.go_on(20.0, most);
     } catch (const std::runtime_error& error) {
-        ++tally.ended;  // a driven wall reaches another surface, or crushes a disk
+        ++tally.ended;  // a driven wall reaches another surface, or crushes a particle
     }
 }
 

@@ -29,7 +29,7 @@ class SlowLine {
     void adopt(const Sample& state);
 
     long double x(std::int32_t i) const;  ///< in [0, length) on a ring
-    long double vx(std::int32_t i) const { return beads_[static_cast<std::size_t>(i)].v; }
+    SlowVector velocity(std::int32_t i) const { return {bead(i).v}; }
 
   private:
     struct Bead {

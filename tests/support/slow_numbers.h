@@ -1,28 +1,66 @@
-// Vectors and polynomials for the slow simulator of surfaces, in long double.
+// Vectors and polynomials for the slow simulators, in long double.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
+
+#include "physics/box.h"
+#include "physics/vec.h"
 
 namespace carom::test {
 
 constexpr long double infinite = std::numeric_limits<long double>::infinity();
 
+// There are always three components; those that a plane or a line does not have are 0.
 struct SlowVector {
-    long double x = 0.0L, y = 0.0L;
-    long double& operator[](int axis) { return axis == 0 ? x : y; }
-    long double operator[](int axis) const { return axis == 0 ? x : y; }
+    long double x = 0.0L, y = 0.0L, z = 0.0L;
+    long double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+    long double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
-inline SlowVector operator+(SlowVector a, SlowVector b) { return {a.x + b.x, a.y + b.y}; }
-inline SlowVector operator-(SlowVector a, SlowVector b) { return {a.x - b.x, a.y - b.y}; }
-inline SlowVector operator*(long double t, SlowVector a) { return {t * a.x, t * a.y}; }
-inline long double dot(SlowVector a, SlowVector b) { return a.x * b.x + a.y * b.y; }
-inline long double size(SlowVector a) { return std::hypot(a.x, a.y); }
-inline SlowVector left_of(SlowVector a) { return {-a.y, a.x}; }
+inline SlowVector slow(const Vec& a) { return {a[0], a[1], a[2]}; }
+inline SlowVector operator+(const SlowVector& a, const SlowVector& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline SlowVector operator-(const SlowVector& a, const SlowVector& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline SlowVector operator*(long double t, const SlowVector& a) {
+    return {t * a.x, t * a.y, t * a.z};
+}
+inline long double dot(const SlowVector& a, const SlowVector& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline long double size(const SlowVector& a) { return std::sqrt(dot(a, a)); }
+/// The largest component, as an absolute value.
+inline long double largest(const SlowVector& a) {
+    return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+inline SlowVector along_axis(int axis) {
+    SlowVector one;
+    one[axis] = 1.0L;
+    return one;
+}
+
+/// Shifts of a box to its periodic images, up to so many box lengths away along each axis.
+inline std::vector<SlowVector> images_of(const Box& box, int furthest) {
+    std::vector<SlowVector> images{{}};
+    for (int axis = 0; axis < box.dimension; ++axis) {
+        if (!box.is_periodic(axis)) continue;
+        std::vector<SlowVector> all;
+        for (int turns = -furthest; turns <= furthest; ++turns)
+            for (SlowVector image : images) {
+                image[axis] = turns * static_cast<long double>(box.size[axis]);
+                all.push_back(image);
+            }
+        images = std::move(all);
+    }
+    return images;
+}
 
 // The polynomial c[0] + c[1] t + ... + c[4] t^4.
 struct Polynomial {
@@ -74,7 +112,8 @@ inline std::vector<long double> falls_of(const Polynomial& p, long double end) {
 }
 
 // The component of r + v t + a t^2 / 2 along a direction, as a polynomial of t.
-inline Polynomial along(SlowVector direction, SlowVector r, SlowVector v, SlowVector a) {
+inline Polynomial along(const SlowVector& direction, const SlowVector& r, const SlowVector& v,
+                        const SlowVector& a) {
     return {{dot(direction, r), dot(direction, v), 0.5L * dot(direction, a), 0.0L, 0.0L}};
 }
 

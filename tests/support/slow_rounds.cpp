@@ -27,7 +27,7 @@ class Rounds {
         : participants_(participants), touches_(touches) {
         for (const SlowTouch& touch : touches) openings_.push_back(opening(touch));
         for (const SlowParticipant& its : participants)
-            fastest_ = std::max({fastest_, std::abs(its.v.x), std::abs(its.v.y)});
+            fastest_ = std::max(fastest_, largest(its.v));
     }
 
     int run() {
@@ -55,12 +55,12 @@ class Rounds {
 
   private:
     Opening opening(const SlowTouch& touch) const {
-        Opening all{std::vector<long double>(2 * participants_.size())};
+        Opening all{std::vector<long double>(3 * participants_.size())};
         const auto add = [&](std::size_t i, long double sign) {
-            for (int axis = 0; axis < 2; ++axis) {
+            for (int axis = 0; axis < 3; ++axis) {
                 const long double w = participants_[i].inverse_mass[axis];
                 if (w > 0.0L)
-                    all.e[2 * i + static_cast<std::size_t>(axis)] +=
+                    all.e[3 * i + static_cast<std::size_t>(axis)] +=
                         sign * touch.normal[axis] * std::sqrt(w);
                 else
                     all.constant += sign * touch.normal[axis] * participants_[i].v[axis];
@@ -74,7 +74,7 @@ class Rounds {
     std::vector<long double> scaled_velocities() const {
         std::vector<long double> u;
         for (const SlowParticipant& its : participants_)
-            for (int axis = 0; axis < 2; ++axis)
+            for (int axis = 0; axis < 3; ++axis)
                 u.push_back(its.inverse_mass[axis] > 0.0L
                                 ? its.v[axis] / std::sqrt(its.inverse_mass[axis])
                                 : 0.0L);
@@ -83,10 +83,10 @@ class Rounds {
 
     void set_scaled_velocities(const std::vector<long double>& u) {
         for (std::size_t i = 0; i < participants_.size(); ++i)
-            for (int axis = 0; axis < 2; ++axis)
+            for (int axis = 0; axis < 3; ++axis)
                 if (const long double w = participants_[i].inverse_mass[axis]; w > 0.0L)
                     participants_[i].v[axis] =
-                        u[2 * i + static_cast<std::size_t>(axis)] * std::sqrt(w);
+                        u[3 * i + static_cast<std::size_t>(axis)] * std::sqrt(w);
     }
 
     long double speed(std::size_t k) const {
@@ -96,7 +96,7 @@ class Rounds {
         const SlowTouch& touch = touches_[k];
         long double sum = fastest_;
         for (const std::size_t i : {touch.first, touch.second})
-            for (int axis = 0; axis < 2; ++axis)
+            for (int axis = 0; axis < 3; ++axis)
                 sum += std::abs(touch.normal[axis] * participants_[i].v[axis]);
         return 4.0L * std::numeric_limits<double>::epsilon() * sum;
     }
@@ -104,10 +104,8 @@ class Rounds {
 
     bool share_a_body(std::size_t a, std::size_t b) const {
         for (const std::size_t i : {touches_[a].first, touches_[a].second})
-            for (const std::size_t j : {touches_[b].first, touches_[b].second}) {
-                const SlowVector& w = participants_[i].inverse_mass;
-                if (i == j && w.x + w.y > 0.0L) return true;
-            }
+            for (const std::size_t j : {touches_[b].first, touches_[b].second})
+                if (i == j && participants_[i].can_be_pushed()) return true;
         return false;
     }
 
@@ -205,10 +203,8 @@ std::vector<SlowTouch> connected_with(std::size_t participant,
             if (!bodies.contains(touch.first) && !bodies.contains(touch.second)) continue;
             taken.insert(k);
             grows = true;
-            for (const std::size_t i : {touch.first, touch.second}) {
-                const SlowVector& w = participants[i].inverse_mass;
-                if (w.x + w.y > 0.0L) bodies.insert(i);
-            }
+            for (const std::size_t i : {touch.first, touch.second})
+                if (participants[i].can_be_pushed()) bodies.insert(i);
         }
     }
     std::vector<SlowTouch> found;

@@ -23,6 +23,8 @@ inline long double distance_of_round_off(long double time, long double speed, lo
 /// A particle or a surface. `inverse_mass`: along each axis, 0 if it is not pushed along it.
 struct SlowParticipant {
     SlowVector v, inverse_mass;
+
+    bool can_be_pushed() const { return largest(inverse_mass) > 0.0L; }
 };
 
 /// Two participants, and the direction of length 1 from the first to the second.

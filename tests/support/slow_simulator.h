@@ -1,8 +1,8 @@
-// A simple simulator of hard disks, as a reference for the fast one: at each event it examines all
-// pairs (with all periodic images) and all walls, moves all disks to the earliest contact, and
-// carries out the collision. It has no cell grid, no event queue and no local times, and uses the
-// textbook quadratic formula; its arithmetic is long double, which makes up for its larger
-// round-off.
+// A simple simulator of disks in a plane or of spheres in space, as a reference for the fast one:
+// at each event it examines all pairs (with all periodic images) and all walls, moves all particles
+// to the earliest contact, and carries out the collision. It has no cell grid, no event queue and
+// no local times, and uses the textbook quadratic formula; its arithmetic is long double, which
+// makes up for its larger round-off.
 #pragma once
 
 #include <cstdint>
@@ -32,24 +32,32 @@ class SlowSimulator {
     /// Takes over the state of another simulator.
     void adopt(const Sample& state);
 
-    long double x(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)].x; }
-    long double y(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)].y; }
-    long double vx(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)].vx; }
-    long double vy(std::int32_t i) const { return disks_[static_cast<std::size_t>(i)].vy; }
+    /// The state of a particle; its place lies in the box.
+    const SlowVector& place(std::int32_t i) const { return its(i).x; }
+    const SlowVector& velocity(std::int32_t i) const { return its(i).v; }
 
   private:
-    struct Disk {
-        long double x, y, vx, vy, radius, inverse_mass;
+    struct Body {
+        SlowVector x, v;
+        long double radius, inverse_mass;
     };
     struct Candidate {
         long double wait;
         std::int32_t first, second;
-        long double shift_x, shift_y;
+        SlowVector image;
     };
+    /// A particle and an image of another, relative to the first.
+    struct Pair {
+        SlowVector x, v;
+        long double contact;  ///< distance at contact
+    };
+    const Body& its(std::int32_t i) const { return bodies_[static_cast<std::size_t>(i)]; }
+    Pair pair(const Body& a, const Body& b, const SlowVector& image) const;
     void look_at_pairs(Candidate& best) const;
     void look_at_walls(Candidate& best) const;
     long double longest_step() const;
-    void fly(long double wait);
+    void move(long double wait);
+    void wrap();
     void collide(const Candidate& event);
     void append_touches_of_pair(std::size_t i, std::size_t j, std::vector<SlowTouch>& all) const;
     void append_touches_of_walls(std::size_t i, std::vector<SlowTouch>& all) const;
@@ -57,7 +65,8 @@ class SlowSimulator {
     void settle(const Candidate& first, SlowEvent& event);
 
     Box box_;
-    std::vector<Disk> disks_;
+    std::vector<SlowVector> images_;
+    std::vector<Body> bodies_;
     long double time_ = 0.0L;
 };
 

@@ -12,10 +12,10 @@ namespace carom::test {
 using Vector = SlowVector;
 
 SlowSurfaces::Touch SlowSurfaces::collide(const SlowContact& contact, const Vector& like) {
-    Disk& a = disks_[static_cast<std::size_t>(contact.first)];
+    Body& a = bodies_[static_cast<std::size_t>(contact.first)];
     if (contact.second < 0) a.passing.erase(-1 - contact.second);
     if (contact.second < 0) return collide_with_surface(a, -1 - contact.second, like);
-    Disk& b = disks_[static_cast<std::size_t>(contact.second)];
+    Body& b = bodies_[static_cast<std::size_t>(contact.second)];
     Touch touch{infinite, 0.0L};
     Vector normal;
     if (box_.dimension == 1) {
@@ -26,7 +26,7 @@ SlowSurfaces::Touch SlowSurfaces::collide(const SlowContact& contact, const Vect
         normal = {rank(contact.first) < rank(contact.second) ? 1.0L : -1.0L, 0.0L};
         touch = {dot(normal, m.r) - a.radius - b.radius, dot(normal, m.v)};
     } else {
-        for (const Vector& image : images()) {
+        for (const Vector& image : images_) {
             const Motion m = between(a, b, image);
             const long double gap = size(m.r) - a.radius - b.radius;
             if (!(std::abs(gap) < std::abs(touch.gap))) continue;
@@ -40,14 +40,14 @@ SlowSurfaces::Touch SlowSurfaces::collide(const SlowContact& contact, const Vect
     return touch;
 }
 
-long double SlowSurfaces::gap_of(const Motion& m, const Part& part, const Disk& disk) const {
-    if (!part.is_line) return size(m.r) - part.radius - disk.radius;
-    const long double foot = dot(part.along, m.r);
-    if (part.length < infinite && (foot < -slack_ || foot > part.length + slack_)) return infinite;
-    return std::abs(dot(left_of(part.along), m.r)) - disk.radius;
+long double SlowSurfaces::gap_of(const Motion& m, const Part& part, const Body& body) const {
+    if (!part.has(m.r, slack_)) return infinite;
+    const long double distance =
+        part.normal ? std::abs(dot(*part.normal, m.r)) : size(part.across(m.r));
+    return distance - part.radius - body.radius;
 }
 
-SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Disk& disk, std::int32_t surface,
+SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Body& body, std::int32_t surface,
                                                        const Vector& like) {
     const bool moves = static_cast<std::size_t>(surface) < movers_.size();
     Mover* mover = moves ? &movers_[static_cast<std::size_t>(surface)] : nullptr;
@@ -55,57 +55,58 @@ SlowSurfaces::Touch SlowSurfaces::collide_with_surface(Disk& disk, std::int32_t 
     Touch best{
         .gap = infinite, .approach = 0.0L, .is_random = moves && is_random(mover->behaviour)};
     long double nearest = infinite;
-    Vector after = disk.v, normal;
+    Vector after = body.v;
     for (const Part& part : parts_) {
         if (part.surface != surface) continue;
-        for (const Vector& image : images()) {
-            const Motion m = motion_of(disk, part, image);
-            const long double gap = gap_of(m, part, disk);
-            // A disk that a membrane has let in may be reflected while it overlaps the membrane.
-            if (gap > slack_ || (gap < -slack_ && !is_membrane)) continue;
-            if (!part.is_line && size(m.r) == 0.0L) continue;
-            const Vector n = part.is_line ? left_of(part.along) : (1.0L / size(m.r)) * m.r;
+        for (const Vector& image : part.images) {
+            const Motion m = motion_of(body, part, image);
+            const long double gap = gap_of(m, part, body);
+            // advance() finds a contact where the two overlap by the slack. A body that a membrane
+            // has let in may be reflected while it overlaps the membrane.
+            if (gap > slack_ || (gap < -2.0L * slack_ && !is_membrane)) continue;
+            const Vector away = part.across(m.r);
+            if (!part.normal && size(away) == 0.0L) continue;
+            const Vector n = part.normal ? *part.normal : (1.0L / size(away)) * away;
             // A point comes from the side that its velocity shows; its place is lost in round-off.
             const long double place =
-                disk.radius == 0.0L && part.surface >= 4 ? -dot(n, m.v) : dot(n, m.r);
-            const long double side = part.is_line ? side_of(part, place) : 1.0L;
+                body.radius == 0.0L && !box_.surfaces.is_side(surface) ? -dot(n, m.v) : dot(n, m.r);
+            const long double side = part.normal ? side_of(part, place) : 1.0L;
             const long double approach = side * dot(n, m.v);
             const long double other = moves ? mover->inverse_mass : 0.0L;
             const long double share =
-                other > 0.0L ? disk.inverse_mass / (disk.inverse_mass + other) : 1.0L;
-            const Vector v = disk.v - 2.0L * share * dot(n, m.v) * n;
+                other > 0.0L ? body.inverse_mass / (body.inverse_mass + other) : 1.0L;
+            const Vector v = body.v - 2.0L * share * dot(n, m.v) * n;
             if (!(size(v - like) < nearest) && !(nearest == infinite)) continue;
             nearest = size(v - like);
-            best.is_within = gap < -slack_;
+            best.is_within = gap < -2.0L * slack_;
             best.gap = best.is_within ? 0.0L : gap;
             best.approach = approach;
             after = v;
-            normal = n;
         }
     }
     if (moves && mover->inverse_mass > 0.0L)
         mover->velocity -=
             mover->inverse_mass *
-            (disk.inverse_mass > 0.0L
-                 ? (after - disk.v)[mover->axis] / disk.inverse_mass
-                 : 2.0L * (mover->velocity - disk.v[mover->axis]) / mover->inverse_mass);
-    disk.v = after;
+            (body.inverse_mass > 0.0L
+                 ? (after - body.v)[mover->axis] / body.inverse_mass
+                 : 2.0L * (mover->velocity - body.v[mover->axis]) / mover->inverse_mass);
+    body.v = after;
     return best;
 }
 
 long double SlowSurfaces::least_gap() const {
     long double least = infinite;
-    const std::vector<Vector> all = images();
-    for (std::size_t i = 0; i < disks_.size(); ++i) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
         for (const Part& part : parts_) {
-            if (!is_there(part) || lets_pass(part, disks_[i])) continue;
-            for (const Vector& image : all)
-                least = std::min(least, gap_of(motion_of(disks_[i], part, image), part, disks_[i]));
+            if (!is_there(part) || lets_pass(part, bodies_[i])) continue;
+            for (const Vector& image : part.images)
+                least =
+                    std::min(least, gap_of(motion_of(bodies_[i], part, image), part, bodies_[i]));
         }
-        for (std::size_t j = i + 1; j < disks_.size(); ++j)
-            for (const Vector& image : all)
-                least = std::min(least, size(between(disks_[i], disks_[j], image).r) -
-                                            disks_[i].radius - disks_[j].radius);
+        for (std::size_t j = i + 1; j < bodies_.size(); ++j)
+            for (const Vector& image : images_)
+                least = std::min(least, size(between(bodies_[i], bodies_[j], image).r) -
+                                            bodies_[i].radius - bodies_[j].radius);
     }
     return least;
 }
@@ -116,13 +117,13 @@ bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_th
     const auto mover = [&](const auto& its) -> Mover& {
         return movers_[static_cast<std::size_t>(its.surface)];
     };
-    // Finds disks that were let through the surface and would now overlap it.
+    // Finds particles that were let through the surface and would now overlap it.
     const auto close_on = [&](std::int32_t surface) {
-        for (std::size_t i = 0; i < disks_.size(); ++i)
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
             for (const Part& part : parts_)
-                for (const Vector& image : images())
-                    if (part.surface == surface && is_there(part) && !lets_pass(part, disks_[i]) &&
-                        gap_of(motion_of(disks_[i], part, image), part, disks_[i]) < -slack_)
+                for (const Vector& image : part.images)
+                    if (part.surface == surface && is_there(part) && !lets_pass(part, bodies_[i]) &&
+                        gap_of(motion_of(bodies_[i], part, image), part, bodies_[i]) < -slack_)
                         in_the_way.push_back(static_cast<std::int32_t>(i));
     };
     if (const auto* set = std::get_if<SetOpen>(&event.action)) {
@@ -152,18 +153,18 @@ bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_th
     } else if (const auto* heat = std::get_if<Heat>(&event.action)) {
         long double mass = 0.0L, mass_of_all = 0.0L, energy = 0.0L;
         Vector momentum, momentum_of_all;
-        std::vector<Disk*> all;
+        std::vector<Body*> all;
         bool are_finite = true;
-        for (Disk& disk : disks_) {
-            are_finite = are_finite && disk.inverse_mass > 0.0L;
-            if (!(disk.inverse_mass > 0.0L)) continue;
-            const long double its = 1.0L / disk.inverse_mass;
+        for (Body& body : bodies_) {
+            are_finite = are_finite && body.inverse_mass > 0.0L;
+            if (!(body.inverse_mass > 0.0L)) continue;
+            const long double its = 1.0L / body.inverse_mass;
             mass_of_all += its;
-            momentum_of_all = momentum_of_all + its * disk.v;
-            if (heat->species && disk.species != *heat->species) continue;
-            all.push_back(&disk);
+            momentum_of_all = momentum_of_all + its * body.v;
+            if (heat->species && body.species != *heat->species) continue;
+            all.push_back(&body);
             mass += its;
-            momentum = momentum + its * disk.v;
+            momentum = momentum + its * body.v;
         }
         if (all.empty()) return false;
         // Equal energy for each degree of freedom, without those of the centre-of-mass motion of
@@ -181,25 +182,23 @@ bool SlowSurfaces::apply(const RunEvent& event, std::vector<std::int32_t>& in_th
             ++drifting;
         }
         if (count < 2.0L && drifting == box_.dimension) return false;
-        for (const Disk* disk : all)
-            energy += 0.5L * dot(disk->v - mean, disk->v - mean) / disk->inverse_mass;
+        for (const Body* body : all)
+            energy += 0.5L * dot(body->v - mean, body->v - mean) / body->inverse_mass;
         const auto* to = std::get_if<Temperature>(&heat->amount);
         const long double wanted = to != nullptr ? 0.5L * freedom * to->value - of_mean
                                                  : energy + std::get<double>(heat->amount);
         if (!(energy > 0.0L && wanted > 0.0L)) return false;
-        for (Disk* disk : all) disk->v = mean + std::sqrt(wanted / energy) * (disk->v - mean);
+        for (Body* body : all) body->v = mean + std::sqrt(wanted / energy) * (body->v - mean);
     }
     settle();
     return in_the_way.empty();
 }
 
 void SlowSurfaces::adopt(const Sample& state, const std::vector<SurfaceState>& surfaces) {
-    for (std::size_t i = 0; i < disks_.size(); ++i) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        for (int axis = 0; axis < box_.dimension; ++axis) {
-            disks_[i].x[axis] = state.position(row, axis);
-            disks_[i].v[axis] = state.velocity(row, axis);
-        }
+        bodies_[i].x = slow(vec_in(state.position, row));
+        bodies_[i].v = slow(vec_in(state.velocity, row));
     }
     for (std::size_t k = 0; k < surfaces.size() && k < movers_.size(); ++k) {
         if (!surfaces[k].motion) continue;
@@ -213,9 +212,9 @@ void SlowSurfaces::adopt(const Sample& state, const std::vector<SurfaceState>& s
 // Round-off of positions and, because of the round-off of time, of the distances travelled.
 void SlowSurfaces::find_slack() {
     long double furthest = box_.longest_side(), fastest = 0.0L;
-    for (const Disk& disk : disks_) {
-        furthest = std::max(furthest, size(disk.x));
-        fastest = std::max(fastest, size(disk.v));
+    for (const Body& body : bodies_) {
+        furthest = std::max(furthest, size(body.x));
+        fastest = std::max(fastest, size(body.v));
     }
     for (const Mover& mover : movers_) {
         furthest = std::max(furthest, std::abs(mover.place));

@@ -11,74 +11,74 @@ using Vector = SlowVector;
 
 void SlowSurfaces::append_touches_of_pairs(std::vector<SlowTouch>& all) const {
     const auto add = [&](std::size_t i, std::size_t j, const Motion& m, const Vector& normal) {
-        const Disk &a = disks_[i], &b = disks_[j];
+        const Body &a = bodies_[i], &b = bodies_[j];
         const long double sigma = a.radius + b.radius;
-        if (a.inverse_mass + b.inverse_mass == 0.0L || (box_.dimension == 2 && sigma == 0.0L))
+        if (a.inverse_mass + b.inverse_mass == 0.0L || (box_.dimension > 1 && sigma == 0.0L))
             return;
-        const long double furthest =
-            std::max({std::abs(a.x.x), std::abs(a.x.y), std::abs(b.x.x), std::abs(b.x.y), sigma});
+        const long double furthest = std::max({largest(a.x), largest(b.x), sigma});
         all.push_back({i, j, normal, dot(normal, m.r) - sigma,
                        distance_of_round_off(time_, dot(normal, m.v), furthest + sigma)});
     };
-    for (std::size_t i = 0; i < disks_.size(); ++i)
-        for (std::size_t j = i + 1; j < disks_.size() && box_.dimension == 2; ++j)
-            for (const Vector& image : images()) {
-                const Motion m = between(disks_[i], disks_[j], image);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        for (std::size_t j = i + 1; j < bodies_.size() && box_.dimension > 1; ++j)
+            for (const Vector& image : images_) {
+                const Motion m = between(bodies_[i], bodies_[j], image);
                 add(i, j, m, (1.0L / size(m.r)) * m.r);
             }
     for (std::size_t k = 0; k + 1 < order_.size() && box_.dimension == 1; ++k)
-        add(order_[k], order_[k + 1], between(disks_[order_[k]], disks_[order_[k + 1]], {}),
+        add(order_[k], order_[k + 1], between(bodies_[order_[k]], bodies_[order_[k + 1]], {}),
             {1.0L, 0.0L});
 }
 
-// The normal points from the disk to the part, and the surfaces follow the disks: first those that
+// The normal points from the body to the part, and the surfaces follow the bodies: first those that
 // can move, then one that stands for all others.
 std::optional<SlowTouch> SlowSurfaces::touch_of(std::size_t i, const Part& part,
                                                 const Motion& m) const {
-    const Disk& disk = disks_[i];
+    const Body& body = bodies_[i];
     const auto k = std::min(static_cast<std::size_t>(part.surface), movers_.size());
     Vector n;
     long double gap = 0.0L;
-    if (part.is_line) {
-        const long double foot = dot(part.along, m.r);
-        if (part.length < infinite && (foot < 0.0L || foot > part.length)) return std::nullopt;
-        const Vector normal = left_of(part.along);
-        const bool is_point = disk.radius == 0.0L && part.surface >= 4;
-        const long double side = side_of(part, dot(normal, is_point ? -1.0L * m.v : m.r));
-        n = side * normal;
-        gap = dot(n, m.r) - disk.radius;
+    if (!part.has(m.r)) return std::nullopt;
+    if (part.normal) {
+        const bool is_point = body.radius == 0.0L && !box_.surfaces.is_side(part.surface);
+        const long double side = side_of(part, dot(*part.normal, is_point ? -1.0L * m.v : m.r));
+        n = side * *part.normal;
+        gap = dot(n, m.r) - body.radius;
     } else {
-        if (size(m.r) == 0.0L) return std::nullopt;
-        n = (1.0L / size(m.r)) * m.r;
-        gap = size(m.r) - part.radius - disk.radius;
+        const Vector away = part.across(m.r);
+        if (size(away) == 0.0L) return std::nullopt;
+        n = (1.0L / size(away)) * away;
+        gap = size(away) - part.radius - body.radius;
     }
-    const long double length = 2.0L * (disk.radius + std::abs(disk.x.x) + std::abs(disk.x.y));
-    return SlowTouch{i, disks_.size() + k, -1.0L * n, gap,
+    const long double length =
+        2.0L * (body.radius + std::abs(body.x.x) + std::abs(body.x.y) + std::abs(body.x.z));
+    return SlowTouch{i, bodies_.size() + k, -1.0L * n, gap,
                      distance_of_round_off(time_, dot(n, m.v), length)};
 }
 
 void SlowSurfaces::append_touches_of_parts(std::size_t i, std::vector<SlowTouch>& all) const {
-    const Disk& disk = disks_[i];
+    const Body& body = bodies_[i];
     for (const Part& part : parts_) {
         const auto k = static_cast<std::size_t>(part.surface);
         // On a line only the bead next to a wall can reach it.
         if (box_.dimension == 1 && i != (part.surface == 0 ? order_.front() : order_.back()))
             continue;
-        if (!is_there(part) || lets_pass(part, disk) || disk.passing.contains(part.surface))
+        if (!is_there(part) || lets_pass(part, body) || body.passing.contains(part.surface))
             continue;
-        if (k < movers_.size() && (admits(movers_[k], disk) || is_random(movers_[k].behaviour)))
+        if (k < movers_.size() && (admits(movers_[k], body) || is_random(movers_[k].behaviour)))
             continue;
         const long double pushed = k < movers_.size() ? movers_[k].inverse_mass : 0.0L;
-        if (disk.inverse_mass + pushed == 0.0L) continue;
-        for (const Vector& image : images())
-            if (const auto touch = touch_of(i, part, motion_of(disk, part, image)))
+        if (body.inverse_mass + pushed == 0.0L) continue;
+        for (const Vector& image : part.images)
+            if (const auto touch = touch_of(i, part, motion_of(body, part, image)))
                 all.push_back(*touch);
     }
 }
 
 std::vector<SlowParticipant> SlowSurfaces::participants() const {
     std::vector<SlowParticipant> all;
-    for (const Disk& disk : disks_) all.push_back({disk.v, {disk.inverse_mass, disk.inverse_mass}});
+    for (const Body& body : bodies_)
+        all.push_back({body.v, {body.inverse_mass, body.inverse_mass, body.inverse_mass}});
     for (const Mover& mover : movers_) {
         SlowParticipant& its = all.emplace_back();
         its.v[mover.axis] = mover.velocity;
@@ -91,10 +91,10 @@ std::vector<SlowParticipant> SlowSurfaces::participants() const {
 SlowSurfaces::Tie SlowSurfaces::settle_tie(const SlowContact& contact) {
     std::vector<SlowTouch> touches;
     append_touches_of_pairs(touches);
-    for (std::size_t i = 0; i < disks_.size(); ++i) append_touches_of_parts(i, touches);
+    for (std::size_t i = 0; i < bodies_.size(); ++i) append_touches_of_parts(i, touches);
     Tie tie{1, std::ranges::any_of(touches, &SlowTouch::is_doubtful)};
     const auto pushed = [&](std::int32_t i) {
-        return i >= 0 && disks_[static_cast<std::size_t>(i)].inverse_mass > 0.0L;
+        return i >= 0 && bodies_[static_cast<std::size_t>(i)].inverse_mass > 0.0L;
     };
     const std::int32_t begin = pushed(contact.first) ? contact.first : contact.second;
     if (!pushed(begin)) return tie;
@@ -103,9 +103,9 @@ SlowSurfaces::Tie SlowSurfaces::settle_tie(const SlowContact& contact) {
     if (connected.size() < 2) return tie;
     tie.contacts = carry_out_rounds(all, connected);
     if (tie.contacts < 2) return tie;
-    for (std::size_t i = 0; i < disks_.size(); ++i) disks_[i].v = all[i].v;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].v = all[i].v;
     for (std::size_t k = 0; k < movers_.size(); ++k)
-        movers_[k].velocity = all[disks_.size() + k].v[movers_[k].axis];
+        movers_[k].velocity = all[bodies_.size() + k].v[movers_[k].axis];
     return tie;
 }
 

@@ -2,113 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <variant>
 
 namespace carom::test {
 
 using Vector = SlowVector;
-
-// --------------------------------------------------------------------------------- what is there
-
-SlowSurfaces::SlowSurfaces(const Box& box, const Particles& particles, const Sample& start)
-    : box_(box), slack_(0.0L) {
-    const int dimension = box.dimension;
-    for (int side = 0; side < 4; ++side) {
-        const int axis = side / 2;
-        const long double place = side % 2 == 0 ? 0.0L : box.size[axis];
-        movers_.push_back({.axis = axis,
-                           .place = place,
-                           .behaviour = box.surfaces.sides[static_cast<std::size_t>(side)]});
-        if (axis < dimension && !box.is_periodic(axis)) add_partition(axis, place, {}, side);
-    }
-    std::int32_t surface = 4;
-    for (const Partition& line : box.surfaces.partitions) {
-        movers_.push_back({.axis = line.axis,
-                           .place = line.at,
-                           .behaviour = line.behaviour,
-                           .is_open = line.is_open});
-        add_partition(line.axis, line.at, line.gaps, surface++);
-    }
-    for (const Obstacle& obstacle : box.surfaces.obstacles) add_obstacle(obstacle, surface++);
-    for (Mover& mover : movers_) {
-        if (const auto* piston = std::get_if<Piston>(&mover.behaviour))
-            mover.velocity = piston->velocity;
-        set_motion(mover);
-    }
-    for (Eigen::Index i = 0; i < particles.count(); ++i)
-        disks_.push_back({.x = {},
-                          .v = {},
-                          .a = {},
-                          .radius = particles.radius[i],
-                          .inverse_mass = particles.inverse_mass[i],
-                          .species = particles.species[i]});
-    adopt(start, {});
-    order_.resize(disks_.size());
-    std::iota(order_.begin(), order_.end(), 0U);
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](auto a, auto b) { return disks_[a].x.x < disks_[b].x.x; });
-}
-
-void SlowSurfaces::add_partition(int axis, long double at, const std::vector<Gap>& gaps,
-                                 std::int32_t surface) {
-    const auto point = [&](long double where) {
-        return axis == 0 ? Vector{at, where} : Vector{where, at};
-    };
-    const Vector direction = axis == 0 ? Vector{0.0L, 1.0L} : Vector{1.0L, 0.0L};
-    if (gaps.empty()) {
-        parts_.push_back({true, point(0.0L), point(0.0L), direction, infinite, 0.0L, surface});
-        return;
-    }
-    const long double end = box_.size[1 - axis];
-    long double from = 0.0L;
-    const auto add_piece = [&](long double to) {
-        if (to <= from) return;
-        parts_.push_back({true, point(from), point(to), direction, to - from, 0.0L, surface});
-        if (!box_.is_periodic(1 - axis) && from == 0.0L)  // also beyond the wall, which may move
-            parts_.push_back(
-                {true, point(0.0L), point(0.0L), -1.0L * direction, 1e9L, 0.0L, surface});
-        if (!box_.is_periodic(1 - axis) && to == end)
-            parts_.push_back({true, point(end), point(end), direction, 1e9L, 0.0L, surface});
-        for (const long double corner : {from, to})
-            parts_.push_back({false, point(corner), point(corner), {}, 0.0L, 0.0L, surface});
-    };
-    for (const Gap& gap : gaps) {
-        add_piece(gap.from());
-        from = gap.to();
-    }
-    add_piece(end);
-    // No corner where the partition reaches a wall or its own periodic image.
-    const bool is_ring = box_.is_periodic(1 - axis);
-    const bool is_whole = gaps.front().from() > 0.0 && gaps.back().to() < end;
-    std::erase_if(parts_, [&](const Part& part) {
-        const long double where = part.place[1 - axis];
-        return part.surface == surface && !part.is_line && (where == 0.0L || where == end) &&
-               (!is_ring || is_whole);
-    });
-}
-
-void SlowSurfaces::add_obstacle(const Obstacle& obstacle, std::int32_t surface) {
-    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
-        const Vector center{disk->center[0], disk->center[1]};
-        parts_.push_back({false, center, center, {}, 0.0L, disk->radius, surface});
-        return;
-    }
-    const auto& lines = std::get<Obstacle::Lines>(obstacle.shape);
-    const auto& corners = lines.corners;
-    const auto corner = [&](std::size_t k) {
-        return Vector{corners[k % corners.size()][0], corners[k % corners.size()][1]};
-    };
-    for (std::size_t k = 0; k < corners.size(); ++k)
-        parts_.push_back({false, corner(k), corner(k), {}, 0.0L, 0.0L, surface});
-    for (std::size_t k = 0; k + (lines.is_closed ? 0 : 1) < corners.size(); ++k) {
-        const Vector line = corner(k + 1) - corner(k);
-        const long double length = size(line);
-        parts_.push_back(
-            {true, corner(k), corner(k + 1), (1.0L / length) * line, length, 0.0L, surface});
-    }
-}
 
 // Sets the motion that follows from the behaviour; a piston keeps its own velocity.
 void SlowSurfaces::set_motion(Mover& mover) {
@@ -132,27 +31,27 @@ void SlowSurfaces::set_motion(Mover& mover) {
     }
 }
 
-// Disks fall, except those that rest on a wall that does not move.
+// Particles fall, except those that rest on a wall that does not move.
 void SlowSurfaces::settle() {
-    const Vector gravity{box_.surfaces.gravity[0], box_.surfaces.gravity[1]};
-    for (Disk& disk : disks_) {
-        disk.a = gravity;
+    const Vector gravity = slow(box_.surfaces.gravity);
+    for (Body& body : bodies_) {
+        body.a = gravity;
         for (const Part& part : parts_) {
-            if (!part.is_line || part.length < infinite || !is_there(part)) continue;
+            if (!part.is_endless() || !is_there(part)) continue;
             if (movers_[static_cast<std::size_t>(part.surface)].is_mobile) continue;
-            const Vector normal = left_of(part.along);
-            const long double side = side_of(part, dot(normal, disk.x - part.place));
-            if (dot(normal, disk.v) == 0.0L && side * dot(normal, disk.a) < 0.0L &&
-                side * dot(normal, disk.x - part.place) < disk.radius + slack_)
-                disk.a = disk.a - dot(normal, disk.a) * normal;
+            const Vector& normal = *part.normal;
+            const long double side = side_of(part, dot(normal, body.x - part.place));
+            if (dot(normal, body.v) == 0.0L && side * dot(normal, body.a) < 0.0L &&
+                side * dot(normal, body.x - part.place) < body.radius + slack_)
+                body.a = body.a - dot(normal, body.a) * normal;
         }
     }
 }
 
-// On which side of a line a body is. For walls it is always the inside of the box, which lies to
-// the right of the left and top walls, seen along their direction.
-long double SlowSurfaces::side_of(const Part& part, long double distance) {
-    if (part.surface < 4) return part.surface == 0 || part.surface == 3 ? -1.0L : 1.0L;
+// On which side of a part a body is. For walls, whose normals point along an axis, it is always the
+// inside of the box.
+long double SlowSurfaces::side_of(const Part& part, long double distance) const {
+    if (box_.surfaces.is_side(part.surface)) return part.surface % 2 == 0 ? 1.0L : -1.0L;
     return distance < 0.0L ? -1.0L : 1.0L;
 }
 
@@ -161,93 +60,83 @@ bool SlowSurfaces::is_there(const Part& part) const {
     return k >= movers_.size() || !movers_[k].is_open;
 }
 
-bool SlowSurfaces::lets_pass(const Part& part, const Disk& disk) const {
+bool SlowSurfaces::lets_pass(const Part& part, const Body& body) const {
     const auto k = static_cast<std::size_t>(part.surface);
     if (k >= movers_.size()) return false;
     const auto* membrane = std::get_if<Membrane>(&movers_[k].behaviour);
     return membrane != nullptr && std::find(membrane->species.begin(), membrane->species.end(),
-                                            disk.species) != membrane->species.end();
+                                            body.species) != membrane->species.end();
 }
 
-bool SlowSurfaces::admits(const Mover& mover, const Disk& disk) const {
+bool SlowSurfaces::admits(const Mover& mover, const Body& body) const {
     const auto* membrane = std::get_if<Membrane>(&mover.behaviour);
     if (membrane == nullptr) return false;
-    const auto& speeds = disk.v[mover.axis] > 0.0L ? membrane->upward : membrane->downward;
-    return size(disk.v) > speeds.faster_than && size(disk.v) < speeds.slower_than;
+    const auto& speeds = body.v[mover.axis] > 0.0L ? membrane->upward : membrane->downward;
+    return size(body.v) > speeds.faster_than && size(body.v) < speeds.slower_than;
 }
 
 // ------------------------------------------------------------------------------ what comes next
 
-std::vector<SlowVector> SlowSurfaces::images() const {
-    std::vector<Vector> images;
-    for (int x = -1; x <= 1; ++x)
-        for (int y = -1; y <= 1; ++y)
-            if ((x == 0 || box_.is_periodic(0)) && (y == 0 || box_.is_periodic(1)))
-                images.push_back({x * static_cast<long double>(box_.size[0]),
-                                  y * static_cast<long double>(box_.size[1])});
-    return images;
-}
-
-SlowSurfaces::Motion SlowSurfaces::motion_of(const Disk& disk, const Part& part,
+SlowSurfaces::Motion SlowSurfaces::motion_of(const Body& body, const Part& part,
                                              const Vector& image) const {
-    Motion m{disk.x + image - part.place, disk.v, disk.a};
+    Motion m{body.x + image - part.place, body.v, body.a};
     const auto k = static_cast<std::size_t>(part.surface);
     if (k >= movers_.size()) return m;
     const Mover& mover = movers_[k];
     // The place of a part is that at the start; the mover has the present one.
-    m.r[mover.axis] = disk.x[mover.axis] + image[mover.axis] - mover.place;
+    m.r[mover.axis] = body.x[mover.axis] + image[mover.axis] - mover.place;
     m.v[mover.axis] -= mover.velocity;
     m.a[mover.axis] -= mover.acceleration;
     return m;
 }
 
-SlowSurfaces::Motion SlowSurfaces::between(const Disk& a, const Disk& b,
+SlowSurfaces::Motion SlowSurfaces::between(const Body& a, const Body& b,
                                            const Vector& image) const {
     return {b.x + image - a.x, b.v - a.v, b.a - a.a};
 }
 
-long double SlowSurfaces::time_to_circle(const Motion& m, long double distance,
-                                         long double before) const {
+// The times before `before` at which a body comes closer than this.
+std::vector<long double> SlowSurfaces::times_at(const Motion& m, long double distance,
+                                                long double before) const {
     const long double way = before * (size(m.v) + 0.5L * before * size(m.a));
-    if (size(m.r) > distance + way) return infinite;
+    if (size(m.r) > distance + way) return {};
     const Polynomial gap{{dot(m.r, m.r) - distance * distance, 2.0L * dot(m.r, m.v),
                           dot(m.v, m.v) + dot(m.r, m.a), dot(m.v, m.a), 0.25L * dot(m.a, m.a)}};
-    const auto falls = falls_of(gap, before);
-    return falls.empty() ? infinite : falls.front();
+    return falls_of(gap, before);
 }
 
-long double SlowSurfaces::time_to_part(const Disk& disk, const Part& part, const Motion& m,
+long double SlowSurfaces::time_to_part(const Body& body, const Part& part, const Motion& m,
                                        long double before) const {
-    // A disk that is let through and overlaps the surface must leave it before it can meet it
+    // A body that is let through and overlaps the surface must leave it before it can meet it
     // again.
-    const bool is_passing = disk.passing.contains(part.surface) && gap_of(m, part, disk) < slack_;
-    const long double reach = disk.radius + part.radius - (is_passing ? 0.0L : slack_);
+    const bool is_passing = body.passing.contains(part.surface) && gap_of(m, part, body) < slack_;
+    const long double reach = body.radius + part.radius - (is_passing ? 0.0L : slack_);
     const long double soonest = is_passing ? 1e-9L : 0.0L;
-    if (!part.is_line) {
+    const auto is_over = [&](long double t) { return part.has(m.r + t * (m.v + 0.5L * t * m.a)); };
+    if (!part.normal) {
         if (reach <= 0.0L) return infinite;
-        const long double t = time_to_circle(m, reach, before);
-        return t < soonest ? infinite : t;
+        const Motion across{part.across(m.r), part.across(m.v), part.across(m.a)};
+        for (const long double t : times_at(across, reach, before))
+            if (t >= soonest && is_over(t)) return t;
+        return infinite;
     }
-    const Vector normal = left_of(part.along);
+    const Vector& normal = *part.normal;
     const long double way =
         before * (std::abs(dot(normal, m.v)) + 0.5L * before * std::abs(dot(normal, m.a)));
     if (std::abs(dot(normal, m.r)) > std::abs(reach) + way) return infinite;
-    const Polynomial foot = along(part.along, m.r, m.v, m.a);
-    // A point on a line goes to the side that its velocity shows.
-    const bool is_on_line = disk.radius == 0.0L && std::abs(dot(normal, m.r)) < slack_;
-    const long double side = side_of(part, is_on_line ? dot(normal, m.v) : dot(normal, m.r));
+    // A point on a face goes to the side that its velocity shows.
+    const bool is_on_it = body.radius == 0.0L && std::abs(dot(normal, m.r)) < slack_;
+    const long double side = side_of(part, is_on_it ? dot(normal, m.v) : dot(normal, m.r));
     long double first = infinite;
     for (const long double from : {side, -side}) {
-        if (part.surface < 4 && from != side) continue;
+        if (box_.surfaces.is_side(part.surface) && from != side) continue;
         Polynomial gap = along(from * normal, m.r, m.v, m.a);
         gap.c[0] -= reach;
         if (from != side && gap.c[0] > 0.0L) continue;  // a body in contact stays on its own side
         for (const long double t : falls_of(gap, before)) {
-            if (t < soonest || (t == 0.0L && from != side)) continue;
-            if (part.length == infinite || (foot(t) >= 0.0L && foot(t) <= part.length)) {
-                first = std::min(first, t);
-                break;
-            }
+            if (t < soonest || (t == 0.0L && from != side) || !is_over(t)) continue;
+            first = std::min(first, t);
+            break;
         }
     }
     return first;
@@ -259,7 +148,7 @@ void SlowSurfaces::look_at_pairs(Next& next) const {
     };
     if (box_.dimension == 1) {
         for (std::size_t k = 0; k + 1 < order_.size(); ++k) {
-            const Disk &a = disks_[order_[k]], &b = disks_[order_[k + 1]];
+            const Body &a = bodies_[order_[k]], &b = bodies_[order_[k + 1]];
             const Motion m = between(a, b, {});
             Polynomial gap = along({1.0L, 0.0L}, m.r, m.v, m.a);
             gap.c[0] -= a.radius + b.radius - slack_;
@@ -268,25 +157,24 @@ void SlowSurfaces::look_at_pairs(Next& next) const {
         }
         return;
     }
-    const std::vector<Vector> all = images();
-    for (std::size_t i = 0; i < disks_.size(); ++i)
-        for (std::size_t j = i + 1; j < disks_.size(); ++j) {
-            const Disk &a = disks_[i], &b = disks_[j];
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        for (std::size_t j = i + 1; j < bodies_.size(); ++j) {
+            const Body &a = bodies_[i], &b = bodies_[j];
             const long double distance = a.radius + b.radius - slack_;
             if (distance <= 0.0L || a.inverse_mass + b.inverse_mass == 0.0L) continue;
-            for (const Vector& image : all)
-                consider(i, j, time_to_circle(between(a, b, image), distance, next.wait));
+            for (const Vector& image : images_)
+                for (const long double t : times_at(between(a, b, image), distance, next.wait))
+                    consider(i, j, t);
         }
 }
 
 void SlowSurfaces::look_at_parts(Next& next) const {
-    const std::vector<Vector> all = images();
-    for (std::size_t i = 0; i < disks_.size(); ++i)
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
         for (const Part& part : parts_) {
-            if (!is_there(part) || lets_pass(part, disks_[i])) continue;
-            for (const Vector& image : all) {
-                const Motion m = motion_of(disks_[i], part, image);
-                const long double t = time_to_part(disks_[i], part, m, next.wait);
+            if (!is_there(part) || lets_pass(part, bodies_[i])) continue;
+            for (const Vector& image : part.images) {
+                const Motion m = motion_of(bodies_[i], part, image);
+                const long double t = time_to_part(bodies_[i], part, m, next.wait);
                 if (t < next.wait) next = {t, static_cast<std::int32_t>(i), -1 - part.surface};
             }
         }
@@ -294,9 +182,8 @@ void SlowSurfaces::look_at_parts(Next& next) const {
 
 // The end of the part that the mover would hit; none if the mover is already alongside the part.
 std::optional<long double> SlowSurfaces::end_towards(const Part& part, const Mover& mover) const {
-    const long double first = part.place[mover.axis], last = part.end[mover.axis];
-    const long double low = std::min(first, last) - part.radius;
-    const long double high = std::max(first, last) + part.radius;
+    const long double low = part.low[mover.axis] - part.radius;
+    const long double high = part.high[mover.axis] + part.radius;
     if (mover.place > low && mover.place < high) return std::nullopt;
     return mover.place - low < high - mover.place ? low : high;
 }
@@ -355,9 +242,9 @@ long double SlowSurfaces::least_room() const {
 // images examined suffice.
 long double SlowSurfaces::longest_step() const {
     long double fastest = 1e-300L, acceleration = 0.0L;
-    for (const Disk& disk : disks_) {
-        fastest = std::max(fastest, size(disk.v));
-        acceleration = std::max(acceleration, size(disk.a));
+    for (const Body& body : bodies_) {
+        fastest = std::max(fastest, size(body.v));
+        acceleration = std::max(acceleration, size(body.a));
     }
     long double quarter = infinite;
     for (int axis = 0; axis < box_.dimension; ++axis)
@@ -368,12 +255,12 @@ long double SlowSurfaces::longest_step() const {
 
 void SlowSurfaces::fly(long double wait) {
     time_ += wait;
-    for (Disk& disk : disks_) {
-        disk.x = disk.x + wait * (disk.v + 0.5L * wait * disk.a);
-        disk.v = disk.v + wait * disk.a;
-        for (int axis = 0; axis < 2; ++axis)
+    for (Body& body : bodies_) {
+        body.x = body.x + wait * (body.v + 0.5L * wait * body.a);
+        body.v = body.v + wait * body.a;
+        for (int axis = 0; axis < box_.dimension; ++axis)
             if (box_.is_periodic(axis))
-                disk.x[axis] -= box_.size[axis] * std::floor(disk.x[axis] / box_.size[axis]);
+                body.x[axis] -= box_.size[axis] * std::floor(body.x[axis] / box_.size[axis]);
     }
     for (Mover& mover : movers_) {
         if (!mover.is_mobile) continue;
@@ -419,9 +306,9 @@ std::optional<SlowContact> SlowSurfaces::advance(long double time) {
         }
         if (next.second < 0) {
             const auto k = static_cast<std::size_t>(-1 - next.second);
-            Disk& disk = disks_[static_cast<std::size_t>(next.first)];
-            if (k < movers_.size() && admits(movers_[k], disk)) {
-                disk.passing.insert(static_cast<std::int32_t>(k));
+            Body& body = bodies_[static_cast<std::size_t>(next.first)];
+            if (k < movers_.size() && admits(movers_[k], body)) {
+                body.passing.insert(static_cast<std::int32_t>(k));
                 continue;
             }
         }

@@ -1,4 +1,5 @@
-// Small random scenes of every kind, in the plane and on a line, each generated from a seed.
+// Small random scenes of every kind, in space, in the plane and on a line, each generated from a
+// seed.
 #pragma once
 
 #include <cmath>
@@ -14,14 +15,20 @@ inline Wall any_wall(Random& random) {
 }
 
 /// A small random scene: mixed radii and masses, fixed and moving particles of infinite mass, all
-/// kinds of walls, boxes with few cells as well as dilute ones.
-inline Gas small_scene(std::uint64_t seed) {
+/// kinds of walls, boxes with few cells as well as dilute ones. In the plane, or in space.
+inline Gas small_scene(std::uint64_t seed, int dimension = 2) {
     Random random(seed, "small scene");
     Gas gas;
     gas.seed = seed;
-    gas.box.size = {random.uniform(2.5, 9.0), random.uniform(2.5, 9.0)};
-    gas.box.walls = {any_wall(random), any_wall(random)};
-    const double r = 0.5 * std::sqrt(gas.box.content()) * random.uniform(0.08, 0.2);
+    gas.box.dimension = dimension;
+    gas.box.surfaces.side_count = 2 * dimension;
+    const bool in_space = dimension == 3;
+    const double longest = in_space ? 6.0 : 9.0;
+    for (int axis = 0; axis < dimension; ++axis) gas.box.size[axis] = random.uniform(2.5, longest);
+    for (int axis = 0; axis < dimension; ++axis)
+        gas.box.walls[static_cast<std::size_t>(axis)] = any_wall(random);
+    const double r = 0.5 * std::pow(gas.box.content(), 1.0 / dimension) *
+                     (in_space ? random.uniform(0.12, 0.3) : random.uniform(0.08, 0.2));
     gas.species.push_back({.name = "small",
                            .count = 1 + static_cast<int>(random.below(5)),
                            .radius = UniformDistribution{0.3 * r, r},
@@ -39,15 +46,18 @@ inline Gas small_scene(std::uint64_t seed) {
                                .count = 1,
                                .radius = r,
                                .mass = Infinite{},
-                               .velocity = Velocity{{{random.uniform(-1, 1), 0.3}}}});
-    // The speed of a single disk in a periodic box, which would let the gas drift, is refused.
-    const bool is_periodic = gas.box.is_periodic(0) && gas.box.is_periodic(1);
+                               .velocity = Velocity{{{random.uniform(-1, 1), 0.3,
+                                                      in_space ? random.uniform(-1, 1) : 0.0}}}});
+    // The speed of a single particle in a periodic box, which would let the gas drift, is refused.
+    const bool is_periodic =
+        on_each_axis(dimension, [&](int axis) { return gas.box.is_periodic(axis); });
     if (is_periodic && gas.species.size() == 2 && gas.species[1].count == 1)
-        gas.species[1].velocity = Velocity{{{random.uniform(-2.0, 2.0), 0.5}}};
+        gas.species[1].velocity =
+            Velocity{{{random.uniform(-2.0, 2.0), 0.5, in_space ? 0.3 : 0.0}}};
     return gas;
 }
 
-/// Whether a disk may be trapped between a moving and a fixed particle of infinite mass, where
+/// Whether a particle may be trapped between a moving and a fixed particle of infinite mass, where
 /// collisions accumulate without end.
 inline bool may_crush(const Gas& gas) { return gas.species.size() > 3; }
 

@@ -1,5 +1,5 @@
-// Small random scenes with active surfaces, obstacles, gravity and events, in the plane and on a
-// line, each generated from a seed.
+// Small random scenes with active surfaces, obstacles, gravity and events, in space, in the plane
+// and on a line, each generated from a seed.
 #pragma once
 
 #include <algorithm>
@@ -31,34 +31,65 @@ inline Behaviour any_behaviour(Random& random, int dimension, bool is_side, bool
     if (may_move && which < 0.35)
         return Driven{random.uniform(-0.3, 0.3), random.uniform() < 0.5 ? 3.0 : 50.0};
     if (which < 0.45) return Bath{random.uniform(0.5, 3.0)};
-    if (dimension == 2 && which > 0.88) return Diffuse{};
+    if (dimension > 1 && which > 0.88) return Diffuse{};
     if (is_side || which < 0.7) return Reflecting{};
     if (which < 0.8) return Membrane{.species = {static_cast<std::int32_t>(random.below(2))}};
     return Membrane{.upward = {.faster_than = random.uniform(0.0, 2.0)},
                     .downward = {.faster_than = 0.0, .slower_than = random.uniform(0.0, 2.0)}};
 }
 
-inline Partition any_partition(Random& random, const Box& box, bool may_move, std::string name) {
-    const int axis = static_cast<int>(random.below(2));
-    const bool has_gaps = random.uniform() < 0.5;
-    Partition line{.name = std::move(name),
-                   .axis = axis,
-                   .at = box.length(axis) * random.uniform(0.2, 0.8),
-                   .behaviour = any_behaviour(random, 2, false, may_move && !box.is_periodic(axis)),
-                   .is_open = random.uniform() < 0.15};
-    if (!has_gaps || std::holds_alternative<Piston>(line.behaviour)) return line;
-    // Some gaps are narrower than a disk, some begin at a wall.
-    const double length = box.length(1 - axis);
+/// Random gaps in a partition across `box`, whose other axes are these. Some are narrower than a
+/// particle, some begin at a wall; in space some reach along each other.
+inline std::vector<Gap> any_gaps(Random& random, const Box& box, const std::vector<int>& others) {
+    std::vector<Gap> gaps;
+    const double length = box.length(others[0]);
     double from = random.uniform() < 0.2 ? 0.0 : length * random.uniform(0.05, 0.4);
     for (int k = 0; k < 2 && from < 0.9 * length; ++k) {
         const double to = std::min(length, from + length * std::pow(random.uniform(), 2.0) * 0.5);
-        line.gaps.emplace_back(from, to);
+        Gap gap(from, to);
+        if (others.size() > 1) {
+            const double across = box.length(others[1]);
+            gap.low[1] = random.uniform() < 0.2 ? 0.0 : across * random.uniform(0.0, 0.6);
+            gap.high[1] = random.uniform() < 0.2 ? across : random.uniform(gap.low[1], across);
+        }
+        gaps.push_back(gap);
         from = to + length * random.uniform(0.02, 0.3);
+        if (others.size() > 1 && random.uniform() < 0.3) from = to;
     }
-    return line;
+    return gaps;
+}
+
+inline Partition any_partition(Random& random, const Box& box, bool may_move, std::string name) {
+    const int dimension = box.dimension;
+    const int axis = static_cast<int>(random.below(static_cast<std::uint64_t>(dimension)));
+    const bool has_gaps = random.uniform() < 0.5;
+    Partition partition{
+        .name = std::move(name),
+        .axis = axis,
+        .at = box.length(axis) * random.uniform(0.2, 0.8),
+        .behaviour = any_behaviour(random, dimension, false, may_move && !box.is_periodic(axis)),
+        .is_open = random.uniform() < 0.15};
+    if (!has_gaps || std::holds_alternative<Piston>(partition.behaviour)) return partition;
+    std::vector<int> others;
+    for (int other = 0; other < dimension; ++other)
+        if (other != axis) others.push_back(other);
+    partition.gaps = any_gaps(random, box, others);
+    return partition;
+}
+
+/// A sphere or a cuboid.
+inline Obstacle any_body_in_space(Random& random, const Box& box, std::string name) {
+    Vec at, size;
+    for (int axis = 0; axis < 3; ++axis) at[axis] = box.size[axis] * random.uniform(0.15, 0.85);
+    if (random.uniform() < 0.3)
+        return {std::move(name), Obstacle::Ball{at, random.uniform(0.05, 1.0)}};
+    for (int axis = 0; axis < 3; ++axis)
+        size[axis] = random.uniform() < 0.2 ? 0.01 : random.uniform(0.1, 1.5);
+    return {std::move(name), Obstacle::Cuboid{at - 0.5 * size, at + 0.5 * size}};
 }
 
 inline Obstacle any_obstacle(Random& random, const Box& box, std::string name) {
+    if (box.dimension == 3) return any_body_in_space(random, box, std::move(name));
     const Vec at{box.size[0] * random.uniform(0.15, 0.85),
                  box.size[1] * random.uniform(0.15, 0.85)};
     const auto near = [&](double far) {
@@ -96,8 +127,10 @@ inline bool is_across(const Obstacle& obstacle, const Box& box) {
         const auto include = [&](double from, double to) {
             low = std::min(low, from), high = std::max(high, to);
         };
-        if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
-            include(disk->center[axis] - disk->radius, disk->center[axis] + disk->radius);
+        if (const auto* ball = std::get_if<Obstacle::Ball>(&obstacle.shape))
+            include(ball->center[axis] - ball->radius, ball->center[axis] + ball->radius);
+        else if (const auto* cuboid = std::get_if<Obstacle::Cuboid>(&obstacle.shape))
+            include(cuboid->low[axis], cuboid->high[axis]);
         else
             for (const auto& corner : std::get<Obstacle::Lines>(obstacle.shape).corners)
                 include(corner[axis], corner[axis]);
@@ -105,7 +138,8 @@ inline bool is_across(const Obstacle& obstacle, const Box& box) {
     };
     bool is = false;
     for (const Partition& line : box.surfaces.partitions) is = is || is_at(line.axis, line.at);
-    for (const int axis : {0, 1}) is = is || is_at(axis, 0.0) || is_at(axis, box.length(axis));
+    for (int axis = 0; axis < box.dimension; ++axis)
+        is = is || is_at(axis, 0.0) || is_at(axis, box.length(axis));
     return is;
 }
 
@@ -113,12 +147,13 @@ inline bool is_across(const Obstacle& obstacle, const Box& box) {
 inline std::vector<RunEvent> any_events(Random& random, const Box& box, bool surfaces_move = true) {
     std::vector<RunEvent> events;
     double time = 0.0;
-    const auto side = static_cast<std::int32_t>(random.below(box.dimension == 1 ? 2 : 4));
+    const auto side =
+        static_cast<std::int32_t>(random.below(2 * static_cast<std::uint64_t>(box.dimension)));
     const bool has_partition = !box.surfaces.partitions.empty();
     for (int k = 0; k < 4; ++k) {
         time += random.uniform(0.1, 2.0);
         const bool of_partition = has_partition && random.uniform() < 0.7;
-        const std::int32_t which = of_partition ? Surfaces{}.first_partition() : side;
+        const std::int32_t which = of_partition ? box.surfaces.first_partition() : side;
         const int axis = of_partition ? box.surfaces.partitions[0].axis : side / 2;
         if (!of_partition && box.is_periodic(axis)) continue;
         const bool may_move = !box.is_periodic(axis) && surfaces_move;
@@ -156,8 +191,8 @@ inline std::vector<RunEvent> any_events(Random& random, const Box& box, bool sur
     return events;
 }
 
-/// A random scene of disks in the plane among surfaces of all kinds.
-inline SurfaceScene small_box(std::uint64_t seed) {
+/// A random scene of particles among surfaces of all kinds, in the plane or in space.
+inline SurfaceScene small_box(std::uint64_t seed, int dimension = 2) {
     Random random(seed, "small box with surfaces");
     SurfaceScene scene;
     Gas& gas = scene.gas;
@@ -165,16 +200,20 @@ inline SurfaceScene small_box(std::uint64_t seed) {
     Box& box = gas.box;
     Surfaces& surfaces = box.surfaces;
     surfaces.seed = seed;
-    box.size = {random.uniform(4.0, 10.0), random.uniform(4.0, 10.0)};
+    surfaces.side_count = 2 * dimension;
+    box.dimension = dimension;
+    const bool in_space = dimension == 3;
+    for (int axis = 0; axis < dimension; ++axis)
+        box.size[axis] = in_space ? random.uniform(2.5, 6.0) : random.uniform(4.0, 10.0);
     for (Wall& wall : box.walls) wall = random.uniform() < 0.25 ? Wall::periodic : Wall::solid;
     const double falls = random.uniform();
-    for (int axis = 0; axis < 2; ++axis)
+    for (int axis = 0; axis < dimension; ++axis)
         if (!box.is_periodic(axis) && (axis == 1 ? falls < 0.6 : falls < 0.2))
             surfaces.gravity[axis] = random.uniform(-2.0, 1.0);
     const bool may_move = random.uniform() < 0.6;
-    for (std::size_t side = 0; side < 4; ++side)
+    for (std::size_t side = 0; side < surfaces.numbered_sides().size(); ++side)
         if (!box.is_periodic(side / 2) && random.uniform() < 0.3)
-            surfaces.sides[side] = any_behaviour(random, 2, true, may_move);
+            surfaces.sides[side] = any_behaviour(random, dimension, true, may_move);
     for (std::uint64_t k = random.below(3); k > 0; --k)
         surfaces.partitions.push_back(any_partition(random, box, may_move, "line"));
     for (std::uint64_t k = random.below(3); k > 0; --k) {
@@ -182,7 +221,8 @@ inline SurfaceScene small_box(std::uint64_t seed) {
         if (!may_move || !is_across(obstacle, box))
             surfaces.obstacles.push_back(std::move(obstacle));
     }
-    const double radius = random.uniform() < 0.15 ? 0.0 : random.uniform(0.02, 0.5);
+    const double radius =
+        random.uniform() < 0.15 ? 0.0 : random.uniform(0.02, in_space ? 0.7 : 0.5);
     for (const char* name : {"one", "other"})
         gas.species.push_back({.name = name,
                                .count = static_cast<std::int64_t>(1 + random.below(5)),

@@ -26,8 +26,8 @@ using test::Sphere;
 
 namespace {
 
-// Where a cuboid, or a plate with one rectangular hole, is nearest to a point: by clamping its
-// coordinates, not by faces, edges and corners.
+// Where a cuboid, which may be a thin plate, or a plate with one rectangular hole is nearest to a
+// point: by clamping its coordinates, not by faces, edges and corners.
 SlowVector nearest_of(const Obstacle::Cuboid& cuboid, const SlowVector& x) {
     SlowVector nearest;
     for (int axis = 0; axis < 3; ++axis)
@@ -59,16 +59,16 @@ SlowVector nearest_of(const Partition& plate, const SlowVector& x) {
 struct Flight {
     Box box;
     Sphere sphere;
+    Obstacle::Cuboid solid = {};  // the body, unless it is a plate with a hole
 
     SlowVector at(long double t) const {
         return test::slow(sphere.place) +
                t * (test::slow(sphere.velocity) + 0.5L * t * test::slow(box.surfaces.gravity));
     }
     SlowVector nearest(const SlowVector& x) const {
-        const Surfaces& its = box.surfaces;
-        return its.partitions.empty()
-                   ? nearest_of(std::get<Obstacle::Cuboid>(its.obstacles.at(0).shape), x)
-                   : nearest_of(its.partitions.at(0), x);
+        const std::vector<Partition>& plates = box.surfaces.partitions;
+        const bool has_hole = !plates.empty() && plates[0].gaps.size() == 1;
+        return has_hole ? nearest_of(plates[0], x) : nearest_of(solid, x);
     }
     long double to_walls(const SlowVector& x) const {
         long double least = test::infinite;
@@ -103,15 +103,31 @@ Flight any_flight(std::uint64_t seed) {
     };
     if (random.uniform() < 0.8) surfaces.gravity = anywhere(-2.0, 2.0);
     sphere.radius = random.uniform(0.1, 1.0);
-    if (seed % 2 == 0) {
+    if (seed % 3 == 0) {
         const Vec low = anywhere(2.5, 4.0);
-        surfaces.obstacles = {{"block", Obstacle::Cuboid{low, low + anywhere(0.1, 1.5)}}};
+        flight.solid = {low, low + anywhere(0.1, 1.5)};
+        surfaces.obstacles = {{"block", flight.solid}};
     } else {
         Partition plate{.name = "plate", .axis = static_cast<int>(random.below(3)), .at = 4.0};
-        const double low[] = {random.uniform(2.0, 3.9), random.uniform(2.0, 3.9)};
-        plate.gaps.push_back(
-            {{low[0], low[1]},
-             {low[0] + random.uniform(0.5, 4.0), low[1] + random.uniform(0.5, 4.0)}});
+        const int axes[] = {plate.axis == 0 ? 1 : 0, plate.axis == 2 ? 1 : 2};
+        std::array<double, 2> low{}, high{};
+        for (const std::size_t k : {0U, 1U}) {
+            low[k] = random.uniform(2.0, 3.9);
+            high[k] = low[k] + random.uniform(0.5, 4.0);
+        }
+        if (seed % 3 == 1) {
+            plate.gaps = {{low, high}};
+        } else {  // nothing but this rectangle is left of it
+            plate.gaps = {{{0.0, 0.0}, {low[0], 8.0}},
+                          {{low[0], 0.0}, {high[0], low[1]}},
+                          {{low[0], high[1]}, {high[0], 8.0}},
+                          {{high[0], 0.0}, {8.0, 8.0}}};
+            flight.solid.low[plate.axis] = flight.solid.high[plate.axis] = plate.at;
+            for (const std::size_t k : {0U, 1U}) {
+                flight.solid.low[axes[k]] = low[k];
+                flight.solid.high[axes[k]] = high[k];
+            }
+        }
         surfaces.partitions = {plate};
     }
     do {

@@ -12,6 +12,7 @@
 #include "physics/events/event_loop.h"
 #include "physics/placement/placement.h"
 #include "physics/simulation.h"
+#include "support/hard_particles.h"
 #include "support/relative.h"
 #include "support/same_events.h"
 #include "support/slow_simulator.h"
@@ -26,72 +27,8 @@ namespace {
 
 double ulp(double x) { return std::nextafter(x, std::numeric_limits<double>::max()) - x; }
 
-// The deepest overlap of any pair or wall, length.
-double deepest_overlap(const Box& box, const Particles& particles, const Sample& sample) {
-    double deepest = 0.0;
-    for (Eigen::Index i = 0; i < particles.count(); ++i) {
-        for (Eigen::Index j = 0; j < i; ++j) {
-            if (particles.inverse_mass[i] + particles.inverse_mass[j] == 0.0) continue;
-            Vec r = vec_in(sample.position, i) - vec_in(sample.position, j);
-            for (int a = 0; a < 2; ++a)
-                if (box.is_periodic(a)) r[a] = std::remainder(r[a], box.size[a]);
-            const double sigma = particles.radius[i] + particles.radius[j];
-            deepest = std::max(deepest, sigma - std::hypot(r[0], r[1]));
-        }
-        for (int a = 0; a < 2; ++a) {
-            if (box.is_periodic(a)) continue;
-            const double x = sample.position(i, a);
-            deepest = std::max(deepest, particles.radius[i] - std::min(x, box.size[a] - x));
-        }
-    }
-    return deepest;
-}
-
 bool has_driven(const Particles& particles, const Sample& start) {
     return (particles.inverse_mass == 0.0 && speeds(start) > 0.0).any();
-}
-
-std::uint64_t hash_of(const Sample& sample) {
-    std::uint64_t hash = 14695981039346656037ULL;  // FNV-1a
-    for (const auto* array : {&sample.position, &sample.velocity})
-        for (Eigen::Index k = 0; k < array->size(); ++k)
-            hash = (hash ^ std::bit_cast<std::uint64_t>(array->data()[k])) * 1099511628211ULL;
-    return hash;
-}
-
-// Coordinates of the size of the box are rounded a few times on the way to a contact, and a sample
-// is taken at a rounded time, when the fastest disk is off by its speed times the rounding.
-double overlap_bound(const Box& box, const Sample& sample) {
-    const double epsilon = std::numeric_limits<double>::epsilon();
-    return epsilon *
-           (4.0 * (box.size[0] + box.size[1]) + 2.0 * speeds(sample).maxCoeff() * sample.time);
-}
-
-// In contact at each of so many collisions, no overlap at those that are looked at, the first and
-// then one in `each`, and the energy of the start at the last.
-void require_hard_disks(const Gas& gas, int collisions, int each) {
-    const auto [particles, start] = place(gas);
-    EventLoop<2> disks(gas.box, particles);
-    disks.start(start);
-    Sample sample;
-    Collision collision{};
-    double apart = 0.0;  // at contact, more or less than the radii
-    for (int k = 0; k < collisions; ++k) {
-        REQUIRE(disks.advance_one(1e6, collision));
-        if (collision.second.is_particle()) {
-            const double sigma =
-                particles.radius[collision.first] + particles.radius[collision.second.particle()];
-            const double distance = length(collision.second_position - collision.first_position);
-            apart = std::max(apart, std::abs(distance - sigma));
-        }
-        if (k % each != 0) continue;
-        disks.sample(collision.time, sample);
-        REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
-    }
-    disks.sample(collision.time, sample);
-    CHECK(apart <= overlap_bound(gas.box, sample));
-    CHECK(kinetic_energies(particles, sample).sum() ==
-          relative(kinetic_energies(particles, start).sum(), 1e-12));
 }
 
 }  // namespace
@@ -128,7 +65,8 @@ TEST_CASE("no overlap after any event, energy and momentum are kept") {
         for (int k = 0; k < 200 && disks.advance_one(1e6, collision); ++k) {
             CAPTURE(k);
             disks.sample(collision.time, sample);
-            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
+            REQUIRE(test::deepest_overlap(gas.box, particles, sample) <=
+                    test::overlap_bound(gas.box, sample));
             if (driven) continue;
             REQUIRE(energy_of(sample) == relative(energy_of(start), 1e-13));
             for (int a = 0; a < 2; ++a) {
@@ -179,7 +117,7 @@ TEST_CASE("disks that hang over the sides of their wide cells are found in time"
                 gas.box.size = {length, length};
                 gas.box.walls = {side, Wall::periodic};
                 gas.species = {{.name = "", .count = count, .velocity = Temperature{1.0}}};
-                require_hard_disks(gas, 3'000, count < 100 ? 1 : 10);
+                test::require_hard<2>(gas, 3'000, count < 100 ? 1 : 10);
             }
         }
     }
@@ -231,7 +169,7 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
                             .radius = UniformDistribution{0.1, 0.4},
                             .mass = Density{1.0},
                             .velocity = Temperature{30.0}}};
-            require_hard_disks(gas, 30'000, 60);
+            test::require_hard<2>(gas, 30'000, 60);
         }
 }
 
@@ -245,7 +183,7 @@ TEST_CASE("giants that meet each other") {
                     .radius = 0.2,
                     .mass = ValueRule{0.1},
                     .velocity = Temperature{1.0}}};
-    require_hard_disks(gas, 20'000, 20);
+    test::require_hard<2>(gas, 20'000, 20);
 }
 
 TEST_CASE("a giant that nearly fills its periodic box is met at each of its images") {
@@ -258,7 +196,7 @@ TEST_CASE("a giant that nearly fills its periodic box is met at each of its imag
         {.name = "giant", .count = 1, .radius = 8.0, .mass = fixed},
         {.name = "obstacle", .count = 40, .radius = 0.05, .mass = fixed},
         {.name = "small", .count = 1, .radius = 0.05, .velocity = Velocity{{{1.0, 0.1}}}}};
-    require_hard_disks(gas, 3'000, 1);
+    test::require_hard<2>(gas, 3'000, 1);
 }
 
 TEST_CASE("a giant ploughs through dust at rest, which looks for nothing itself") {
@@ -297,7 +235,7 @@ TEST_CASE("so many disks that they are put in order in memory again and again") 
     gas.box.size = {120.0, 110.0};
     gas.box.walls = {Wall::periodic, Wall::solid};
     gas.species = {{.name = "", .count = 4200, .velocity = Temperature{1.0}}};
-    require_hard_disks(gas, 160'000, 8'000);
+    test::require_hard<2>(gas, 160'000, 8'000);
 }
 
 TEST_CASE("dense from a lattice, at late and early times alike") {
@@ -318,7 +256,8 @@ TEST_CASE("dense from a lattice, at late and early times alike") {
         for (int k = 0; k < 50; ++k) {
             disks.advance_one(epoch + 100.0, collision);
             disks.sample(collision.time, sample);
-            REQUIRE(deepest_overlap(gas.box, particles, sample) <= overlap_bound(gas.box, sample));
+            REQUIRE(test::deepest_overlap(gas.box, particles, sample) <=
+                    test::overlap_bound(gas.box, sample));
         }
         CHECK(kinetic_energies(particles, sample).sum() ==
               relative(kinetic_energies(particles, start).sum(), 1e-13));
@@ -349,8 +288,8 @@ TEST_CASE("particles keep their numbers when they are sorted in memory") {
                              particles.radius[c.second.particle()]) < 1e-12);
         }
     }
-    CHECK(deepest_overlap(gas.box, particles, simulation.sample()) <=
-          overlap_bound(gas.box, simulation.sample()));
+    CHECK(test::deepest_overlap(gas.box, particles, simulation.sample()) <=
+          test::overlap_bound(gas.box, simulation.sample()));
     CHECK(kinetic_energies(particles, simulation.sample()).sum() ==
           relative(kinetic_energies(particles, start).sum(), 1e-12));
 }
@@ -393,7 +332,7 @@ TEST_CASE("two runs of one scene are the same to the last bit") {
         simulation.advance_to(7.0);
         const std::int64_t collisions = simulation.advance_to(20.0).counts.particle;
         CHECK(collisions > 3000);
-        const std::uint64_t now = hash_of(simulation.sample());
+        const std::uint64_t now = test::hash_of(simulation.sample());
         if (i == 1) CHECK(now == hash);
         hash = now;
     }
@@ -419,7 +358,7 @@ TEST_CASE("the same bits with every compiler, processor and level of optimisatio
     Sample end;
     disks.sample(60.0, end);
     CHECK(disks.counts().particle == 256'074);
-    CHECK(hash_of(end) == 15148608229584821666ULL);
+    CHECK(test::hash_of(end) == 15148608229584821666ULL);
 }
 
 TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {
@@ -428,5 +367,5 @@ TEST_CASE("very slow disks among very fast ones, and mass ratios to 1e15") {
     gas.species = {{.name = "fast", .count = 3, .velocity = Speed{1e6}},
                    {.name = "slow", .count = 20, .mass = ValueRule{1e15}, .velocity = Speed{1e-12}},
                    {.name = "light", .count = 5, .mass = ValueRule{1e-3}}};
-    require_hard_disks(gas, 20'000, 10);
+    test::require_hard<2>(gas, 20'000, 10);
 }

@@ -125,7 +125,10 @@ void SlowSimulator::settle(const Candidate& first, SlowEvent& event) {
     participants.push_back({});
     for (const SlowTouch& touch : touches)
         event.is_doubtful = event.is_doubtful || touch.is_doubtful();
-    event.is_doubtful = event.is_doubtful || grazes(first);
+    if (grazes(first)) {  // in the worst case through a slit that it just fills: without end
+        event.is_doubtful = true;
+        return collide(first);
+    }
     const std::int32_t pushed = its(first.first).inverse_mass > 0.0L ? first.first : first.second;
     if (pushed < 0) return collide(first);
     const auto connected = connected_with(static_cast<std::size_t>(pushed), touches, participants);

@@ -205,6 +205,7 @@ void SlowSurfaces::adopt(const Sample& state, const std::vector<SurfaceState>& s
         movers_[k].place = surfaces[k].motion->place;
         movers_[k].velocity = surfaces[k].motion->velocity;
     }
+    bounces_ = 0;
     find_slack();
     settle();
 }

@@ -119,8 +119,8 @@ Pieces pieces_along(int axis, const Box& box, const std::vector<Gap>& gaps, std:
 
 }  // namespace
 
-// Faces, edges where a face ends, and corners where two edges meet that are not in line: those that
-// reach into a gap.
+// Faces, edges where a face ends, and corners where two edges meet that are not in line. Those in
+// the corner of a gap are met first only by what a membrane has let in.
 void SlowSurfaces::add_partition(int axis, long double at, const std::vector<Gap>& gaps,
                                  std::int32_t surface) {
     Pieces along[2];
@@ -174,10 +174,9 @@ void SlowSurfaces::add_partition(int axis, long double at, const std::vector<Gap
                 edge.spans = span_of(0, p);
                 add(edge);
             }
-            if (int(is) + int(is_solid(after_p, q)) + int(is_solid(p, after_q)) +
-                        int(is_solid(after_p, after_q)) ==
-                    1 &&
-                after_p != p && after_q != q) {
+            const bool up = is_solid(p, after_q), right = is_solid(after_p, q),
+                       beyond = is_solid(after_p, after_q);
+            if ((is != right || up != beyond) && (is != up || right != beyond)) {
                 Part corner = part;
                 for (const std::size_t k : {0U, 1U})
                     corner.place[along[k].axis] = along[k].to[k == 0 ? p : q];

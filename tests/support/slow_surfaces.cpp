@@ -95,11 +95,31 @@ SlowSurfaces::Motion SlowSurfaces::between(const Body& a, const Body& b,
     return {b.x + image - a.x, b.v - a.v, b.a - a.a};
 }
 
+// How far a body may move along an axis in this time, or less.
+static long double way_along(int axis, const SlowVector& v, const SlowVector& a, long double time) {
+    return time * (std::abs(v[axis]) + 0.5L * time * std::abs(a[axis]));
+}
+
+// Whether a body is further from a part along an axis than it moves in this time. A part may move
+// along its normal.
+bool SlowSurfaces::is_out_of_reach(const Body& body, const Part& part, const Vector& image,
+                                   long double before) const {
+    const auto k = static_cast<std::size_t>(part.surface);
+    for (int axis = 0; axis < box_.dimension; ++axis) {
+        if (k < movers_.size() && movers_[k].axis == axis) continue;
+        const long double x = body.x[axis] + image[axis];
+        const long double reach =
+            body.radius + part.radius + slack_ + way_along(axis, body.v, body.a, before);
+        if (part.low[axis] - x > reach || x - part.high[axis] > reach) return true;
+    }
+    return false;
+}
+
 // The times before `before` at which a body comes closer than this.
 std::vector<long double> SlowSurfaces::times_at(const Motion& m, long double distance,
                                                 long double before) const {
-    const long double way = before * (size(m.v) + 0.5L * before * size(m.a));
-    if (size(m.r) > distance + way) return {};
+    for (int axis = 0; axis < box_.dimension; ++axis)
+        if (std::abs(m.r[axis]) > distance + way_along(axis, m.v, m.a, before)) return {};
     const Polynomial gap{{dot(m.r, m.r) - distance * distance, 2.0L * dot(m.r, m.v),
                           dot(m.v, m.v) + dot(m.r, m.a), dot(m.v, m.a), 0.25L * dot(m.a, m.a)}};
     return falls_of(gap, before);
@@ -110,7 +130,7 @@ long double SlowSurfaces::time_to_part(const Body& body, const Part& part, const
     // A body that is let through and overlaps the surface must leave it before it can meet it
     // again.
     const bool is_passing = body.passing.contains(part.surface) && gap_of(m, part, body) < slack_;
-    const long double reach = body.radius + part.radius - (is_passing ? 0.0L : slack_);
+    const long double reach = body.radius + part.radius - slack_;
     const long double soonest = is_passing ? 1e-9L : 0.0L;
     const auto is_over = [&](long double t) { return part.has(m.r + t * (m.v + 0.5L * t * m.a)); };
     if (!part.normal) {
@@ -173,6 +193,7 @@ void SlowSurfaces::look_at_parts(Next& next) const {
         for (const Part& part : parts_) {
             if (!is_there(part) || lets_pass(part, bodies_[i])) continue;
             for (const Vector& image : part.images) {
+                if (is_out_of_reach(bodies_[i], part, image, next.wait)) continue;
                 const Motion m = motion_of(bodies_[i], part, image);
                 const long double t = time_to_part(bodies_[i], part, m, next.wait);
                 if (t < next.wait) next = {t, static_cast<std::int32_t>(i), -1 - part.surface};
@@ -276,7 +297,10 @@ void SlowSurfaces::bounce(const Next& next) {
     if (next.second == -1) {
         mover.velocity = 0.0L;
         mover.stops = infinite;
-    } else if (next.second < -1) {
+        return;
+    }
+    ++bounces_;
+    if (next.second < -1) {
         Mover& other = movers_[static_cast<std::size_t>(-2 - next.second)];
         const long double impulse =
             2.0L * (other.velocity - mover.velocity) / (mover.inverse_mass + other.inverse_mass);

@@ -92,6 +92,11 @@ class SlowSurfaces {
     /// round-off decides what happens to a particle in between.
     long double least_room() const;
 
+    /// How often movers have bounced off something at rest or off each other since the last
+    /// adopt(). A light piston may do so hundreds of times, which adds up the round-off of its
+    /// motion.
+    int bounces() const { return bounces_; }
+
     /// The smallest gap between any two bodies that must not overlap.
     long double least_gap() const;
 
@@ -145,6 +150,8 @@ class SlowSurfaces {
     Motion between(const Body& a, const Body& b, const SlowVector& image) const;
     std::vector<long double> times_at(const Motion& m, long double distance,
                                       long double before) const;
+    bool is_out_of_reach(const Body& body, const Part& part, const SlowVector& image,
+                         long double before) const;
     long double time_to_part(const Body& body, const Part& part, const Motion& m,
                              long double before) const;
     long double gap_of(const Motion& m, const Part& part, const Body& body) const;
@@ -172,6 +179,7 @@ class SlowSurfaces {
     std::vector<Part> parts_;
     std::vector<std::size_t> order_;  ///< of beads on a line, from the left
     long double time_ = 0.0L;
+    int bounces_ = 0;
 };
 
 }  // namespace carom::test

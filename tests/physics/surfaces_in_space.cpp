@@ -47,10 +47,6 @@ struct Gas {
 
 using Loop = EventLoop<3, double, true>;
 
-Vec cross(const Vec& a, const Vec& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // The components of a velocity in the frame of a hit: along its normal, and along two directions
 // across it, which are turned at random.
 Vec in_frame_of(const Collision& hit, double radius, const Vec& v, Random& random) {
